@@ -257,7 +257,12 @@ static void edit(source *s, bat_shape *shape) {
     if (bat_shape_copy(shape, &before) != BAT_OK) abort();
     bat_status status = BAT_STATE;
     bat_stroke stroke = {dimension, 9 / (size_t)dimension, deltas, NULL, NULL};
-    switch (byte(s) % 9) {
+    switch (byte(s) % 10) {
+    case 9:
+        if (bat_shape_to_dimension(shape, 5 - dimension, &made) == BAT_OK &&
+            bat_shape_levels(made) != bat_shape_levels(shape))
+            abort();
+        break;
     case 0: status = bat_shape_move(shape, level, index, deltas); break;
     case 1: status = bat_shape_move_many(shape, level, index, 2, deltas); break;
     case 2: status = bat_shape_set_muted(shape, level, index & 1); break;

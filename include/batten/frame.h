@@ -168,6 +168,9 @@ typedef struct bat_frame {
 enum { BAT_SPACE_TRIANGLES = 0, BAT_SPACE_LINES = 1 };
 
 /* Buffers of an object. The same id, kind and version mean the same data, except for what `moved` says. */
+/* In the id of the lines that are the outline (the silhouettes) of that surface in this view. */
+#define BAT_SPACE_OUTLINE 0x80000000u
+
 typedef struct bat_space_item {
     uint32_t id, version;
     uint32_t kind;
@@ -197,6 +200,7 @@ typedef struct bat_space {
     const bat_space_item *items; /* back to front; what has an opacity below 1 goes last */
     double range;                /* curvature: colours run from -range to range */
     uint32_t legend[3];          /* 0xRRGGBBAA: the colours of -range, 0 and range */
+    uint32_t waits; /* outlines of surfaces are left out while the view moves: another call shows them */
 } bat_space;
 
 /* The drawing as the last frame showed it, or as the camera sees it that it is seen through (bat_editor_move), without its overlay, page, fills and pictures: for a host that has a depth buffer.

@@ -131,6 +131,10 @@ BAT_API bat_status bat_shape_transform(bat_shape *shape, const double *matrix);
  * re-expressed so that each of C^0..C^k is exactly the image of what it was, whatever the matrix. BAT_SINGULAR:
  * the matrix is singular. */
 BAT_API bat_status bat_shape_reframe(bat_shape *shape, const double *matrix, bat_frame_rule rule);
+/* The shape in the plane z = 0 (dimension 2), seen along z, or in space (3, with z = 0): the details are re-expressed so that
+ * each of C^0..C^k is exactly that view of what it was, muted levels, too; knots, gains and rules stay. BAT_DIMENSION: any
+ * other dimension; BAT_SINGULAR: the curve is seen as a point. O(points). */
+BAT_API bat_status bat_shape_to_dimension(const bat_shape *shape, int dimension, bat_shape **out);
 /* Ends an edit. Edits in space may have left details in frames that the curves alone would not give: they are
  * re-expressed in the frames that the curves give, and a new persistent pair is taken when the start tangent has
  * turned far from the old one (math 2.2); nothing moves by more than rounding. A committed shape that is written

@@ -216,6 +216,8 @@ static uint64_t look_at_shape(const void *shared, int seed) {
     char *text = NULL;
     size_t size = 0;
     uint64_t d = add_curve(bat_digest_begin(), bat_shape_flatten(shape, &flat), &flat);
+    bat_shape *seen = NULL;
+    d = add_shape(d, bat_shape_to_dimension(shape, 3, &seen), &seen);
     for (int l = 1; l <= top; l++) {
         const int n = (int)bat_curve_count(bat_shape_curve(shape, l));
         d = add_doubles(add_doubles(d, bat_shape_details(shape, l), 3 * n), bat_shape_nodes(shape, l), n);

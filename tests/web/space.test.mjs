@@ -5,7 +5,7 @@ import { createHash } from 'node:crypto';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { densify, launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { fileURLToPath } from 'node:url';
 import { serve } from './server.mjs';
 
@@ -191,4 +191,116 @@ test('three fingers turn the view, a tap of three does not', async (t) => {
   await page.keyboard.press('5');
   await quiet(page);
   assert.equal(await pixels(page), before);
+});
+
+test('the barrel button of the pen turns a tilted view, and only that', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: CAR });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address);
+  const barrel = (during) => hand.stroke([[560, 640], [660, 590]], { pointerType: 'pen', button: 'right', during });
+  await barrel();
+  assert.equal(await tilt(page), 0, 'face-on it keeps its property: it smooths');
+  for (let i = 0; i < 2; i++) {
+    await page.keyboard.press('Shift+Alt+ArrowUp');
+  }
+  await quiet(page);
+  assert.equal(await tilt(page), 30);
+  const first = await state(page);
+  const angle = await page.evaluate(() => glance().angle);
+  await barrel(() => page.screenshot({ path: path.join(SCREENSHOTS, 'space-barrel.png') }));
+  await quiet(page);
+  assert.notEqual(await tilt(page), 30);
+  assert.notEqual(await page.evaluate(() => glance().angle), angle);
+  assert.equal((await state(page)).digest, first.digest, 'nothing was drawn');
+  await hand.stroke([[360, 640], [460, 600], [560, 640]]);
+  assert.notEqual((await state(page)).digest, first.digest, 'without the button the pen draws');
+  assert.equal((await state(page)).check, '');
+});
+
+test('two fingers that twist roll the page face-on, and never tilt it', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: CAR });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address, { hasTouch: true });
+  const twist = (from, to) => hand.fingers([0, ...Array.from({ length: 21 }, (_, i) => i / 20)].map((share, k) => {
+    const turn = ((from + (to - from) * share) * Math.PI) / 180;
+    const [x, y] = [110 * Math.cos(turn), 110 * Math.sin(turn)];
+    return [[600 - x, 420 - y], [600 + x, 420 + y]].slice(0, k === 0 ? 1 : 2);
+  }));
+  const angle = () => page.evaluate(() => glance().angle);
+  await twist(0, 40);
+  await quiet(page);
+  assert.ok(Math.abs(Math.abs(await angle()) - 40) < 8, String(await angle()));
+  assert.equal(await tilt(page), 0);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'space-twist.png') });
+  await page.keyboard.press('5');
+  await quiet(page);
+  assert.equal(await angle(), 0);
+  await page.keyboard.press('Shift+Alt+ArrowUp');
+  await page.keyboard.press('Shift+Alt+ArrowUp');
+  await quiet(page);
+  const was = [await angle(), await tilt(page)];
+  hand.rest(2);
+  await twist(0, 40);
+  await quiet(page);
+  assert.deepEqual([await angle(), await tilt(page)], was, 'tilted, two fingers only pan and zoom');
+});
+
+const WAVE = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 700"><path d="M200 400C400 250 600 550 800 400" fill="none" stroke="#000" stroke-width="3"/></svg>';
+
+/** Where the only line is seen in the tilted view, in pixels of the window. */
+const seenLine = (page) => page.evaluate(() => {
+  const { clip, items } = batten.loop.space.read();
+  const { rows, vertices } = items.find(({ kind }) => kind === 1);
+  const all = [...new Float32Array(batten.engine.wasm.memory.buffer, vertices, 4 * rows)];
+  const stage = document.getElementById('still').getBoundingClientRect();
+  return Array.from({ length: rows - 2 }, (_, i) => {
+    const [x, y, z] = all.slice(4 * (i + 1));
+    const at = (k) => clip[k] * x + clip[4 + k] * y + clip[8 + k] * z + clip[12 + k];
+    return [stage.left + ((at(0) / at(3) + 1) / 2) * stage.width, stage.top + ((1 - at(1) / at(3)) / 2) * stage.height];
+  });
+});
+
+test('a finger pulls a curve off the page by its second view, and draws lines; the page stays to the pixel', async (t) => {
+  const server = await serve({ name: 'wave.svg', bytes: Buffer.from(WAVE) });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address, { hasTouch: true });
+  const finger = (points) => hand.fingers(densify(points, 6).map((at) => [at]));
+  const before = await pixels(page);
+  const first = await state(page);
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('p');
+  for (let i = 0; i < 3; i++) {
+    await page.keyboard.press('Shift+Alt+ArrowUp');
+  }
+  await quiet(page);
+  await page.waitForFunction(() => batten.loop.space?.read());
+  const line = await seenLine(page);
+  const [low, high] = [line[0][0], line.at(-1)[0]];
+  await finger(line.map(([x, y]) => [x, y - 90 * Math.sin((Math.PI * (x - low)) / (high - low))]));
+  await quiet(page);
+  const lifted = await state(page);
+  assert.equal(lifted.check, '');
+  assert.notEqual(lifted.digest, first.digest);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'space-lift-touch.png') });
+  const now = await seenLine(page);
+  const middle = (points) => points.reduce((best, at) => (Math.abs(at[0] - 640) < Math.abs(best[0] - 640) ? at : best));
+  assert.ok(Math.abs(middle(now)[1] - (middle(line)[1] - 90)) < 12, 'its second view is the stroke');
+  await page.keyboard.press('5');
+  await quiet(page);
+  assert.equal(await pixels(page), before, 'its first view is what it was');
+  await page.keyboard.press('7');
+  await page.keyboard.press('Shift+Alt+ArrowDown');
+  await page.keyboard.press('u');
+  await quiet(page);
+  hand.rest(2);
+  await finger([[500, 560], [700, 600]]);
+  await quiet(page);
+  const drawn = await state(page);
+  assert.equal(drawn.check, '');
+  assert.notEqual(drawn.digest, lifted.digest, 'a line on the tilted page');
+  await page.keyboard.press('Enter');
+  while ((await state(page)).digest !== first.digest) {
+    await page.keyboard.press('Control+z');
+    await settle(page);
+  }
 });

@@ -110,6 +110,7 @@ const module_field *module_layout(void) {
         {"space.items", offsetof(bat_space, items)},
         {"space.range", offsetof(bat_space, range)},
         {"space.legend", offsetof(bat_space, legend)},
+        {"space.waits", offsetof(bat_space, waits)},
         {"solid.size", sizeof(bat_space_item)},
         {"solid.id", offsetof(bat_space_item, id)},
         {"solid.version", offsetof(bat_space_item, version)},

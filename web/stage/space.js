@@ -14,6 +14,7 @@ import { warp } from './warp.js';
 /** @typedef {NonNullable<Picture>['items'][number]} Solid */
 
 const LINE_LOOK = 4;
+const OBJECT = 0x7fffffff; // of an id: without what says that the lines are the outline of a surface
 const CURVATURES = [2, 3];
 const THINNEST = 0.75; // view pixels: as on the still canvas
 const HIDDEN = { fainter: 0.4, thinner: 0.7 };
@@ -186,6 +187,9 @@ export class Space {
       this.#paint(picture);
     }
     this.#tell(picture);
+    if (picture.waits) {
+      this.shell.wake();
+    }
   }
 
   /** What the engine has to paint. Arrays are views into its memory, valid until the next call. */
@@ -211,6 +215,7 @@ export class Space {
       look: word32(at, 'space.look'),
       range: view.getFloat64(place(at, 'space.range'), true),
       legend: [...new Uint32Array(buffer, place(at, 'space.legend'), 3)],
+      waits: word32(at, 'space.waits'),
       items: Array.from({ length: word32(at, 'space.count') }, (_, i) => {
         const item = first + i * layout['solid.size'];
         const get = (/** @type {string} */ name) => word32(item, `solid.${name}`);
@@ -253,7 +258,7 @@ export class Space {
     // Shaded surfaces are light in both themes: what is seen on them or through them has the ink of paper, and a light
     // line that passes before them a dark rim.
     const edged = new Set(paper ? [] : solid.filter(({ colour }) => !colour).map(({ id }) => id));
-    const over = (/** @type {Solid} */ { id }) => edged.has(id);
+    const over = (/** @type {Solid} */ { id }) => edged.has(id & OBJECT);
     this.#paintLines(picture, lines, true, edged.size ? () => true : over);
     gl.depthFunc(gl.LEQUAL);
     if (edged.size && this.shell.theme.dark) {

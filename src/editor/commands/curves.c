@@ -83,10 +83,14 @@ static bat_status flattened(const bat_curve *curve, bat_curve **out) {
     return bat_curve_to_dimension(curve, 2, out);
 }
 
-/* A function that makes one curve from another, and how many it has changed; curves for which it returns BAT_STATE
- * stay. */
+/* A function that makes one curve from another; those for which it returns BAT_STATE stay. */
+typedef bat_status curve_maker(const bat_curve *curve, bat_curve **out);
+/* One that makes an object from another by it. */
+typedef bat_status object_maker(const bat_object *object, curve_maker *make, bat_object **out);
+
+/* The function, and how many curves it has changed. */
 typedef struct making {
-    bat_status (*make)(const bat_curve *curve, bat_curve **out);
+    curve_maker *make;
     int changed;
 } making;
 
@@ -98,8 +102,7 @@ static bat_status make_one(void *context, const bat_curve *curve, bat_curve **ou
 }
 
 /* The object with `make` applied to each of its curves. BAT_STATE: all of them stay. */
-static bat_status made_over(const bat_object *object, bat_status (*make)(const bat_curve *, bat_curve **),
-                            bat_object **out) {
+static bat_status made_over(const bat_object *object, curve_maker *make, bat_object **out) {
     making way = {make, 0};
     if (!bat_object_is_made_of_curves(object)) return BAT_STATE;
     bat_status status = bat_object_with_each(object, make_one, &way, out);
@@ -107,6 +110,30 @@ static bat_status made_over(const bat_object *object, bat_status (*make)(const b
     bat_object_release(*out);
     *out = NULL;
     return BAT_STATE;
+}
+
+/* The same with the curves seen from straight above; those with levels keep them. */
+static bat_status flattened_over(const bat_object *object, curve_maker *make, bat_object **out) {
+    bat_status status = made_over(object, make, out);
+    for (int i = 0; status == BAT_OK && i < bat_object_curve_count(object); i++) {
+        bat_shape *flat = NULL;
+        bat_object *made = NULL;
+        if (!bat_object_shape(object, i)) continue;
+        status = bat_shape_to_dimension(bat_object_shape(object, i), 2, &flat);
+        if (status == BAT_SINGULAR) { /* a point has no frames, and keeps no levels */
+            status = BAT_OK;
+            continue;
+        }
+        if (status == BAT_OK) status = bat_object_with_shape(*out, i, flat, &made);
+        if (status != BAT_OK) break;
+        bat_object_release(*out);
+        *out = made;
+    }
+    if (status != BAT_OK && status != BAT_STATE) {
+        bat_object_release(*out);
+        *out = NULL;
+    }
+    return status;
 }
 
 static bat_status finish(bat_context *c, bat_status status, bool changed, bat_string label,
@@ -121,8 +148,8 @@ static bat_status finish(bat_context *c, bat_status status, bool changed, bat_st
     return status;
 }
 
-static bat_status each(bat_context *c, bat_status (*make)(const bat_curve *, bat_curve **), bat_string label,
-                       bat_string otherwise) {
+static bat_status each_by(bat_context *c, object_maker *over, curve_maker *make, bat_string label,
+                          bat_string otherwise) {
     int *members = NULL, count = 0;
     bool changed = false;
     bat_status status = bat_arrange_members(c, &members, &count);
@@ -130,7 +157,7 @@ static bat_status each(bat_context *c, bat_status (*make)(const bat_curve *, bat
     if (status == BAT_OK) status = bat_transaction_begin(c);
     for (int i = 0; i < count && status == BAT_OK; i++) {
         bat_object *after = NULL;
-        status = made_over(bat_document_at(c->session->document, members[i]), make, &after);
+        status = over(bat_document_at(c->session->document, members[i]), make, &after);
         if (status == BAT_STATE) {
             status = BAT_OK;
             continue;
@@ -143,6 +170,10 @@ static bat_status each(bat_context *c, bat_status (*make)(const bat_curve *, bat
     return finish(c, status, changed, label, otherwise);
 }
 
+static bat_status each(bat_context *c, curve_maker *make, bat_string label, bat_string otherwise) {
+    return each_by(c, made_over, make, label, otherwise);
+}
+
 bat_status bat_command_curve_close(bat_context *c, bat_command_id id) {
     (void)id;
     return each(c, closed, BAT_STRING_STEP_CLOSE_CURVE, BAT_STRING_NOTICE_SELECT_OPEN);
@@ -153,7 +184,7 @@ bat_status bat_command_curve_open(bat_context *c, bat_command_id id) {
 }
 bat_status bat_command_to_page(bat_context *c, bat_command_id id) {
     (void)id;
-    return each(c, flattened, BAT_STRING_STEP_TO_PAGE, BAT_STRING_NOTICE_SELECT_SPACE);
+    return each_by(c, flattened_over, flattened, BAT_STRING_STEP_TO_PAGE, BAT_STRING_NOTICE_SELECT_SPACE);
 }
 bat_status bat_command_curve_reverse(bat_context *c, bat_command_id id) {
     (void)id;

@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const float PALE = 0.2F; /* factor on the opacity of what is not isolated */
+static const float PALE = 0.2F;          /* factor on the opacity of what is not isolated */
+static const uint32_t BARE = 0x707880ff; /* of surfaces without a stroke */
 static const uint32_t ITEM_PAGE = 0xffffffff;
 
 void bat_scene_init(bat_scene *scene) {
@@ -124,6 +125,11 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
         item->picture = (uint32_t)bat_picture_digest(picture);
     }
     if (style->stroked) item->flags |= BAT_ITEM_STROKED;
+    if (bat_scene_is_bare(entry->object)) { /* else it would only be seen where it is shaded */
+        item->flags |= BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH;
+        item->stroke = BARE;
+        item->width = 1;
+    }
     if (style->filled && !bat_object_is(entry->object, BAT_FIXED)) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
     double more = reach(style);
@@ -131,6 +137,10 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     for (int i = 0; i < 4; i++)
         item->bounds[i] = bat_path_float(entry->box[i] + (i < 2 ? -more : more) - scene->origin[i & 1]);
     return true;
+}
+
+bool bat_scene_is_bare(const bat_object *object) {
+    return bat_object_surface(object) && !bat_object_style(object)->stroked;
 }
 
 static bat_item page_item(bat_scene *scene) {

@@ -57,6 +57,8 @@ void bat_scene_init(bat_scene *scene);
 void bat_scene_free(bat_scene *scene);
 /* Sets how the next sync shows the document: in outline mode; with everything not isolated pale. */
 void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation);
+/* A surface without a stroke: thin lines show it face-on. */
+bool bat_scene_is_bare(const bat_object *object);
 /* The item of an entry as it is painted: in outline mode, or pale. */
 bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry);
 /* Mirrors the document. BAT_MEMORY: the scene is unchanged, or lacks some paths until the next call. */

@@ -17,7 +17,7 @@ static const double too_bent = 0.9;                 /* cosine: 26 degrees */
 void bat_solid_clear(bat_solid *solid) {
     bat_tessellation_free(solid->mesh);
     if (solid->facets.points) bat_facets_clear(&solid->facets);
-    free(solid->corners), free(solid->points);
+    free(solid->corners), free(solid->points), free(solid->rim);
     *solid = (bat_solid){.version = 0};
 }
 

@@ -43,6 +43,11 @@ typedef struct bat_solid {
     bool guised;           /* it shows a guise, which differs there: */
     bat_direction direction;
     double differs[2];
+    /* The outline of a surface in the view that was seen last, as lines; with the versions of the view and of the lines that it
+     * belongs to. */
+    uint32_t rim_version, rim_view, rim_lines;
+    float *rim;
+    uint32_t rim_count;
 } bat_solid;
 
 /* Brings the buffers up to date; guise NULL: the object as it is. versions: the counter that new versions are taken from.
@@ -55,6 +60,9 @@ void bat_solid_free(bat_solid *solid); /* one from malloc, or NULL */
 /* The picture of all solids, and what it needs to be made again (scene/space.h). */
 typedef struct bat_space_kept {
     bat_space space;
+    bat_viewpoint seen;
+    float clip[16]; /* of the picture before */
+    uint32_t views; /* how often the view has changed */
     bat_space_item *items;
     double origin[3];
     uint32_t measured; /* the newest version among the surfaces when the range of curvature was found */
@@ -64,5 +72,9 @@ void bat_space_free(bat_space_kept *kept); /* NULL is fine */
 
 /* For bat_solid_update: makes the lines of the object anew; surface: in place of its own, or NULL. */
 bat_status bat_solid_lines(bat_solid *solid, const bat_object *object, const bat_surface *surface);
+
+/* Makes the outline of the object's surface in the view anew; without a surface, with too many patches, or where it can't be
+ * traced, it has none. */
+bat_status bat_solid_outline(bat_solid *solid, const bat_object *object, const bat_viewpoint *view);
 
 #endif

@@ -3,12 +3,13 @@
 #include "editor/scene/solid.h"
 #include <batten/bezier.h>
 #include <batten/curve.h>
+#include <batten/trace.h>
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS_MAX = 512 };
+enum { STEPS_MAX = 512, PATCHES_MAX = 4096 /* of a surface whose outline is drawn */ };
 
 static const double chord = 0.1; /* view pixels */
 
@@ -97,6 +98,14 @@ static bat_status add_edges(pencil *p, const bat_surface *surface) {
     return status;
 }
 
+/* The last point twice; how many points there are. */
+static uint32_t finish(pencil *p) {
+    if (!p->count) return 0;
+    memcpy(p->points + BAT_SOLID_POINT * p->count, p->points + BAT_SOLID_POINT * (p->count - 1),
+           BAT_SOLID_POINT * sizeof *p->points);
+    return (uint32_t)(p->count + 1);
+}
+
 bat_status bat_solid_lines(bat_solid *solid, const bat_object *object, const bat_surface *surface) {
     pencil p = {.origin = solid->grain.origin, .tolerance = ldexp(chord, -solid->grain.scale)};
     const bat_surface *own = bat_object_surface(object);
@@ -113,9 +122,39 @@ bat_status bat_solid_lines(bat_solid *solid, const bat_object *object, const bat
     }
     free(solid->points);
     solid->points = p.points;
-    if (p.count)
-        memcpy(p.points + BAT_SOLID_POINT * p.count, p.points + BAT_SOLID_POINT * (p.count - 1),
-               BAT_SOLID_POINT * sizeof *p.points);
-    solid->point_count = p.count ? (uint32_t)(p.count + 1) : 0;
+    solid->point_count = finish(&p);
+    return BAT_OK;
+}
+
+static bat_status add_tracks(pencil *p, const bat_tracks *tracks) {
+    bat_status status = BAT_OK;
+    for (size_t i = 0; i < bat_tracks_count(tracks); i++) {
+        const bat_track_point *track;
+        const size_t count = bat_tracks_points(tracks, i, &track);
+        p->on = false;
+        for (size_t k = 0; k < count && status == BAT_OK; k++) status = add_point(p, track[k].point);
+    }
+    return status;
+}
+
+bat_status bat_solid_outline(bat_solid *solid, const bat_object *object, const bat_viewpoint *view) {
+    pencil p = {.origin = solid->grain.origin};
+    const bat_surface *surface = bat_object_surface(object);
+    bat_tracks *tracks = NULL;
+    bat_status status = BAT_OK;
+    free(solid->rim);
+    solid->rim = NULL;
+    solid->rim_count = 0;
+    if (!surface || bat_surface_count(surface, BAT_U) * bat_surface_count(surface, BAT_V) > PATCHES_MAX)
+        return BAT_OK;
+    status = bat_surface_silhouettes(surface, view, &tracks);
+    if (status == BAT_OK) status = add_tracks(&p, tracks);
+    bat_tracks_free(tracks);
+    if (status != BAT_OK) {
+        free(p.points);
+        return status == BAT_MEMORY ? status : BAT_OK;
+    }
+    solid->rim = p.points;
+    solid->rim_count = finish(&p);
     return BAT_OK;
 }

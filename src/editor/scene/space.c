@@ -52,6 +52,7 @@ static bat_status look_at(const bat_scene *scene, const bat_stage *stage, const 
     bat_gaze gaze;
     bat_status status = through ? BAT_OK : bat_stage_viewpoint(stage, &view);
     if (through) view = *through;
+    if (status == BAT_OK) kept->seen = view;
     if (status == BAT_OK) status = bat_gaze_of(&view, &gaze);
     if (status != BAT_OK) return status;
     const vec eye = vec_sub(gaze.eye, vec_load(kept->origin, 3)), back = vec_scale(gaze.ahead, -1);
@@ -138,6 +139,7 @@ static void add_lines(bat_space *space, bat_space_item *to, const bat_scene *sce
     const bat_solid *s = entry->solid;
     const bat_item item = bat_scene_painted(scene, entry);
     if (!(item.flags & BAT_ITEM_STROKED) || s->point_count < 4) return;
+    if (bat_scene_is_bare(entry->object) && space->look != BAT_LOOK_LINES) return; /* it is shaded */
     *to = (bat_space_item){.id = item.id,
                            .version = s->line_version,
                            .kind = BAT_SPACE_LINES,
@@ -149,6 +151,52 @@ static void add_lines(bat_space *space, bat_space_item *to, const bat_scene *sce
                            .columns = 1,
                            .moved = {0, s->point_count, 0, 1},
                            .vertices = s->points};
+    space->count++;
+}
+
+/* The outline of a surface is of one view: it is found when the view has come to rest, and not while a stroke changes the
+ * surface. */
+static bat_status rest(bat_scene *scene, bat_space_kept *kept) {
+    const bool moves = memcmp(kept->clip, kept->space.clip, sizeof kept->clip) != 0;
+    bat_status status = BAT_OK;
+    kept->space.waits = 0;
+    if (moves) kept->views++;
+    memcpy(kept->clip, kept->space.clip, sizeof kept->clip);
+    for (int i = 0; i < scene->count && status == BAT_OK; i++) {
+        bat_solid *s = scene->entries[i].solid;
+        if (!s || scene->entries[i].hidden || !bat_object_surface(scene->entries[i].object) || s->guised)
+            continue;
+        if (s->rim_view == kept->views && s->rim_lines == s->line_version) continue;
+        if (moves) {
+            kept->space.waits = 1;
+            continue;
+        }
+        status = bat_solid_outline(s, scene->entries[i].object, &kept->seen);
+        if (status != BAT_OK) break;
+        s->rim_version = ++scene->versions;
+        s->rim_view = kept->views;
+        s->rim_lines = s->line_version;
+    }
+    return status;
+}
+
+static void add_outline(bat_space *space, bat_space_item *to, const bat_space_kept *kept,
+                        const bat_scene *scene, const bat_scene_entry *entry) {
+    const bat_solid *s = entry->solid;
+    const bat_item item = bat_scene_painted(scene, entry);
+    if (s->rim_count < 4 || s->guised || s->rim_view != kept->views || s->rim_lines != s->line_version)
+        return;
+    *to = (bat_space_item){.id = item.id | BAT_SPACE_OUTLINE,
+                           .version = s->rim_version,
+                           .kind = BAT_SPACE_LINES,
+                           .colour = item.stroke,
+                           .width = item.width * (item.flags & BAT_ITEM_SCREEN_WIDTH ? 1 : space->scale),
+                           .opacity = item.opacity,
+                           .cap = item.cap,
+                           .rows = s->rim_count,
+                           .columns = 1,
+                           .moved = {0, s->rim_count, 0, 1},
+                           .vertices = s->rim};
     space->count++;
 }
 
@@ -222,9 +270,9 @@ const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const ba
     bat_grain grain = {.scale = (int)ceil(bat_log(bat_stage_scale(stage)) / bat_log(2)), .look = look};
     memcpy(grain.origin, kept->origin, sizeof grain.origin);
     if (!update(scene, &grain, guises, guise) || look_at(scene, stage, through, kept) != BAT_OK ||
-        measure(scene, look, kept) != BAT_OK)
+        measure(scene, look, kept) != BAT_OK || rest(scene, kept) != BAT_OK)
         return NULL;
-    bat_space_item *items = realloc(kept->items, (size_t)(2 * scene->count + 1) * sizeof *items);
+    bat_space_item *items = realloc(kept->items, (size_t)(3 * scene->count + 1) * sizeof *items);
     if (!items) return NULL;
     bat_space *space = &kept->space;
     space->items = kept->items = items;
@@ -238,6 +286,7 @@ const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const ba
         if (entry->solid->mesh || entry->solid->facets.triangle_count)
             add_triangles(space, items + space->count, entry);
         add_lines(space, items + space->count, scene, entry);
+        add_outline(space, items + space->count, kept, scene, entry);
     }
     return space;
 }

@@ -62,3 +62,42 @@ bat_status bat_shape_reframe(bat_shape *shape, const double *matrix, bat_frame_r
         bat_shape_free(edited);
     return status;
 }
+
+/* The details of `from` seen in the dimension of the shape, in the frames of its level. */
+static void see_details(const bat_shape *shape, const bat_level *from, bat_level *level) {
+    const bool flat = shape->base->dimension == 2;
+    for (int i = 0; i < level->count; i++) {
+        double *d = level->details + 3 * i;
+        vec way = bat_triad_to_world(&from->frames[i], from->details + 3 * i);
+        if (flat) way.z = 0;
+        bat_triad_to_local(&level->frames[i], way, d);
+        if (bat_shape_flat(shape)) d[2] = 0; /* not -0 */
+    }
+}
+
+bat_status bat_shape_to_dimension(const bat_shape *shape, int dimension, bat_shape **out) {
+    if (!shape || !out) return BAT_ARGUMENT;
+    if (dimension != 2 && dimension != 3) return BAT_DIMENSION;
+    bat_shape_options options = shape->options;
+    bat_curve *base = NULL;
+    bat_shape *made = NULL;
+    options.has_first = options.has_reference = false;
+    bat_status status = bat_curve_to_dimension(shape->base, dimension, &base);
+    if (status == BAT_OK) status = bat_shape_create(base, &options, &made);
+    bat_curve_free(base);
+    for (int l = 0; l < shape->count && status == BAT_OK; l++) {
+        const bat_level *from = &shape->levels[l];
+        status = bat_shape_add_level(made, bat_curve_knot_count(from->curve), bat_curve_knots(from->curve),
+                                     NULL, from->source);
+        if (status != BAT_OK) break;
+        made->levels[l].gain = from->gain;
+        made->levels[l].muted = from->muted;
+        see_details(made, from, &made->levels[l]);
+        status = bat_level_build(&made->levels[l], bat_shape_curve(made, l));
+    }
+    if (status == BAT_OK)
+        *out = made;
+    else
+        bat_shape_free(made);
+    return status;
+}

@@ -7,7 +7,9 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/batten.h>
+#include "editor/edit/affine.h"
 #include "editor/editor.h"
+#include "editor/session/transaction.h"
 #include "editor/scene/space.h"
 #include "editor/tools/surface/state.h"
 #include "editor/tools/toolbox.h"
@@ -281,6 +283,93 @@ static void the_look_belongs_to_the_view(void **state) {
     bat_editor_free(editor);
 }
 
+/* When the view rests a surface has its outline: there the gaze touches it. It stays while nothing changes, is left out while
+ * the view moves, and is that of the surface as it is. */
+static void the_outline_comes_with_rest(void **state) {
+    (void)state;
+    for (int deep = 0; deep < 2; deep++) {
+        bat_editor *editor = with(fine_sheet());
+        for (int i = 0; i < 5; i++) bat_editor_command(editor, "orbit-up");
+        if (deep) bat_editor_command(editor, "perspective");
+        const bat_space *space = space_of(editor);
+        assert_null(item_of(space, BAT_SPACE_LINES, SHEET | BAT_SPACE_OUTLINE));
+        assert_int_equal(space->waits, 1);
+        space = space_of(editor);
+        assert_int_equal(space->waits, 0);
+        const bat_space_item *line = item_of(space, BAT_SPACE_LINES, SHEET | BAT_SPACE_OUTLINE);
+        assert_non_null(line);
+        assert_true(line->rows > 40);
+        const bat_surface *surface = bat_object_surface(bat_document_at(bat_editor_document(editor), 1));
+        const double *origin = editor->scene.space->origin;
+        bat_viewpoint view;
+        assert_int_equal(bat_stage_viewpoint(editor->context.stage, &view), BAT_OK);
+        for (uint32_t i = 1; i < line->rows - 1; i += 7) {
+            double at[3], normal[3], touch = 0, far = 0;
+            bat_surface_point near;
+            for (int d = 0; d < 3; d++) at[d] = origin[d] + (double)line->vertices[4 * i + (uint32_t)d];
+            assert_int_equal(bat_surface_nearest(surface, at, &near), BAT_OK);
+            assert_true(near.distance < 1e-3);
+            assert_int_equal(bat_surface_normal(surface, near.u, near.v, normal), BAT_OK);
+            for (int d = 0; d < 3; d++) {
+                const double way = deep ? at[d] - view.eye[d] : view.target[d] - view.eye[d];
+                touch += way * normal[d], far += way * way;
+            }
+            assert_true(fabs(touch) < 2e-3 * sqrt(far));
+        }
+        const uint32_t version = line->version;
+        assert_int_equal(item_of(space_of(editor), BAT_SPACE_LINES, SHEET | BAT_SPACE_OUTLINE)->version,
+                         version);
+        bat_editor_command(editor, "orbit-right");
+        assert_null(item_of(space_of(editor), BAT_SPACE_LINES, SHEET | BAT_SPACE_OUTLINE));
+        line = item_of(space_of(editor), BAT_SPACE_LINES, SHEET | BAT_SPACE_OUTLINE);
+        assert_true(line && line->version != version);
+        const uint32_t turned = line->version;
+        bat_object *moved = NULL;
+        assert_int_equal(bat_affine_object(bat_document_at(bat_editor_document(editor), 1),
+                                           (double[]){1, 0, 0, 1, 30, 0}, true, &moved),
+                         BAT_OK);
+        bat_context *c = &editor->context;
+        assert_int_equal(bat_transaction_begin(c), BAT_OK);
+        assert_int_equal(bat_transaction_replace(c, 1, moved), BAT_OK);
+        assert_int_equal(bat_transaction_end(c, BAT_OK, BAT_STRING_STEP_PLANE), BAT_OK);
+        bat_object_release(moved);
+        line = item_of(space_of(editor), BAT_SPACE_LINES, SHEET | BAT_SPACE_OUTLINE);
+        assert_true(line && line->version != turned);
+        assert_int_equal(bat_editor_set_state(editor, SHEET, true, false), BAT_OK);
+        assert_null(item_of(space_of(editor), BAT_SPACE_LINES, SHEET | BAT_SPACE_OUTLINE));
+        bat_editor_free(editor);
+    }
+}
+
+/* Face-on thin lines show it; tilted it is shaded, and has lines only in the look that is nothing but lines. */
+static void a_surface_without_a_stroke(void **state) {
+    (void)state;
+    bat_document *document = NULL;
+    bat_object *object = NULL;
+    bat_style style = bat_style_defaults();
+    bat_surface *sheet = sheet_create();
+    style.stroked = false;
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    assert_int_equal(bat_object_create_surface(SHEET, "", &style, sheet, &object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
+    bat_object_release(object);
+    bat_surface_free(sheet);
+    bat_editor *editor = editor_of(document);
+    const bat_frame *frame = bat_editor_frame(editor);
+    const bat_item *item = NULL;
+    for (uint32_t i = 0; i < frame->still_count; i++)
+        if (frame->still[i].id == SHEET) item = &frame->still[i];
+    assert_non_null(item);
+    assert_true((item->flags & BAT_ITEM_STROKED) && (item->flags & BAT_ITEM_SCREEN_WIDTH));
+    assert_true(item->width == 1 && (item->stroke & 255) == 255 && item->path_count > 0);
+    for (int i = 0; i < 3; i++) bat_editor_command(editor, "orbit-up");
+    assert_non_null(item_of(space_of(editor), BAT_SPACE_TRIANGLES, SHEET));
+    assert_null(item_of(space_of(editor), BAT_SPACE_LINES, SHEET));
+    assert_int_equal(bat_editor_set(editor, "look", BAT_LOOK_LINES), BAT_OK);
+    assert_non_null(item_of(space_of(editor), BAT_SPACE_LINES, SHEET));
+    bat_editor_free(editor);
+}
+
 static void what_is_hidden_is_not_there(void **state) {
     (void)state;
     bat_editor *editor = with_sheet();
@@ -381,6 +470,8 @@ int main(void) {
                                        cmocka_unit_test(only_what_moves_is_made_anew),
                                        cmocka_unit_test(a_surface_replaced_keeps_its_triangles),
                                        cmocka_unit_test(the_look_belongs_to_the_view),
+                                       cmocka_unit_test(the_outline_comes_with_rest),
+                                       cmocka_unit_test(a_surface_without_a_stroke),
                                        cmocka_unit_test(what_is_hidden_is_not_there),
                                        cmocka_unit_test(other_things),
                                        cmocka_unit_test(any_allocation_may_fail),

@@ -9,11 +9,11 @@
 #include "support/sheet.h"
 #include <batten/batten.h>
 #include <math.h>
+#include <stdlib.h>
 
-/* A sheet over 300..700 x 200..600, in a view tilted so often by 15 degrees. */
-static bat_editor *over_sheet(int tilts) {
+/* Over the sheet, in a view tilted so often by 15 degrees. Takes the sheet over. */
+static bat_editor *over(bat_surface *sheet, int tilts) {
     bat_document *document = NULL;
-    bat_surface *sheet = sheet_create();
     bat_document_create(&document);
     bat_document_set_page(document, (double[]){0, 0, 1000, 800});
     assert_int_equal(sheet_add(document, bat_document_new_id(document), sheet), BAT_OK);
@@ -23,6 +23,20 @@ static bat_editor *over_sheet(int tilts) {
     for (int i = 0; i < tilts; i++) assert_int_equal(bat_editor_command(editor, "orbit-up"), BAT_OK);
     bat_editor_frame(editor);
     return editor;
+}
+
+/* A sheet over 300..700 x 200..600 with hills. */
+static bat_editor *over_sheet(int tilts) { return over(sheet_create(), tilts); }
+
+/* A flat one, whose parameters run as those of the other. */
+static bat_editor *over_flat(int tilts) {
+    const double points[12] = {300, 200, -20, 300, 600, -20, 700, 200, -20, 700, 600, -20};
+    const double u[4] = {0, 0, 4, 4}, v[4] = {0, 0, 3, 3};
+    bat_surface *sheet = NULL;
+    assert_int_equal(bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false},
+                                        (const size_t[2]){2, 2}, points, (const int[2]){4, 4}, u, v, &sheet),
+                     BAT_OK);
+    return over(sheet, tilts);
 }
 
 static const bat_surface *sheet_of(const bat_editor *editor) {
@@ -135,11 +149,54 @@ static void beside_it_lies_the_page(void **state) {
     bat_editor_free(editor);
 }
 
+/* In perspective a stroke leaves the sheet away from the eye, and goes over the horizon of the plane that touches it there:
+ * beyond, nothing can land. With over a third of the samples there it is refused whole, in words; with fewer they are left
+ * out, and counted. */
+static void a_third_that_misses_is_too_much(void **state) {
+    (void)state;
+    for (int high = 0; high < 2; high++) {
+        bat_editor *editor = over_flat(5);
+        pen p = pen_for(editor);
+        double a[2];
+        assert_int_equal(bat_editor_command(editor, "perspective"), BAT_OK);
+        bat_editor_frame(editor);
+        onto_sheet(editor, &p);
+        const uint64_t first = digest(editor);
+        const int count = bat_document_count(bat_editor_document(editor));
+        seen_at(editor, 2, 0.6, a);
+        size_t before, after;
+        bat_editor_journal(editor, &before);
+        enum { SAMPLES = 90 };
+        const double top = high ? -a[1] : a[1] - 210;
+        for (int i = 0; i <= SAMPLES; i++)
+            pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, a[0], a[1] + (top - a[1]) * i / SAMPLES);
+        pen_event(&p, BAT_POINTER_UP, a[0], top);
+        const char *notice = bat_editor_frame(editor)->notice;
+        const int dropped = atoi(notice);
+        if (high) {
+            assert_true(3 * dropped > SAMPLES + 1);
+            assert_non_null(
+                strstr(notice, "points of the stroke did not land, which is too many; nothing changed"));
+            assert_true(digest(editor) == first);
+            bat_editor_journal(editor, &after);
+            assert_int_equal(after, before);
+        } else {
+            assert_true(dropped > 0 && 3 * dropped <= SAMPLES + 1);
+            assert_non_null(strstr(notice, "were left out"));
+            assert_int_equal(bat_document_count(bat_editor_document(editor)), count + 1);
+            assert_int_equal(round_trip(editor, first), 1);
+        }
+        check(editor);
+        bat_editor_free(editor);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_stroke_lies_on_the_surface),
         cmocka_unit_test(what_leaves_it_goes_on_in_its_tangent_plane),
         cmocka_unit_test(beside_it_lies_the_page),
+        cmocka_unit_test(a_third_that_misses_is_too_much),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

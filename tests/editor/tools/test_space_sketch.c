@@ -187,6 +187,38 @@ static void a_curve_is_flattened(void **state) {
     bat_editor_free(editor);
 }
 
+/* Levels are flattened with their curve: each level's curve is its first view, and they are still there to be changed. */
+static void a_curve_with_levels_is_flattened(void **state) {
+    (void)state;
+    bat_editor *editor = with(wave(40, 60, 1.3), 3, 0);
+    const uint64_t first = digest(editor);
+    select_curve(editor);
+    assert_int_equal(bat_editor_command(editor, "tool-levels"), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "take-apart"), BAT_OK);
+    assert_int_equal(bat_editor_set(editor, "apart-levels", 2), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+    const bat_object *object = bat_object_retain(bat_document_at(bat_editor_document(editor), 0));
+    const bat_shape *was = bat_object_shape(object, 0);
+    assert_non_null(was);
+    select_curve(editor);
+    assert_int_equal(bat_editor_command(editor, "to-page"), BAT_OK);
+    const bat_shape *now = bat_object_shape(bat_document_at(bat_editor_document(editor), 0), 0);
+    assert_non_null(now);
+    assert_int_equal(bat_shape_levels(now), bat_shape_levels(was));
+    for (int l = 0; l <= bat_shape_levels(was); l++) {
+        const bat_curve *a = bat_shape_curve(was, l), *b = bat_shape_curve(now, l);
+        assert_int_equal(bat_curve_dimension(b), 2);
+        for (size_t i = 0; i < bat_curve_count(a); i++)
+            for (size_t d = 0; d < 2; d++)
+                assert_true(fabs(bat_curve_points(b)[2 * i + d] - bat_curve_points(a)[3 * i + d]) < 1e-9);
+    }
+    assert_int_equal(bat_editor_command(editor, "to-page"), BAT_STATE);
+    check(editor);
+    assert_int_equal(round_trip(editor, first), 2);
+    bat_object_release((bat_object *)object);
+    bat_editor_free(editor);
+}
+
 static void the_plane_of_a_curve_is_drawn_on(void **state) {
     (void)state;
     bat_editor *editor = with(wave(40, 60, 0), 3, 0);
@@ -243,6 +275,7 @@ int main(void) {
         cmocka_unit_test(a_planar_curve_stays_planar),
         cmocka_unit_test(what_it_lands_on_is_shown),
         cmocka_unit_test(a_curve_is_flattened),
+        cmocka_unit_test(a_curve_with_levels_is_flattened),
         cmocka_unit_test(the_plane_of_a_curve_is_drawn_on),
         cmocka_unit_test(samples_that_miss_are_counted),
     };

@@ -116,6 +116,36 @@ static double image_error(const bat_surface *a, const bat_surface *b, bool back)
     return worst;
 }
 
+/* The handle of the sheet is shown at the image, too, and turns with the one that is held. */
+static void the_handle_is_mirrored(void **state) {
+    (void)state;
+    bat_surface *sheet = hills(-200, 200);
+    for (int tilted = 0; tilted < 2; tilted++) {
+        bat_editor *editor = with(sheet, NULL);
+        pen p = pen_for(editor);
+        double grip[2], at[2], other[2], end[2], point[3], place[2];
+        for (int k = 0; k < 4 * tilted; k++) bat_editor_command(editor, "orbit-up");
+        light(editor, BAT_U, 1.6, 1.5);
+        assert_false(bat_surfacing_image_handle(&editor->context, state_of(editor), other, end));
+        assert_int_equal(bat_editor_command(editor, "symmetry-origin"), BAT_OK);
+        for (int turned = 0; turned < 2; turned++) {
+            assert_true(bat_surfacing_handle(&editor->context, state_of(editor), grip, at));
+            assert_true(bat_surfacing_image_handle(&editor->context, state_of(editor), other, end));
+            bat_surface_eval(surface_in(editor, SHEET), 1.6, 1.5, 0, point);
+            point[0] = -point[0];
+            pixel_of(editor, point, place);
+            assert_true(hypot(place[0] - other[0], place[1] - other[1]) < 1e-6);
+            /* x = 0 is seen upright in both views. */
+            assert_true(fabs((at[0] - grip[0]) + (end[0] - other[0])) < 1e-6);
+            assert_true(fabs((at[1] - grip[1]) - (end[1] - other[1])) < 1e-6);
+            if (!turned) drag(&p, at[0], at[1], at[0] + 40, at[1] - 25);
+        }
+        bat_editor_frame(editor);
+        bat_editor_free(editor);
+    }
+    bat_surface_free(sheet);
+}
+
 static double most_apart(const bat_surface *a, const bat_surface *b, double u) {
     double worst = 0, p[3], q[3];
     for (int j = 0; j <= 30; j++) {
@@ -303,9 +333,10 @@ static void many_redraws_do_not_add_up(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_lines_of_a_surface),  cmocka_unit_test(a_line_across_the_plane),
-        cmocka_unit_test(locks_hold_on_both_sides), cmocka_unit_test(a_twin_is_redrawn),
-        cmocka_unit_test(beside_the_plane),         cmocka_unit_test(many_redraws_do_not_add_up),
+        cmocka_unit_test(both_lines_of_a_surface),    cmocka_unit_test(a_line_across_the_plane),
+        cmocka_unit_test(locks_hold_on_both_sides),   cmocka_unit_test(a_twin_is_redrawn),
+        cmocka_unit_test(beside_the_plane),           cmocka_unit_test(the_handle_is_mirrored),
+        cmocka_unit_test(many_redraws_do_not_add_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

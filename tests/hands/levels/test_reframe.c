@@ -54,6 +54,52 @@ static bat_shape *random_shape(int round) {
     return shape;
 }
 
+/* Seen along z, each level is the same curve without its z, to rounding; in space again, with z = 0. Muted levels are seen when
+ * they are unmuted. */
+static void in_the_page(void **state) {
+    (void)state;
+    seed = 31;
+    for (int round = 0; round < 24; round++) {
+        bat_shape *shape = random_shape(round), *flat = NULL, *back = NULL;
+        const int from = bat_curve_dimension(bat_shape_curve(shape, 0));
+        if (round % 3 == 1) assert_int_equal(bat_shape_set_gain(shape, 2, 0.6), BAT_OK);
+        if (round % 3 == 2) assert_int_equal(bat_shape_set_muted(shape, 1, true), BAT_OK);
+        for (int loud = 0; loud < 2; loud++) {
+            bat_shape *kept = NULL;
+            assert_int_equal(bat_shape_to_dimension(shape, 2, &flat), BAT_OK);
+            assert_int_equal(bat_shape_to_dimension(flat, 3, &back), BAT_OK);
+            assert_int_equal(bat_shape_levels(flat), bat_shape_levels(shape));
+            if (loud && round % 3 == 2) { /* unmuted after, not before */
+                assert_int_equal(bat_shape_set_muted(flat, 1, false), BAT_OK);
+                assert_int_equal(bat_shape_set_muted(back, 1, false), BAT_OK);
+                assert_int_equal(bat_shape_copy(shape, &kept), BAT_OK);
+                assert_int_equal(bat_shape_set_muted(kept, 1, false), BAT_OK);
+            }
+            for (int l = 0; l <= bat_shape_levels(shape); l++) {
+                const bat_curve *was = bat_shape_curve(kept ? kept : shape, l);
+                const bat_curve *is = bat_shape_curve(flat, l), *again = bat_shape_curve(back, l);
+                /* Details turn with what is unmuted below them: only the level itself is the same. */
+                if (kept && l > 1) continue;
+                assert_int_equal(bat_curve_dimension(is), 2);
+                assert_int_equal(bat_curve_count(is), bat_curve_count(was));
+                for (size_t i = 0; i < bat_curve_count(is); i++)
+                    for (int d = 0; d < 2; d++) {
+                        const double x = bat_curve_points(was)[i * (size_t)from + (size_t)d];
+                        assert_true(fabs(bat_curve_points(is)[2 * i + (size_t)d] - x) < 1e-9);
+                        assert_true(fabs(bat_curve_points(again)[3 * i + (size_t)d] - x) < 1e-9);
+                        assert_true(fabs(bat_curve_points(again)[3 * i + 2]) < 1e-9);
+                    }
+                if (l > 0) assert_true(bat_shape_gain(flat, l) == bat_shape_gain(shape, l));
+            }
+            bat_shape_free(flat), bat_shape_free(back), bat_shape_free(kept);
+        }
+        assert_int_equal(bat_shape_to_dimension(shape, 4, &flat), BAT_DIMENSION);
+        assert_int_equal(bat_shape_to_dimension(NULL, 2, &flat), BAT_ARGUMENT);
+        assert_int_equal(bat_shape_to_dimension(shape, 2, NULL), BAT_ARGUMENT);
+        bat_shape_free(shape);
+    }
+}
+
 /* Every level of the one is the image of that of the other. */
 static void same_image(const bat_shape *before, const bat_shape *after, const double *matrix) {
     assert_int_equal(bat_shape_levels(before), bat_shape_levels(after));
@@ -193,9 +239,8 @@ static void apart_to_a_number(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rules_keep_the_curves),
-        cmocka_unit_test(images_are_exact),
-        cmocka_unit_test(mute_hides_and_brings_back),
+        cmocka_unit_test(rules_keep_the_curves),      cmocka_unit_test(images_are_exact),
+        cmocka_unit_test(mute_hides_and_brings_back), cmocka_unit_test(in_the_page),
         cmocka_unit_test(apart_to_a_number),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -32,23 +32,38 @@ static bool grip_of(bat_context *c, bat_surfacing *s, const bat_surface **surfac
     return true;
 }
 
-bool bat_surfacing_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]) {
+/* mirror: of its image; NULL: of itself. */
+static bool handle_of(bat_context *c, bat_surfacing *s, const bat_mirror *mirror, double grip[2],
+                      double pixel[2]) {
     const bat_surface *surface;
     bat_viewpoint view;
     double jet[9], along[3], way[3], tip[3];
     bool turned;
-    if (!grip_of(c, s, &surface, &view, jet) || !bat_surfacing_pixel(&view, jet, grip)) return false;
+    if (!grip_of(c, s, &surface, &view, jet)) return false;
     bat_surfacing_along(c, s, along);
     const bat_direction d = s->lit.direction;
     if (bat_surface_ruling(surface, d, s->lit.at[d], &view, along, way, &turned) != BAT_OK) return false;
     for (int k = 0; k < 3; k++) tip[k] = jet[k] + LENGTH * bat_stage_pixel(c->stage) * way[k];
-    if (!bat_surfacing_pixel(&view, tip, pixel)) return false;
+    if (mirror) {
+        const double at[2] = {jet[0], jet[1]}, end[2] = {tip[0], tip[1]};
+        bat_mirror_point(mirror, at, jet);
+        bat_mirror_point(mirror, end, tip);
+    }
+    if (!bat_surfacing_pixel(&view, jet, grip) || !bat_surfacing_pixel(&view, tip, pixel)) return false;
     const double x = pixel[0] - grip[0], y = pixel[1] - grip[1], length = bat_hypot(x, y);
     if (length >= LEAST) return true;
     const bool shown = length > 1e-6;
     pixel[0] = grip[0] + (shown ? LEAST * x / length : 0);
     pixel[1] = grip[1] + (shown ? LEAST * y / length : -LEAST);
     return true;
+}
+
+bool bat_surfacing_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]) {
+    return handle_of(c, s, NULL, grip, pixel);
+}
+
+bool bat_surfacing_image_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]) {
+    return bat_surfacing_pair(c, s)->image && handle_of(c, s, &s->paired_in, grip, pixel);
 }
 
 bool bat_surfacing_on_handle(bat_context *c, bat_surfacing *s, const double pixel[2]) {

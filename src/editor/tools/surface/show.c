@@ -168,6 +168,14 @@ static void show_padlocks(bat_context *c, bat_surfacing *s, bat_overlay *list) {
 /* From the grip in the direction in which the sheet runs. */
 static void show_handle(bat_context *c, bat_surfacing *s, bat_overlay *list) {
     double grip[2], pixel[2], ends[4];
+    if (bat_surfacing_image_handle(c, s, grip,
+                                   pixel)) { /* it turns with the other, and is not taken hold of */
+        bat_stage_seen(c->stage, grip, ends);
+        bat_stage_seen(c->stage, pixel, ends + 2);
+        bat_overlay_item(list, BAT_ROLE_GHOST, BAT_ITEM_STROKED, 1.5F);
+        bat_overlay_polyline(list, 2, ends);
+        bat_overlay_circle(list, ends + 2, GRIP / 2 * bat_stage_pixel(c->stage));
+    }
     if (!bat_surfacing_handle(c, s, grip, pixel)) return;
     bat_stage_seen(c->stage, grip, ends);
     bat_stage_seen(c->stage, pixel, ends + 2);

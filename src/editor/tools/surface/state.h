@@ -96,6 +96,8 @@ bool bat_surfacing_padlock(bat_context *c, bat_surfacing *s, int edge, double pi
 void bat_surfacing_along(const bat_context *c, const bat_surfacing *s, double along[3]);
 /* Where the grip and the handle of the sheet are seen, view pixels; false: no line is lit, or not seen. */
 bool bat_surfacing_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]);
+/* The same of its mirror image, with symmetry; false, too: it has none. */
+bool bat_surfacing_image_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]);
 bool bat_surfacing_on_handle(bat_context *c, bat_surfacing *s, const double pixel[2]);
 /* The handle is taken; it goes with the pen; it is let go, or was tapped; all is as it was before. */
 void bat_surfacing_turn_begin(const bat_context *c, bat_surfacing *s);
