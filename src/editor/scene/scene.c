@@ -77,6 +77,13 @@ static void find_box(const bat_scene *scene, bat_scene_entry *entry) {
     }
 }
 
+/* Else it would only be seen where it is shaded. */
+static void show_bare(bat_item *item) {
+    item->flags |= BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH;
+    item->stroke = BARE;
+    item->width = 1;
+}
+
 static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     bat_path path = {
         .origin = {scene->origin[0], scene->origin[1]}, .map = map_of(scene), .tolerance = scene->tolerance};
@@ -125,11 +132,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
         item->picture = (uint32_t)bat_picture_digest(picture);
     }
     if (style->stroked) item->flags |= BAT_ITEM_STROKED;
-    if (bat_scene_is_bare(entry->object)) { /* else it would only be seen where it is shaded */
-        item->flags |= BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH;
-        item->stroke = BARE;
-        item->width = 1;
-    }
+    if (bat_scene_is_bare(entry->object)) show_bare(item);
     if (style->filled && !bat_object_is(entry->object, BAT_FIXED)) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
     double more = reach(style);

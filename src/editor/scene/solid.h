@@ -60,9 +60,8 @@ void bat_solid_free(bat_solid *solid); /* one from malloc, or NULL */
 /* The picture of all solids, and what it needs to be made again (scene/space.h). */
 typedef struct bat_space_kept {
     bat_space space;
-    bat_viewpoint seen;
-    float clip[16]; /* of the picture before */
-    uint32_t views; /* how often the view has changed */
+    bat_viewpoint seen, before; /* of the picture; of the one before */
+    uint32_t views;             /* how often the view has changed */
     bat_space_item *items;
     double origin[3];
     uint32_t measured; /* the newest version among the surfaces when the range of curvature was found */

@@ -157,11 +157,11 @@ static void add_lines(bat_space *space, bat_space_item *to, const bat_scene *sce
 /* The outline of a surface is of one view: it is found when the view has come to rest, and not while a stroke changes the
  * surface. */
 static bat_status rest(bat_scene *scene, bat_space_kept *kept) {
-    const bool moves = memcmp(kept->clip, kept->space.clip, sizeof kept->clip) != 0;
+    const bool moves = memcmp(&kept->before, &kept->seen, sizeof kept->seen) != 0;
     bat_status status = BAT_OK;
     kept->space.waits = 0;
     if (moves) kept->views++;
-    memcpy(kept->clip, kept->space.clip, sizeof kept->clip);
+    kept->before = kept->seen;
     for (int i = 0; i < scene->count && status == BAT_OK; i++) {
         bat_solid *s = scene->entries[i].solid;
         if (!s || scene->entries[i].hidden || !bat_object_surface(scene->entries[i].object) || s->guised)

@@ -32,9 +32,8 @@ static bool grip_of(bat_context *c, bat_surfacing *s, const bat_surface **surfac
     return true;
 }
 
-/* mirror: of its image; NULL: of itself. */
-static bool handle_of(bat_context *c, bat_surfacing *s, const bat_mirror *mirror, double grip[2],
-                      double pixel[2]) {
+bool bat_surfacing_handle_in(bat_context *c, bat_surfacing *s, const bat_mirror *mirror, double grip[2],
+                             double pixel[2]) {
     const bat_surface *surface;
     bat_viewpoint view;
     double jet[9], along[3], way[3], tip[3];
@@ -59,11 +58,7 @@ static bool handle_of(bat_context *c, bat_surfacing *s, const bat_mirror *mirror
 }
 
 bool bat_surfacing_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]) {
-    return handle_of(c, s, NULL, grip, pixel);
-}
-
-bool bat_surfacing_image_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]) {
-    return bat_surfacing_pair(c, s)->image && handle_of(c, s, &s->paired_in, grip, pixel);
+    return bat_surfacing_handle_in(c, s, NULL, grip, pixel);
 }
 
 bool bat_surfacing_on_handle(bat_context *c, bat_surfacing *s, const double pixel[2]) {

@@ -165,6 +165,10 @@ static void show_padlocks(bat_context *c, bat_surfacing *s, bat_overlay *list) {
     }
 }
 
+bool bat_surfacing_image_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]) {
+    return bat_surfacing_pair(c, s)->image && bat_surfacing_handle_in(c, s, &s->paired_in, grip, pixel);
+}
+
 /* From the grip in the direction in which the sheet runs. */
 static void show_handle(bat_context *c, bat_surfacing *s, bat_overlay *list) {
     double grip[2], pixel[2], ends[4];

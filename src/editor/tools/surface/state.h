@@ -96,7 +96,10 @@ bool bat_surfacing_padlock(bat_context *c, bat_surfacing *s, int edge, double pi
 void bat_surfacing_along(const bat_context *c, const bat_surfacing *s, double along[3]);
 /* Where the grip and the handle of the sheet are seen, view pixels; false: no line is lit, or not seen. */
 bool bat_surfacing_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]);
-/* The same of its mirror image, with symmetry; false, too: it has none. */
+/* The same of its image in a mirror; NULL: of itself. */
+bool bat_surfacing_handle_in(bat_context *c, bat_surfacing *s, const bat_mirror *mirror, double grip[2],
+                             double pixel[2]);
+/* show.c: the same with symmetry; false, too: it has no image. */
 bool bat_surfacing_image_handle(bat_context *c, bat_surfacing *s, double grip[2], double pixel[2]);
 bool bat_surfacing_on_handle(bat_context *c, bat_surfacing *s, const double pixel[2]);
 /* The handle is taken; it goes with the pen; it is let go, or was tapped; all is as it was before. */
