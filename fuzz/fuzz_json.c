@@ -48,6 +48,10 @@ static void look_at_surfaces(const bat_document *document) {
         bat_object *again = NULL;
         if (!surface || bat_object_with_surface(object, surface, &again) != BAT_OK) continue;
         if (bat_object_curve_count(again) != bat_object_curve_count(object)) abort();
+        bat_object_release(again), again = NULL;
+        const bat_relief *relief = bat_object_relief(object);
+        if (relief && bat_object_with_relief(object, relief, &again) == BAT_OK && !bat_object_relief(again))
+            abort();
         bat_object_release(again);
         if (bat_object_create_surface(1, "s", bat_object_style(object), surface, &again) != BAT_OK) abort();
         bat_object_release(again);

@@ -48,6 +48,7 @@ static const cli_command *const commands[] = {
     &command_surface_redraw,
     &command_surface_sketch,
     &command_surface_intersect,
+    &command_surface_levels,
     &command_surface_convert,
     &command_cast,
     &command_wire,

@@ -1,5 +1,8 @@
 #include "results.h"
 
+#include "format/json/relief.h"
+#include "format/json/surface.h"
+
 #include "text/number.h"
 
 #include "address.h"
@@ -97,20 +100,59 @@ static bat_status stroke_of(const char *data, size_t size, void *out, bat_proble
     return bat_stroke_read(data, size, to->stroke, to->block, problem);
 }
 
-static bat_status surface_of(const char *data, size_t size, void *out, bat_problem *problem) {
-    return bat_surface_read(data, size, out, problem);
+/* Either a RELIEF or, when it has no base, a SURFACE. */
+typedef struct levelled {
+    bat_surface *surface;
+    bat_relief *relief;
+} levelled;
+
+static bat_status levelled_of(const char *data, size_t size, void *out, bat_problem *problem) {
+    levelled *to = out;
+    bat_json json;
+    bat_status status = bat_json_parse(data, size, &json, problem);
+    if (status != BAT_OK) return status;
+    if (bat_json_member(&json, 1, "base"))
+        status = bat_relief_from_json(&json, 1, &to->relief, problem);
+    else
+        status = bat_surface_from_json(&json, 1, &to->surface, problem);
+    bat_json_free(&json);
+    return status;
 }
 
-int read_surface(const char *name, bat_surface **out) {
+static int read_levelled(const char *name, levelled *out) {
     bat_problem problem;
     bat_model model;
-    if (!reader_of(name)) return read_data(name, surface_of, out, &problem);
+    *out = (levelled){NULL, NULL};
+    if (!reader_of(name)) return read_data(name, levelled_of, out, &problem);
     int failed = read_only_one(name, "surface", &model);
     if (failed) return failed;
-    *out = model.surfaces[0];
+    out->surface = model.surfaces[0];
     model.surfaces[0] = NULL;
     bat_model_clear(&model);
     return EXIT_DONE;
+}
+
+int read_surface(const char *name, bat_surface **out) {
+    levelled read;
+    int failed = read_levelled(name, &read);
+    if (failed) return failed;
+    if (read.relief) {
+        const bat_surface *finest = bat_relief_surface(read.relief, bat_relief_levels(read.relief));
+        if (bat_surface_copy(finest, &read.surface) != BAT_OK) failed = fail_memory();
+        bat_relief_free(read.relief);
+    }
+    if (!failed) *out = read.surface;
+    return failed;
+}
+
+int read_relief(const char *name, bat_relief **out) {
+    levelled read;
+    int failed = read_levelled(name, &read);
+    if (failed) return failed;
+    if (read.surface && bat_relief_create(read.surface, &read.relief) != BAT_OK) failed = fail_memory();
+    bat_surface_free(read.surface);
+    if (!failed) *out = read.relief;
+    return failed;
 }
 
 int read_stroke(const char *name, bat_stroke *out, void **block) {

@@ -16,7 +16,8 @@ typedef bat_status data_reader(const char *data, size_t size, void *out, bat_pro
 int read_data(const char *name, data_reader *reader, void *out, bat_problem *problem);
 /* OBJECTs are JSON; a file called .obj is read as OBJ, and holds one of the kind that is wanted. */
 int read_curve(const char *name, bat_curve **out);
-int read_surface(const char *name, bat_surface **out);
+int read_surface(const char *name, bat_surface **out); /* of a RELIEF the finest */
+int read_relief(const char *name, bat_relief **out);   /* a SURFACE is the base of one without levels */
 /* All of a file. */
 int read_model(const char *name, bat_model *out);
 /* Free *block with bat_free. */

@@ -19,6 +19,7 @@
 #include <batten/tangents.h>
 #include <batten/levels.h>
 #include <batten/surface.h>
+#include <batten/relief.h>
 #include <batten/mesh.h>
 #include <batten/wires.h>
 #include <batten/sweep.h>

@@ -11,6 +11,7 @@
 #include <batten/levels.h>
 #include <batten/mesh.h>
 #include <batten/recipe.h>
+#include <batten/relief.h>
 #include <batten/surface.h>
 #include <batten/tangents.h>
 #include <batten/wires.h>
@@ -121,7 +122,7 @@ BAT_API bat_status bat_object_create_made(bat_id id, const char *name, const bat
 /* A copy made by another recipe. BAT_ARGUMENT: the object is not a surface; else as above. */
 BAT_API bat_status bat_object_with_recipe(const bat_object *object, const bat_recipe *recipe, size_t count,
                                           const bat_object *const *sources, bat_object **out);
-/* A copy with another surface, which is free. BAT_ARGUMENT: the object is not a surface. */
+/* A copy with another surface, which is free and has no levels. BAT_ARGUMENT: the object is not a surface. */
 BAT_API bat_status bat_object_with_surface(const bat_object *object, const bat_surface *surface,
                                            bat_object **out);
 /* Copies the mesh, which is kept bit for bit. Its curves show it: strips of its edges, up to 256 of them. */
@@ -144,6 +145,10 @@ BAT_API bat_status bat_object_unbind(const bat_object *object, bool revert, bat_
  * that shape them: bat_object_sources. */
 BAT_API int bat_object_wires(const bat_object *object, const bat_wire **wires,
                              const bat_wire_options **options);
+/* A copy whose surface is the finest of these levels, which are copied; it is free, and is edited by its levels from then on.
+ * BAT_ARGUMENT: the object is not a surface. */
+BAT_API bat_status bat_object_with_relief(const bat_object *object, const bat_relief *relief,
+                                          bat_object **out);
 /* Copies the move. follows: the object whose first curve is the path, which a document keeps so: when that curve changes,
  * the path is the curve as it then is, and when it goes, the camera goes with it; 0: the path is the camera's own. Its
  * curves show where it starts, and its own path. BAT_ARGUMENT: it follows itself. */
@@ -208,6 +213,8 @@ BAT_API int bat_object_guide(const bat_object *object, double *at); /* the axis 
 BAT_API const bat_surface *bat_object_surface(const bat_object *object);
 /* Owned by the object; NULL when it is not a mesh. */
 BAT_API const bat_polymesh *bat_object_mesh(const bat_object *object);
+/* Its levels, owned by the object; NULL when it is not a surface, or has none. */
+BAT_API const bat_relief *bat_object_relief(const bat_object *object);
 /* How it is made, owned by the object; NULL when it is not a surface, or is free. */
 BAT_API const bat_recipe *bat_object_recipe(const bat_object *object);
 /* What it is made from: how many objects; *ids (may be NULL): theirs, owned by the object. 0 when it is free. */

@@ -7,6 +7,7 @@
 #include <batten/document.h>
 #include <batten/levels.h>
 #include <batten/mesh.h>
+#include <batten/relief.h>
 #include <batten/sketch.h>
 #include <batten/surface.h>
 #include <batten/sweep.h>
@@ -131,6 +132,9 @@ BAT_API bat_status bat_spline_read(const char *text, size_t size, bat_spline *sp
 BAT_API bat_status bat_shape_read(const char *text, size_t size, bat_shape **out, bat_problem *problem);
 BAT_API bat_status bat_shape_write(const bat_shape *shape, char **text, size_t *size);
 BAT_API bat_status bat_shape_edit(bat_shape *shape, const char *text, size_t size, bat_problem *problem);
+/* One RELIEF, a surface with levels: {"base":SURFACE, "levels":[...]}. */
+BAT_API bat_status bat_relief_read(const char *text, size_t size, bat_relief **out, bat_problem *problem);
+BAT_API bat_status bat_relief_write(const bat_relief *relief, char **text, size_t *size);
 
 /* SVG in: fed by any XML parser (expat natively, the browser's own in the page), in document order. */
 typedef struct bat_svg_options {

@@ -1,5 +1,6 @@
 /* A surface in space. Its curves are its lines at the knots: they show it, and change only with it. It can be made from
- * curves of the drawing by a recipe: when they change, it is made again. Or its control points are bound to wires. */
+ * curves of the drawing by a recipe: when they change, it is made again. Or its control points are bound to wires. Or it is the finest of a surface with
+ * levels. */
 #include "base/matrix.h"
 #include "base/users.h"
 #include "document/bound.h"
@@ -7,6 +8,7 @@
 #include "format/json/bound.h"
 #include "format/json/fields.h"
 #include "format/json/recipe.h"
+#include "format/json/relief.h"
 #include "format/json/style.h"
 #include "format/json/surface.h"
 #include "kinds/kinds.h"
@@ -20,7 +22,8 @@ enum { LINES = 65 }; /* in each direction at most; on finer surfaces not every k
 /* The object's own part: a reference-counted value, shared by copies of the object. */
 typedef struct kept_surface {
     bat_users users;
-    bat_surface *surface;
+    bat_surface *surface; /* with levels: the finest, which the relief owns */
+    bat_relief *relief;   /* NULL: it has no levels */
 } kept_surface;
 
 /* What it is made from: a value like that one. */
@@ -46,7 +49,10 @@ static const bat_hold *hold_of(const void *own) { return &((const own_part *)own
 
 static void release(kept_surface *kept) {
     if (!kept || !bat_users_drop(&kept->users)) return;
-    bat_surface_free(kept->surface);
+    if (kept->relief)
+        bat_relief_free(kept->relief);
+    else
+        bat_surface_free(kept->surface);
     free(kept);
 }
 
@@ -118,7 +124,7 @@ static bat_status make_held(const bat_object *object, bat_id id, const char *nam
     if (status != BAT_OK) return status;
     own_part own = {.kept = malloc(sizeof *own.kept), .made = made};
     if (hold) own.hold = *hold;
-    if (own.kept) *own.kept = (kept_surface){BAT_USERS_ONE, surface};
+    if (own.kept) *own.kept = (kept_surface){BAT_USERS_ONE, surface, NULL};
     status = !own.kept ? BAT_MEMORY
              : object  ? bat_object_remake(object, &bat_kind_of_surface, &own, count, curves, out)
                        : bat_object_make(&bat_kind_of_surface, id, name, style, &own, count, curves, out);
@@ -140,6 +146,29 @@ static bat_status make_of_copy(const bat_object *object, bat_id id, const char *
     if (status == BAT_OK) status = make(object, id, name, style, copy, NULL, out);
     if (status != BAT_OK) bat_surface_free(copy);
     return status;
+}
+
+/* The same for a surface with levels, which is taken over on success. */
+static bat_status make_levelled(const bat_object *object, bat_id id, const char *name, const bat_style *style,
+                                bat_relief *relief, bat_object **out) {
+    bat_surface *finest = (bat_surface *)bat_relief_surface(relief, bat_relief_levels(relief));
+    bat_status status = make(object, id, name, style, finest, NULL, out);
+    if (status == BAT_OK) kept_of(bat_object_own(*out, &bat_kind_of_surface))->relief = relief;
+    return status;
+}
+
+bat_status bat_object_with_relief(const bat_object *object, const bat_relief *relief, bat_object **out) {
+    bat_relief *copy = NULL;
+    if (!object || !bat_object_surface(object) || !relief || !out) return BAT_ARGUMENT;
+    bat_status status = bat_relief_copy(relief, &copy);
+    if (status == BAT_OK) status = make_levelled(object, 0, NULL, NULL, copy, out);
+    if (status != BAT_OK) bat_relief_free(copy);
+    return status;
+}
+
+const bat_relief *bat_object_relief(const bat_object *object) {
+    const void *own = bat_object_own(object, &bat_kind_of_surface);
+    return own ? kept_of(own)->relief : NULL;
 }
 
 bat_status bat_object_create_surface(bat_id id, const char *name, const bat_style *style,
@@ -322,8 +351,7 @@ static bat_status put(const bat_object *object, const double *points, const bat_
 
 /* ---- what the document asks ---- */
 
-static uint64_t digest_surface(uint64_t digest, const void *own) {
-    const bat_surface *surface = kept_of(own)->surface;
+static uint64_t digest_shape(uint64_t digest, const bat_surface *surface) {
     const size_t width = 3 * bat_surface_count(surface, BAT_V);
     for (int d = 0; d < 2; d++) {
         const double *knots = bat_surface_knots(surface, (bat_direction)d);
@@ -337,6 +365,34 @@ static uint64_t digest_surface(uint64_t digest, const void *own) {
         const double *row = bat_surface_row(surface, i);
         for (size_t k = 0; k < width; k++) digest = bat_digest_double(digest, row[k]);
     }
+    return digest;
+}
+
+/* The base, and each level's knots and details; its surface follows. */
+static uint64_t digest_levels(uint64_t digest, const bat_relief *relief) {
+    digest = bat_digest_number(digest, (uint64_t)bat_relief_levels(relief));
+    digest = digest_shape(digest, bat_relief_surface(relief, 0));
+    for (int l = 1; l <= bat_relief_levels(relief); l++) {
+        const bat_surface *surface = bat_relief_surface(relief, l);
+        const size_t n = bat_surface_count(surface, BAT_U) * bat_surface_count(surface, BAT_V);
+        const double *details = bat_relief_details(relief, l);
+        for (int d = 0; d < 2; d++) {
+            const double *knots = bat_surface_knots(surface, (bat_direction)d);
+            const int count = bat_surface_knot_count(surface, (bat_direction)d);
+            for (int i = 0; i < count; i++) digest = bat_digest_double(digest, knots[i]);
+        }
+        for (size_t i = 0; i < 3 * n; i++) digest = bat_digest_double(digest, details[i]);
+        for (size_t i = 0; i < n; i++)
+            digest = bat_digest_number(digest, (uint64_t)bat_relief_source(relief, l)[i]);
+        digest = bat_digest_double(digest, bat_relief_gain(relief, l));
+        digest = bat_digest_number(digest, bat_relief_is_muted(relief, l));
+    }
+    return digest;
+}
+
+static uint64_t digest_surface(uint64_t digest, const void *own) {
+    digest = digest_shape(digest, kept_of(own)->surface);
+    if (kept_of(own)->relief) digest = digest_levels(digest, kept_of(own)->relief);
     const kept_recipe *made = made_of(own);
     if (hold_of(own)->bound) digest = bat_digest_number(digest, hold_of(own)->bound->digest);
     if (!made) return digest;
@@ -361,6 +417,16 @@ static const char *check(const bat_object *object) {
     return same ? NULL : "the lines of a surface are not where its knots are";
 }
 
+/* Every level is the image of what it was. */
+static bat_status transform_levels(const bat_object *object, const double rows[12], bat_object **out) {
+    bat_relief *image = NULL;
+    bat_status status = bat_relief_copy(bat_object_relief(object), &image);
+    if (status == BAT_OK) status = bat_relief_transform(image, rows);
+    if (status == BAT_OK) status = make_levelled(object, 0, NULL, NULL, image, out);
+    if (status != BAT_OK) bat_relief_free(image);
+    return status;
+}
+
 /* What it is made from is kept: whether it was moved with it is seen when it is asked to follow. */
 static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
     const kept_recipe *now = made_of(bat_object_own(object, &bat_kind_of_surface));
@@ -369,6 +435,7 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
     kept_recipe *made = NULL;
     if (bat_object_hold(object)) return bat_bound_transform(object, m, out);
     bat_matrix_rows(m, 3, rows);
+    if (bat_object_relief(object)) return transform_levels(object, rows, out);
     bat_status status = bat_surface_transform(bat_object_surface(object), rows, &image);
     if (status == BAT_OK && now) {
         made = note(&now->recipe, now->count, now->ids);
@@ -385,7 +452,25 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
 
 /* ---- files: the lines are not written, as they are computed from the surface ---- */
 
+static bat_status read_levels(const bat_fields *f, uint32_t node, bat_id id, const char *name,
+                              bat_object **out) {
+    bat_style style = bat_style_defaults();
+    bat_relief *relief = NULL;
+    bat_status status = bat_style_from_json(f, node, &style);
+    if (status == BAT_OK &&
+        (bat_json_member(f->json, node, "surface") || bat_json_member(f->json, node, "made")))
+        return bat_fields_complain(f, node, "relief", "no surface and no made beside it");
+    if (status == BAT_OK)
+        status = bat_relief_from_json(f->json, bat_json_member(f->json, node, "relief"), &relief, f->problem);
+    if (status != BAT_OK) return status;
+    status = make_levelled(NULL, id, name, &style, relief, out);
+    if (status == BAT_OK) return BAT_OK;
+    bat_relief_free(relief);
+    return bat_fields_say(f, node, status);
+}
+
 static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char *name, bat_object **out) {
+    if (bat_json_member(f->json, node, "relief")) return read_levels(f, node, id, name, out);
     bat_style style = bat_style_defaults();
     bat_surface *surface = NULL;
     kept_recipe *made = NULL;
@@ -414,8 +499,12 @@ static void write(const bat_object *object, bat_text *text) {
         bat_text_string(text, ",\n  \"made\":");
         bat_recipe_to_json(&made->recipe, made->count, made->ids, text);
     }
-    bat_text_string(text, ",\n  \"surface\":");
-    bat_surface_to_json(bat_object_surface(object), text);
+    const bat_relief *relief = bat_object_relief(object);
+    bat_text_string(text, relief ? ",\n  \"relief\":" : ",\n  \"surface\":");
+    if (relief)
+        bat_relief_to_json(relief, text);
+    else
+        bat_surface_to_json(bat_object_surface(object), text);
     bat_bound_write(object, text);
 }
 

@@ -28,7 +28,7 @@ for text in written:
 
 text = (root / "docs/format.md").read_text()
 examples = [json.loads(block) for block in re.findall(r"```json\n(.*?)```", text, re.S)]
-parts = ["#/$defs/curve", "#/$defs/surface", "#/$defs/mesh", "#/$defs/view", "#/$defs/sweep", "#/$defs/move", "#/$defs/wires", "#/$defs/stroke", "#/$defs/spline", "#/$defs/shape", None, "#/$defs/paint"]
+parts = ["#/$defs/curve", "#/$defs/surface", "#/$defs/mesh", "#/$defs/view", "#/$defs/sweep", "#/$defs/move", "#/$defs/wires", "#/$defs/stroke", "#/$defs/spline", "#/$defs/shape", "#/$defs/relief", None, "#/$defs/paint"]
 assert len(examples) == len(parts)
 for example, part in zip(examples, parts):
     (document if part is None else jsonschema.Draft202012Validator({"$ref": part, "$defs": schema["$defs"]})).validate(example)

@@ -12,7 +12,7 @@ from sources import sources
 
 # The rooms of src/, from the bottom up: each may use those listed before it.
 ROOMS = [
-    "base", "text", "curve", "relate", "points", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "form/mesh", "form/wire", "form/view", "form/sweep", "form/recipe", "form/camera", "form/motion", "form/trace", "form/sight", "form/shade", "document", "format/json",
+    "base", "text", "curve", "relate", "points", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "form/relief", "form/mesh", "form/wire", "form/view", "form/sweep", "form/recipe", "form/camera", "form/motion", "form/trace", "form/sight", "form/shade", "document", "format/json",
     "kinds", "format/native", "format/seen", "format/svg", "format/curve", "format/model", "format/obj", "format/bvh", "format/stl", "format/gltf", "format/iges", "format/step", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
     "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
     "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels", "editor/tools/surface", "editor/tools/gazes", "editor/tools/points",
@@ -32,7 +32,7 @@ ROOM_OF_HEADER = {
     "nearest": "curve", "fit": "curve", "frames": "curve", "function": "curve",
     "relate": "relate", "interpolate": "points",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
-    "surface": "form/surface", "mesh": "form/mesh", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "recipe": "form/recipe", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
+    "surface": "form/surface", "relief": "form/relief", "mesh": "form/mesh", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "recipe": "form/recipe", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
     "document": "document", "paint": "document",
     "format": "document",
     "input": "editor/tables", "frame": "editor/tables", "panels": "editor/tables", "editor": "editor/tables",

@@ -159,6 +159,11 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
         d = add_object(d, bat_object_with_spline(object, bat_object_spline(object), &m), &m);
     if (bat_object_surface(object))
         d = add_object(d, bat_object_with_surface(object, bat_object_surface(object), &m), &m);
+    bat_relief *relief = NULL;
+    if (bat_object_surface(object) && bat_relief_create(bat_object_surface(object), &relief) == BAT_OK)
+        d = add_object(d, bat_object_with_relief(object, relief, &m), &m);
+    d = add(d, bat_object_relief(object) != NULL);
+    bat_relief_free(relief);
     if (bat_object_camera(object))
         d = add_object(d, bat_object_with_camera(object, bat_object_camera(object), 2, &m), &m);
     if (bat_object_picture(object)) {

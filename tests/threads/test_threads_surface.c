@@ -104,6 +104,44 @@ static uint64_t add_traces(uint64_t digest, const bat_surface *surface, int seed
     return add_tracks(digest, status, tracks);
 }
 
+/* A relief: read, written, taken apart and carried over on all threads at once. */
+static uint64_t add_relief(uint64_t digest, bat_status status, bat_relief *made) {
+    char *text = NULL;
+    size_t size = 0;
+    digest = add(digest, (uint64_t)status);
+    if (made) digest = add_text(digest, bat_relief_write(made, &text, &size), &text, &size);
+    bat_relief_free(made);
+    return digest;
+}
+static uint64_t look_at_relief(const void *shared, int seed) {
+    const bat_relief *r = shared;
+    const int level = bat_relief_levels(r);
+    const bat_surface *s = bat_relief_surface(r, level), *base = bat_relief_surface(r, 0);
+    bat_relief *made[6] = {NULL};
+    bat_curve *line = NULL;
+    uint64_t d = add(bat_digest_begin(), bat_relief_is_muted(r, level));
+    d = add(bat_digest_double(d, bat_relief_gain(r, level)), (uint64_t)bat_relief_source(r, level)[seed]);
+    d = add_doubles(d, bat_relief_details(r, level), 3);
+    d = add_relief(d, bat_relief_copy(r, &made[0]), made[0]);
+    d = add_relief(d, bat_relief_decompose(s, 1, &made[1]), made[1]);
+    d = add_relief(d, bat_relief_decompose_to(s, 1, (const size_t[2]){5, 5}, &made[2]), made[2]);
+    d = add_relief(d, bat_relief_create(base, &made[4]), made[4]);
+    if (bat_surface_isocurve(base, BAT_U, 0.3, &line) == BAT_OK && bat_relief_copy(r, &made[5]) == BAT_OK)
+        d = add_relief(d, bat_relief_redraw(made[5], 0, BAT_U, 0.3, line, NULL, NULL, NULL), made[5]);
+    bat_curve_free(line);
+    return add_relief(d, bat_relief_copy_levels(r, base, &made[3]), made[3]);
+}
+static void const_calls_on_a_relief(void **state) {
+    (void)state;
+    random_source r = {8};
+    bat_surface *s = random_surface(&r, (const int[2]){3, 3}, (const int[2]){0, 2}, (const int[2]){9, 9});
+    bat_relief *relief = NULL;
+    assert_int_equal(bat_relief_decompose(s, 2, &relief), BAT_OK);
+    assert_alike(look_at_relief, relief, 4);
+    bat_relief_free(relief);
+    bat_surface_free(s);
+}
+
 typedef struct swept {
     bat_sweep *sweep;
     bat_function function;
@@ -345,9 +383,8 @@ static void const_calls_on_a_surface(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(const_calls_on_a_sweep),
-        cmocka_unit_test(const_calls_on_a_camera),
-        cmocka_unit_test(const_calls_on_a_take),
+        cmocka_unit_test(const_calls_on_a_relief),  cmocka_unit_test(const_calls_on_a_sweep),
+        cmocka_unit_test(const_calls_on_a_camera),  cmocka_unit_test(const_calls_on_a_take),
         cmocka_unit_test(const_calls_on_a_surface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -454,6 +454,29 @@ static void space(parity_sink *sink) {
     }
 }
 
+/* Levels of surfaces: taken apart, carried over, changed. */
+static void reliefs(parity_sink *sink) {
+    random_source r = {15};
+    for (int number = 0; number < 30; number++) {
+        bat_surface *surface = some_surface(&r, number);
+        bat_surface *other = some_surface(&r, number + 1);
+        bat_relief *relief = NULL, *onto = NULL;
+        const double delta[3] = {1, .5, -2};
+        put(sink, bat_relief_decompose(surface, 1, &relief));
+        if (relief) {
+            put(sink, bat_relief_drag(relief, 0, random_parameter(&r, surface, BAT_U), .4, delta));
+            put(sink, bat_relief_set_gain(relief, 1, 1.5));
+            put(sink, bat_relief_copy_levels(relief, other, &onto));
+            const bat_surface *made[2] = {bat_relief_surface(relief, 1), bat_relief_surface(onto, 1)};
+            for (int k = 0; k < 2; k++)
+                for (size_t i = 0; i < bat_surface_count(made[k], BAT_U); i++)
+                    put_many(sink, 3 * bat_surface_count(made[k], BAT_V), bat_surface_row(made[k], (int)i));
+        }
+        bat_relief_free(relief), bat_relief_free(onto);
+        bat_surface_free(surface), bat_surface_free(other);
+    }
+}
+
 const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"numbers as text", text},
                                           {"evaluation", eval},
@@ -468,5 +491,6 @@ const parity_section parity_sections[] = {{"elementary functions", elementary},
                                           {"tangents", tangents},
                                           {"levels", levels},
                                           {"views", space},
+                                          {"surfaces with levels", reliefs},
                                           {"a session", session}};
 const int parity_section_count = (int)(sizeof parity_sections / sizeof *parity_sections);

@@ -11,6 +11,7 @@
 #include "text/json.h"
 #include "text/text.h"
 #include <batten/document.h>
+#include <batten/relief.h>
 #include <batten/view.h>
 
 #define BAT_LINE_EDIT "surface-redraw" /* its name in the journal */
@@ -28,6 +29,7 @@ typedef struct bat_line_edit {
     int lock
         [BAT_EDGES]; /* what stays at the edges u low, u high, v low, v high: 0 nothing, 1 the place, 2 the tangents,
                            * too, 3 the curvature, too; directions that are closed have none */
+    int level;         /* of a surface with levels: the one that is redrawn, 0 is the base; else no matter */
     bat_mirror mirror; /* on: the line's mirror image is redrawn, too, if there is one */
     size_t count;
     const double *pixels; /* x y; borrowed */
@@ -38,11 +40,13 @@ typedef struct bat_line_made {
     bat_surface *surface;
     bat_id twin;        /* 0: none */
     bat_surface *image; /* the twin as it becomes; NULL: none */
+    bat_relief *relief; /* with levels: all of them, of which the surface is the finest; NULL: it has none */
     bat_surface_way way;
 } bat_line_made;
 
 void bat_line_made_clear(bat_line_made *made);
-/* The edit performed on copies, which the caller clears. Statuses as bat_surface_sketch and bat_surface_redraw_image;
+/* The edit performed on copies, which the caller clears. Of a surface with levels the level is redrawn on its own knots, and
+ * what lies above rides along; there is no symmetry. Statuses as bat_surface_sketch and bat_surface_redraw_image;
  * BAT_ARGUMENT: the document has no such surface. The report is filled in as far as the call came;
  * where the surface is its own image, redraw.moved holds both lines'. */
 bat_status bat_line_edit_compute(const bat_document *document, const bat_line_edit *edit, bat_line_made *out,

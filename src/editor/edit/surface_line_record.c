@@ -29,6 +29,7 @@ void bat_line_edit_write(const bat_line_edit *edit, bat_text *line) {
     number(line, "at", edit->at);
     number(line, "tolerance", edit->tolerance);
     if (edit->reach > 0) number(line, "reach", edit->reach);
+    if (edit->level > 0) number(line, "level", edit->level);
     if (any > 0) {
         bat_text_string(line, ",\"locks\":");
         bat_line_numbers(line, locks, BAT_EDGES, 1);
@@ -81,7 +82,7 @@ static bat_status read_locks(const bat_json *json, bat_line_edit *out, bat_probl
 bat_status bat_line_edit_read(const bat_json *json, bat_line_edit *out, double **pixels,
                               bat_problem *problem) {
     static const double none = 0;
-    double object = 0;
+    double object = 0, level = 0;
     int direction = -1;
     *out = (bat_line_edit){.object = 0};
     *pixels = NULL;
@@ -99,6 +100,9 @@ bat_status bat_line_edit_read(const bat_json *json, bat_line_edit *out, double *
         status = bat_edit_number(json, 1, "tolerance", 1e-12, 1e12, NULL, &out->tolerance, problem);
     if (status == BAT_OK)
         status = bat_edit_number(json, 1, "reach", 0, BAT_COORDINATE_MAX, &none, &out->reach, problem);
+    if (status == BAT_OK)
+        status = bat_edit_number(json, 1, "level", 0, BAT_RELIEF_LEVELS, &none, &level, problem);
+    out->level = (int)level;
     if (status == BAT_OK) status = read_locks(json, out, problem);
     const uint32_t along = bat_json_member(json, 1, "along");
     if (status == BAT_OK && along)

@@ -15,18 +15,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool any_muted(const bat_shape *shape, int from, int to) {
+static bool any_muted(bat_ladder ladder, int from, int to) {
     for (int l = from; l <= to; l++)
-        if (bat_shape_is_muted(shape, l)) return true;
+        if (bat_ladder_is_muted(ladder, l)) return true;
     return false;
 }
 
 /* Whether this level is the last one not muted, with none muted below it. */
-static bool solo(const bat_shape *shape, int level) {
-    int top = bat_shape_levels(shape);
-    if (level >= top || any_muted(shape, 1, level)) return false;
+static bool solo(bat_ladder ladder, int level) {
+    int top = bat_ladder_levels(ladder);
+    if (level >= top || any_muted(ladder, 1, level)) return false;
     for (int l = level + 1; l <= top; l++)
-        if (!bat_shape_is_muted(shape, l)) return false;
+        if (!bat_ladder_is_muted(ladder, l)) return false;
     return true;
 }
 
@@ -35,26 +35,34 @@ static void number(bat_text *text, const char *name, double value) {
     bat_line_number(text, value);
 }
 
-static void row(const bat_context *c, const bat_shape *shape, int level, bat_text *text) {
+static void row(const bat_context *c, bat_ladder ladder, int level, bat_text *text) {
     bat_text_string(text, level ? ",{" : "{");
-    number(text, "\"points\":", bat_point_count(bat_shape_curve(shape, level)));
-    number(text, ",\"gain\":", level ? bat_shape_gain(shape, level) : 1);
-    number(text, ",\"muted\":", level && bat_shape_is_muted(shape, level));
-    number(text, ",\"solo\":", solo(shape, level));
+    number(text, "\"points\":", bat_ladder_points(ladder, level));
+    number(text, ",\"gain\":", level ? bat_ladder_gain(ladder, level) : 1);
+    number(text, ",\"muted\":", level && bat_ladder_is_muted(ladder, level));
+    number(text, ",\"solo\":", solo(ladder, level));
     number(text, ",\"active\":", level == bat_leveling_of(c)->level);
     bat_text_string(text, "}");
+}
+
+static double points_of(const bat_surface *surface) {
+    return (double)(bat_surface_count(surface, BAT_U) * bat_surface_count(surface, BAT_V));
 }
 
 const char *bat_panel_levels(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
     bat_leveling_settle(c);
     const bat_curve *curve = bat_leveling_curve(c);
-    const bat_shape *shape = l->apart ? l->apart : bat_leveling_shape(c);
+    const bat_object *solid = bat_leveling_solid(c);
+    const bat_ladder ladder = bat_ladder_any(l->apart) ? l->apart : bat_leveling_ladder(c);
     bat_text text = {0};
     bat_text_string(&text, "{\"rows\":[");
-    for (int k = 0; shape && k <= bat_shape_levels(shape); k++) row(c, shape, k, &text);
-    number(&text, "],\"points\":", curve ? bat_point_count(curve) : 0);
-    number(&text, ",\"apart\":", l->apart != NULL);
+    for (int k = 0; bat_ladder_any(ladder) && k <= bat_ladder_levels(ladder); k++) row(c, ladder, k, &text);
+    number(&text, "],\"points\":",
+           solid   ? points_of(bat_object_surface(solid))
+           : curve ? bat_point_count(curve)
+                   : 0);
+    number(&text, ",\"apart\":", bat_ladder_any(l->apart));
     number(&text, ",\"copying\":", l->copying);
     bat_text_string(&text, "}");
     bat_text_add(&text, "", 1);
@@ -68,63 +76,59 @@ const char *bat_panel_levels(bat_context *c) {
 
 /* ---- actions ---- */
 
-static bat_status begin_fade(bat_context *c, const bat_shape *shape) {
+static bat_status begin_fade(bat_context *c, bat_ladder ladder) {
     bat_leveling *l = bat_leveling_of(c);
-    bat_status status = bat_shape_copy(shape, &l->base);
+    bat_status status = bat_ladder_copy(ladder, &l->base);
     if (status == BAT_OK) status = bat_transaction_begin(c);
-    if (status != BAT_OK) {
-        bat_shape_free(l->base);
-        l->base = NULL;
-    }
+    if (status != BAT_OK) bat_ladder_free(&l->base);
     l->fading = status == BAT_OK;
     return status;
 }
 
 static bat_status end_fade(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
-    bat_shape_free(l->base);
-    l->base = NULL;
+    bat_ladder_free(&l->base);
     l->fading = false;
     return bat_transaction_commit(c, BAT_STRING_STEP_GAIN, NULL);
 }
 
-static bat_status fade(bat_context *c, const bat_shape *shape, int level, double gain, bool done) {
+static bat_status fade(bat_context *c, bat_ladder ladder, int level, double gain, bool done) {
     bat_leveling *l = bat_leveling_of(c);
-    bat_shape *edited = NULL;
-    bat_status status = l->fading                              ? BAT_OK
-                        : bat_shape_gain(shape, level) == gain ? BAT_STATE
-                                                               : begin_fade(c, shape);
+    bat_ladder edited = {NULL, NULL};
+    bat_status status = l->fading                                ? BAT_OK
+                        : bat_ladder_gain(ladder, level) == gain ? BAT_STATE
+                                                                 : begin_fade(c, ladder);
     if (status == BAT_STATE) return BAT_OK; /* no change */
-    if (status == BAT_OK) status = bat_shape_copy(l->base, &edited);
+    if (status == BAT_OK) status = bat_ladder_copy(l->base, &edited);
     if (status == BAT_OK) {
-        status = bat_shape_set_gain(edited, level, gain);
+        status = bat_ladder_set_gain(edited, level, gain);
         if (status == BAT_OK)
-            status = bat_leveling_put(c, edited);
+            status = bat_leveling_put_ladder(c, edited);
         else
-            bat_shape_free(edited);
+            bat_ladder_free(&edited);
     }
     if (status == BAT_OK && done) status = end_fade(c);
     if (status != BAT_OK) bat_leveling_let_go(c);
     return status;
 }
 
-static bat_status silence(bat_context *c, const bat_shape *shape, bat_level_act act, int level, bool muted) {
-    int top = bat_shape_levels(shape);
-    bool alone = act == BAT_LEVEL_SOLO && (level == top || solo(shape, level)); /* again: unmute all */
-    bat_shape *edited = NULL;
-    bat_status status = bat_shape_copy(shape, &edited);
+static bat_status silence(bat_context *c, bat_ladder ladder, bat_level_act act, int level, bool muted) {
+    int top = bat_ladder_levels(ladder);
+    bool alone = act == BAT_LEVEL_SOLO && (level == top || solo(ladder, level)); /* again: unmute all */
+    bat_ladder edited = {NULL, NULL};
+    bat_status status = bat_ladder_copy(ladder, &edited);
     for (int l = 1; l <= top && status == BAT_OK; l++) {
-        bool now = bat_shape_is_muted(edited, l), then = now;
+        bool now = bat_ladder_is_muted(edited, l), then = now;
         if (act == BAT_LEVEL_SOLO)
             then = !alone && l > level;
         else if (l == level)
             then = muted;
-        if (then != now) status = bat_shape_set_muted(edited, l, then);
+        if (then != now) status = bat_ladder_set_muted(edited, l, then);
     }
     if (status == BAT_OK)
-        return bat_leveling_commit(c, edited,
-                                   act == BAT_LEVEL_SOLO ? BAT_STRING_STEP_SOLO : BAT_STRING_STEP_MUTE);
-    bat_shape_free(edited);
+        return bat_leveling_commit_ladder(
+            c, edited, act == BAT_LEVEL_SOLO ? BAT_STRING_STEP_SOLO : BAT_STRING_STEP_MUTE);
+    bat_ladder_free(&edited);
     return status;
 }
 
@@ -133,10 +137,10 @@ bat_status bat_level_do(bat_context *c, bat_level_act act, int level, double val
     if (isnan(value)) return BAT_NUMBER;
     if (!l->fading && (bat_toolbox_busy(c) || c->session->transaction.open)) return BAT_STATE;
     if (!l->fading) bat_leveling_settle(c);
-    const bat_shape *shape = bat_leveling_shape(c);
-    if (!shape || l->apart) return BAT_STATE;
+    const bat_ladder ladder = bat_leveling_ladder(c);
+    if (!bat_ladder_any(ladder) || bat_ladder_any(l->apart)) return BAT_STATE;
     bool whole = act == BAT_LEVEL_CHOOSE || act == BAT_LEVEL_SOLO;
-    if (level < (whole ? 0 : 1) || level > bat_shape_levels(shape)) return BAT_ARGUMENT;
+    if (level < (whole ? 0 : 1) || level > bat_ladder_levels(ladder)) return BAT_ARGUMENT;
     if (l->fading && act != BAT_LEVEL_GAIN) return BAT_STATE;
     bat_status status = BAT_ARGUMENT;
     switch (act) {
@@ -146,10 +150,10 @@ bat_status bat_level_do(bat_context *c, bat_level_act act, int level, double val
         return BAT_OK;
     case BAT_LEVEL_GAIN:
         if (!(fabs(value) <= 1e6)) return BAT_ARGUMENT;
-        status = fade(c, shape, level, value, done);
+        status = fade(c, ladder, level, value, done);
         break;
     case BAT_LEVEL_MUTE:
-    case BAT_LEVEL_SOLO: status = silence(c, shape, act, level, value != 0); break;
+    case BAT_LEVEL_SOLO: status = silence(c, ladder, act, level, value != 0); break;
     }
     if (status != BAT_OK && status != BAT_ARGUMENT) bat_notice_failure(c, status);
     return status;

@@ -70,7 +70,9 @@ enum {
     BAT_EDITS_LEVELS = 64,
     BAT_SMOOTHS = 128, /* smooths what it passes over */
     BAT_TILTS = 256,   /* works in a tilted view, too */
-    BAT_LANDS = 512    /* what it draws lies on the ground, which is shown and named */
+    BAT_LANDS = 512,   /* what it draws lies on the ground, which is shown and named */
+    BAT_REDRAWS_LINES =
+        1024 /* redraws parameter lines of surfaces, at the active level of those that have levels */
 };
 
 typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE, BAT_WHEN_HOST, BAT_WHEN_FACE_ON } bat_when;

@@ -1,6 +1,7 @@
 /* Knots and degrees of a surface change row by row, as its rows are curves. For the other
  * direction, u and v are exchanged before and after, which keeps every bit. */
 #include "form/surface/surface.h"
+#include "hands/levels/shape.h"
 
 #include <batten/refine.h>
 
@@ -107,6 +108,16 @@ static bat_status raise_row(const bat_curve *row, int degree, const double *unus
 bat_status bat_surface_raise(const bat_surface *surface, bat_direction direction, int degree,
                              bat_surface **out) {
     return change(surface, direction, raise_row, degree, NULL, out);
+}
+
+static bat_status coarsen_row(const bat_curve *row, int count, const double *unused, bat_curve **out) {
+    (void)unused;
+    return bat_curve_coarsen(row, count, out);
+}
+
+bat_status bat_surface_coarsen(const bat_surface *surface, bat_direction direction, int count,
+                               bat_surface **out) {
+    return change(surface, direction, coarsen_row, count, NULL, out);
 }
 
 static bat_status drop_from_row(const bat_curve *row, int unused, const double *knot, bat_curve **out) {

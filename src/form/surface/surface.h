@@ -29,6 +29,9 @@ bat_status bat_surface_transpose(const bat_surface *surface, bat_surface **out);
 /* To a higher degree in a direction; exact. */
 bat_status bat_surface_raise(const bat_surface *surface, bat_direction direction, int degree,
                              bat_surface **out);
+/* With fewer knots in a direction, `count` control points, as bat_curve_coarsen (hands/levels/shape.h) fits each line. */
+bat_status bat_surface_coarsen(const bat_surface *surface, bat_direction direction, int count,
+                               bat_surface **out);
 /* Removes one copy of the knot v if no row moves by more than allowed[row] (a proven bound); *out stays as it is when
  * one would. *error: the most by which a row moved. */
 bat_status bat_surface_drop_knot(const bat_surface *surface, double v, const double *allowed,

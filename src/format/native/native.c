@@ -268,7 +268,8 @@ static void write_pictures(const bat_document *document, bat_text *text) {
 
 /* Whether it came with the last version. */
 static bool is_new(const bat_object *object) {
-    return bat_object_wires(object, NULL, NULL) > 0 || bat_object_is(object, BAT_NEW);
+    return bat_object_wires(object, NULL, NULL) > 0 || bat_object_relief(object) ||
+           bat_object_is(object, BAT_NEW);
 }
 
 static uint64_t version_of(const bat_document *document, bool whole) {

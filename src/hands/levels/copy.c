@@ -64,17 +64,15 @@ static bat_status snap(const bat_curve *detail, const bat_curve *below, bat_curv
     return status;
 }
 
-/* The details of a level as a curve over the domain of `below`. */
-static bat_status detail_curve(const bat_level *level, const bat_curve *below, const bat_knot_map *map,
-                               bat_curve **out) {
-    const bat_curve *curve = level->curve;
+bat_status bat_detail_curve(const bat_curve *curve, const double *details, const bat_curve *below,
+                            const bat_knot_map *map, bat_curve **out) {
     int count = bat_curve_knot_count(curve);
     double *knots = malloc((size_t)count * sizeof *knots);
     if (!knots) return BAT_MEMORY;
     for (int i = 0; i < count; i++) knots[i] = bat_knot_map_at(map, bat_curve_knots(curve)[i]);
     bat_curve *mapped = NULL, *made = NULL;
-    bat_status status = bat_curve_create(3, curve->degree, curve->closed, (size_t)level->count,
-                                         level->details, count, knots, &mapped);
+    bat_status status = bat_curve_create(3, curve->degree, curve->closed, (size_t)curve->count, details,
+                                         count, knots, &mapped);
     free(knots);
     if (status == BAT_OK && curve->closed) status = begin_at_seam(&mapped, below);
     if (status == BAT_OK) status = snap(mapped, below, &made);
@@ -89,9 +87,7 @@ static bat_status detail_curve(const bat_level *level, const bat_curve *below, c
     return status;
 }
 
-/* All knots of both, each with the greater of its two multiplicities; of a closed curve one period. Returns
- * how many. */
-static int united(const bat_curve *below, const bat_curve *detail, double *out) {
+int bat_detail_knots(const bat_curve *below, const bat_curve *detail, double *out) {
     const double *a = bat_curve_knots(below), *b = bat_curve_knots(detail);
     int p = below->degree, inner_a = bat_curve_knot_count(below), inner_b = bat_curve_knot_count(detail),
         n = 0;
@@ -195,22 +191,15 @@ static bat_status settle(bat_shape *shape, bat_level *level, const bat_level *fr
     return status;
 }
 
-/* The level's details: those of the detail curve, exactly where it has the level's knots. */
-static bat_status take_details(const bat_shape *shape, const bat_curve *detail, bat_level *level) {
+bat_status bat_detail_take(const bat_curve *detail, const bat_curve *fine, const double *nodes,
+                           double *details) {
     bat_curve *fitting = NULL;
     bat_status status = BAT_KNOTS;
-    if (detail->degree == level->curve->degree && detail->closed == level->curve->closed)
-        status = bat_curve_refine(detail, bat_curve_knot_count(level->curve), bat_curve_knots(level->curve),
-                                  &fitting);
+    if (detail->degree == fine->degree && detail->closed == fine->closed)
+        status = bat_curve_refine(detail, bat_curve_knot_count(fine), bat_curve_knots(fine), &fitting);
     if (status == BAT_MEMORY) return status;
-    for (int i = 0; i < level->count; i++) {
-        double *d = level->details + 3 * i;
-        if (fitting)
-            memcpy(d, bat_curve_points(fitting) + 3 * i, 3 * sizeof *d);
-        else
-            bat_curve_eval(detail, level->nodes[i], 0, d);
-        if (bat_shape_flat(shape)) d[2] = 0;
-    }
+    for (int i = 0; i < fine->count && !fitting; i++) bat_curve_eval(detail, nodes[i], 0, details + 3 * i);
+    if (fitting) memcpy(details, bat_curve_points(fitting), 3 * (size_t)fine->count * sizeof *details);
     bat_curve_free(fitting);
     return BAT_OK;
 }
@@ -218,16 +207,18 @@ static bat_status take_details(const bat_shape *shape, const bat_curve *detail, 
 static bat_status copy_level(bat_shape *shape, const bat_level *from, const bat_knot_map *map) {
     const bat_curve *below = bat_shape_curve(shape, shape->count);
     bat_curve *detail = NULL;
-    bat_status status = detail_curve(from, below, map, &detail);
+    bat_status status = bat_detail_curve(from->curve, from->details, below, map, &detail);
     if (status != BAT_OK) return status;
     size_t room = (size_t)(bat_curve_knot_count(below) + bat_curve_knot_count(detail));
     double *knots = malloc(room * sizeof *knots);
-    status = knots ? bat_shape_add_level(shape, united(below, detail, knots), knots, NULL, NULL) : BAT_MEMORY;
+    status = knots ? bat_shape_add_level(shape, bat_detail_knots(below, detail, knots), knots, NULL, NULL)
+                   : BAT_MEMORY;
     if (status == BAT_OK) {
         bat_level *level = &shape->levels[shape->count - 1];
         level->gain = from->gain;
         level->muted = from->muted;
-        status = take_details(shape, detail, level);
+        status = bat_detail_take(detail, level->curve, level->nodes, level->details);
+        for (int i = 0; i < level->count && bat_shape_flat(shape); i++) level->details[3 * i + 2] = 0;
         if (status == BAT_OK) status = settle(shape, level, from, map);
         if (status == BAT_OK) status = bat_level_build(level, below);
     }

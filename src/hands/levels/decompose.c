@@ -97,9 +97,7 @@ static bool clamped(const bat_curve *curve) {
     return !curve->closed && t[0] == t[curve->degree] && t[curve->spread] == t[curve->spread + curve->degree];
 }
 
-/* Coarse points by least squares over the fine points, weighted by the width of their supports; clamped ends
- * are kept. */
-static bat_status coarsen(const bat_curve *fine, int count, bat_curve **out) {
+bat_status bat_curve_coarsen(const bat_curve *fine, int count, bat_curve **out) {
     bat_curve *coarse;
     bat_status status = thinned(fine, count, &coarse);
     if (status != BAT_OK) return status;
@@ -175,8 +173,7 @@ static bat_status read_details(bat_shape *shape, const bat_curve *wanted) {
     return bat_level_build(at, bat_shape_curve(shape, level - 1));
 }
 
-/* How many control points the level below a level of n has: every other interior knot is left out. */
-static int halved(const bat_curve *curve, int n) {
+int bat_curve_halved(const bat_curve *curve, int n) {
     int fixed = curve->closed ? 1 : curve->degree + 1;
     return n > fixed ? (n - fixed) / 2 + fixed : n;
 }
@@ -187,7 +184,7 @@ static bat_status decompose(const bat_curve *curve, int levels, const int *count
     bat_shape *shape = NULL;
     bat_status status = bat_curve_copy(curve, &chain[levels]);
     for (int j = levels; j > 0 && status == BAT_OK; j--)
-        status = coarsen(chain[j], counts[j - 1], &chain[j - 1]);
+        status = bat_curve_coarsen(chain[j], counts[j - 1], &chain[j - 1]);
     if (status == BAT_OK) status = bat_shape_create(chain[0], options, &shape);
     for (int j = 1; j <= levels && status == BAT_OK; j++) {
         status = bat_shape_add_level(shape, bat_curve_knot_count(chain[j]), bat_curve_knots(chain[j]), NULL,
@@ -209,8 +206,16 @@ bat_status bat_shape_decompose(const bat_curve *curve, int levels, const bat_sha
     if (!curve || !out) return BAT_ARGUMENT;
     if (levels < 0 || levels > BAT_LEVELS_MAX) return BAT_COUNT;
     counts[levels] = curve->count;
-    for (int j = levels; j > 0; j--) counts[j - 1] = halved(curve, counts[j]);
+    for (int j = levels; j > 0; j--) counts[j - 1] = bat_curve_halved(curve, counts[j]);
     return decompose(curve, levels, counts, options, out);
+}
+
+void bat_levels_counts(int n, int coarsest, int levels, int counts[BAT_LEVELS_MAX + 1]) {
+    counts[levels] = n;
+    for (int j = levels - 1; j >= 0; j--) {
+        double count = coarsest * bat_exp(bat_log((double)n / coarsest) * j / levels);
+        counts[j] = (int)fmin(fmax(floor(count + 0.5), coarsest + j), counts[j + 1] - 1);
+    }
 }
 
 bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, size_t least,
@@ -219,10 +224,6 @@ bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, size_t lea
     if (!curve || !out) return BAT_ARGUMENT;
     int n = curve->count, coarsest = bat_count_inside(least);
     if (levels < 1 || levels > BAT_LEVELS_MAX || coarsest < 1 || coarsest > n - levels) return BAT_COUNT;
-    counts[levels] = n;
-    for (int j = levels - 1; j >= 0; j--) {
-        double count = coarsest * bat_exp(bat_log((double)n / coarsest) * j / levels);
-        counts[j] = (int)fmin(fmax(floor(count + 0.5), coarsest + j), counts[j + 1] - 1);
-    }
+    bat_levels_counts(n, coarsest, levels, counts);
     return decompose(curve, levels, counts, options, out);
 }

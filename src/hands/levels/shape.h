@@ -110,6 +110,25 @@ double bat_knot_map_at(const bat_knot_map *map, double u);
 bat_status bat_shape_copy_mapped(const bat_shape *from, const bat_curve *onto,
                                  const bat_shape_options *options, const bat_knot_map *map, bat_shape **out);
 
+/* Details of a level with that basis, 3 numbers a control point, as a curve over the domain of `below`; knots near those
+ * of `below` become equal to them. */
+bat_status bat_detail_curve(const bat_curve *curve, const double *details, const bat_curve *below,
+                            const bat_knot_map *map, bat_curve **out);
+/* All knots of both, each with the greater of its two multiplicities; of a closed curve one period. Returns how many. */
+int bat_detail_knots(const bat_curve *below, const bat_curve *detail, double *out);
+/* Details on the knots of `fine`: those of the detail curve, exactly where it has these knots, else its values at the
+ * nodes. */
+bat_status bat_detail_take(const bat_curve *detail, const bat_curve *fine, const double *nodes,
+                           double *details);
+
+/* A curve with fewer knots, `count` control points: by least squares over those of `fine`, weighted by the width of their
+ * supports; clamped ends are kept (math 3.7). BAT_COUNT: there are not that few. */
+bat_status bat_curve_coarsen(const bat_curve *fine, int count, bat_curve **out);
+/* How many control points the level below a level of n has: every other interior knot is left out. */
+int bat_curve_halved(const bat_curve *curve, int n);
+/* How many the levels have, from the base of `coarsest` to that of n: a geometric progression. */
+void bat_levels_counts(int n, int coarsest, int levels, int counts[BAT_LEVELS_MAX + 1]);
+
 /* Details in `old` frames, expressed in `fresh` ones that differ by a turn about t. False: the two are the
  * same. */
 bool bat_triad_turn_back(const bat_triad *old, const bat_triad *fresh, double *details);

@@ -412,7 +412,8 @@ static void rules_copies_and_flattening(void **state) {
     assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_GHOST));
     /* Detail to the straight curve: its base stays, the levels come. */
     assert_int_equal(bat_editor_command(editor, "levels-copy"), BAT_OK);
-    assert_string_equal(bat_editor_frame(editor)->hint, "Tap the curve that gets the detail. Esc cancels");
+    assert_string_equal(bat_editor_frame(editor)->hint,
+                        "Tap the curve or surface that gets the detail. Esc cancels");
     tap(&p, 500, 600);
     const bat_shape *copy = shape_at(editor, 1);
     assert_non_null(copy);
@@ -478,9 +479,7 @@ static void a_press_taken_away_keeps_the_choice(void **state) {
         pen p;
         bat_editor *editor = apart_editor(&p);
         assert_int_equal(bat_editor_command(editor, "take-apart"), BAT_OK);
-        int levels = bat_leveling_of(&editor->context)->apart
-                         ? bat_shape_levels(bat_leveling_of(&editor->context)->apart)
-                         : 0;
+        int levels = bat_ladder_levels(bat_leveling_of(&editor->context)->apart);
         assert_true(levels > 0);
         pen first = p, second = p;
         first.device = second.device = BAT_DEVICE_TOUCH;
@@ -494,10 +493,9 @@ static void a_press_taken_away_keeps_the_choice(void **state) {
         if (pinch) pen_event(&second, BAT_POINTER_CANCEL, 600, 500);
         check(editor);
         assert_true(!bat_toolbox_busy(&editor->context));
-        assert_true(bat_leveling_of(&editor->context)->apart &&
-                    bat_shape_levels(bat_leveling_of(&editor->context)->apart) == levels);
+        assert_int_equal(bat_ladder_levels(bat_leveling_of(&editor->context)->apart), levels);
         assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
-        assert_null(bat_leveling_of(&editor->context)->apart);
+        assert_false(bat_ladder_any(bat_leveling_of(&editor->context)->apart));
         bat_editor_free(editor);
     }
 }

@@ -13,6 +13,7 @@
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
 #include "editor/pick/snap.h"
+#include "editor/pick/surface.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
 #include "editor/scene/seen.h"
@@ -50,7 +51,9 @@ static double reach(const bat_context *c, double pixels) {
 /* The control polygon whose points can be dragged. */
 static const bat_curve *active(const bat_context *c) {
     const bat_shape *shape = bat_leveling_shape(c);
-    return shape && !bat_leveling_of(c)->apart ? bat_shape_curve(shape, bat_leveling_of(c)->level) : NULL;
+    return shape && !bat_ladder_any(bat_leveling_of(c)->apart)
+               ? bat_shape_curve(shape, bat_leveling_of(c)->level)
+               : NULL;
 }
 
 static double near_point(const bat_curve *curve, const bat_stage *stage, const double at[2], int *index) {
@@ -77,6 +80,10 @@ static bat_handle find(bat_context *c, const double pixel[2]) {
     if (distance <= reach(c, HANDLE_REACH) &&
         (!pick.object || distance <= pick.near.distance + reach(c, HANDLE_LEAD)))
         return (bat_handle){BAT_HANDLE_POINT, l->object, l->curve, index, 0};
+    if (!pick.object) {
+        const bat_object *solid = bat_pick_surface(c, pixel);
+        if (solid) pick.object = bat_object_id(solid), pick.curve = 0;
+    }
     if (!pick.object) return (bat_handle){0};
     return (bat_handle){BAT_HANDLE_CURVE, pick.object, pick.curve, 0, pick.near.u};
 }
@@ -116,7 +123,8 @@ static void tell(bat_context *c, bat_status status) {
 
 static void release(bat_leveling *l) {
     bat_shape_live_cancel(l->live);
-    l->live = NULL;
+    bat_relief_free(l->carved);
+    l->live = NULL, l->carved = NULL;
     l->pressed = l->dragging = l->due = false;
 }
 
@@ -146,6 +154,11 @@ static void drag(bat_context *c) {
     double delta[3];
     if (!l->dragging || !l->due) return;
     l->due = false;
+    if (l->carved) {
+        const bat_status pulled = bat_relief_pull(c);
+        if (pulled != BAT_OK) give_up(c, pulled);
+        return;
+    }
     if (!drag_delta(c, l, delta)) return;
     bat_shape *shape = NULL;
     bat_status status = edited(c, l->live, &l->grip, delta, &shape);
@@ -153,18 +166,25 @@ static void drag(bat_context *c) {
     if (status != BAT_OK) give_up(c, status);
 }
 
+/* The curve of the object that is chosen with it; a surface is chosen as a whole. */
+static int curve_of(const bat_context *c, const bat_handle *grip) {
+    const bat_document *document = c->session->document;
+    const bat_object *object = bat_document_at(document, bat_document_find(document, grip->object));
+    return object && bat_object_surface(object) ? 0 : grip->curve;
+}
+
 static void begin_drag(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
     bat_apart_drop(c);
-    bat_leveling_choose(c, l->grip.object, l->grip.curve);
+    bat_leveling_choose(c, l->grip.object, curve_of(c, &l->grip));
     bat_leveling_settle(c);
     const bat_shape *shape = bat_leveling_shape(c);
-    if (!shape) { /* nothing can bend it */
+    if (!shape && !bat_leveling_relief(c)) { /* nothing can bend it */
         l->pressed = false;
         bat_notice(c, BAT_STRING_NOTICE_NO_LEVELS);
         return;
     }
-    bat_status status = bat_shape_live_begin(shape, l->level, &l->live);
+    bat_status status = shape ? bat_shape_live_begin(shape, l->level, &l->live) : bat_relief_grip(c);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         release(l);
@@ -203,16 +223,17 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
 static void tap(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
     const bat_handle grip = l->grip;
-    bool same = grip.object == l->object && grip.curve == l->curve;
+    const int curve = curve_of(c, &grip);
+    bool same = grip.object == l->object && curve == l->curve;
     if (l->copying) {
         if (!grip.object || same) return;
         l->copying = false;
-        bat_leveling_copy_to(c, grip.object, grip.curve);
+        bat_leveling_copy_to(c, grip.object, curve);
         return;
     }
-    if (l->apart && same) return;
+    if (bat_ladder_any(l->apart) && same) return;
     bat_apart_drop(c);
-    bat_leveling_choose(c, grip.object, grip.curve);
+    bat_leveling_choose(c, grip.object, curve);
     l->chosen = grip.kind == BAT_HANDLE_POINT ? grip.index : -1;
 }
 
@@ -399,25 +420,26 @@ static void show_levels(const bat_context *c, bat_overlay *list, const bat_shape
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     (void)state;
     const bat_leveling *l = bat_leveling_of(c);
-    const bat_shape *shape = l->apart ? l->apart : bat_leveling_shape(c);
+    const bat_shape *shape = l->apart.shape ? l->apart.shape : bat_leveling_shape(c);
     const bat_handle *hot = l->dragging ? &l->grip : &l->hot;
     const bat_curve *chosen = bat_leveling_curve(c), *under = NULL;
     if (hot->object && !c->input->holding_pan)
         under = bat_edit_target_in(c->session->document, 0, hot->object, hot->curve);
     if (under && under != chosen) line(list, BAT_ROLE_HIGHLIGHT, 3, under);
+    bat_relief_show(c, list);
     if (!shape) return;
-    int level = l->apart ? 0 : l->level;
+    int level = l->apart.shape ? 0 : l->level;
     const bat_curve *curve = bat_shape_curve(shape, level);
-    if (under && under == chosen && !l->apart && !l->copying && hot->kind == BAT_HANDLE_CURVE) {
+    if (under && under == chosen && !l->apart.shape && !l->copying && hot->kind == BAT_HANDLE_CURVE) {
         double range[2]; /* the part that would bend */
         bat_knots_reached(curve, hot->u, range);
         bat_overlay_item(list, BAT_ROLE_STRETCH, BAT_ITEM_STROKED, 4);
         bat_overlay_stretch(list, under, range[0], range[1]);
     }
-    show_levels(c, list, shape, level, l->apart || c->settings->values[BAT_PROPERTY_SHOW_LEVELS] != 0);
+    show_levels(c, list, shape, level, l->apart.shape || c->settings->values[BAT_PROPERTY_SHOW_LEVELS] != 0);
     if (c->settings->values[BAT_PROPERTY_SHOW_FRAMES] != 0) show_frames(c, list, shape);
     bat_handle one = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
-    if (l->chosen >= 0 && !l->apart) bat_handles_show_one(list, curve, &one, BAT_ROLE_CHOSEN, c->stage);
+    if (l->chosen >= 0 && !l->apart.shape) bat_handles_show_one(list, curve, &one, BAT_ROLE_CHOSEN, c->stage);
     if (under && hot->kind == BAT_HANDLE_POINT && hot->index != l->chosen)
         bat_handles_show_one(list, curve, hot, BAT_ROLE_HANDLE, c->stage);
 }
@@ -427,12 +449,12 @@ static bat_string hint(const bat_context *c, const void *state) {
     const bat_leveling *l = bat_leveling_of(c);
     if (l->dragging) return BAT_STRING_HINT_DRAGGING;
     if (l->copying) return BAT_STRING_HINT_COPY_TO;
-    if (l->apart) return BAT_STRING_HINT_APART;
+    if (bat_ladder_any(l->apart)) return BAT_STRING_HINT_APART;
     if (l->hot.kind == BAT_HANDLE_POINT) return BAT_STRING_HINT_CONTROL_POINT;
-    bool own = l->hot.object && l->hot.object == l->object && l->hot.curve == l->curve;
+    bool own = l->hot.object && l->hot.object == l->object && curve_of(c, &l->hot) == l->curve;
     if (l->hot.kind && !own) return BAT_STRING_HINT_CHOOSE;
     if (!l->object) return BAT_STRING_HINT_LEVELS;
-    return bat_leveling_shape(c) ? BAT_STRING_HINT_LEVEL_PULL : BAT_STRING_HINT_LEVELS_NONE;
+    return bat_ladder_any(bat_leveling_ladder(c)) ? BAT_STRING_HINT_LEVEL_PULL : BAT_STRING_HINT_LEVELS_NONE;
 }
 
 static bat_cursor cursor(const bat_context *c, const void *state) {
@@ -445,14 +467,14 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
 static const char *check(const bat_context *c, const void *state) {
     (void)state;
     const bat_leveling *l = bat_leveling_of(c);
-    const bat_shape *shape = bat_leveling_shape(c);
+    const bat_ladder ladder = bat_leveling_ladder(c);
     if (l->dragging && !l->pressed) return "a drag without a press";
-    if (l->dragging != (l->live != NULL)) return "a drag without its session, or the reverse";
-    if (l->fading != (l->base != NULL)) return "a fader without its shape, or the reverse";
+    if (l->dragging != (l->live || l->carved)) return "a drag without its session, or the reverse";
+    if (l->fading != bat_ladder_any(l->base)) return "a fader without its shape, or the reverse";
     if (l->dragging && !c->session->transaction.open) return "a drag without a transaction";
     if (l->pressed && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a press without a pointer";
-    if (l->dragging && (!shape || l->level > bat_shape_levels(shape)))
+    if (l->dragging && (!bat_ladder_any(ladder) || l->level > bat_ladder_levels(ladder)))
         return "a level is dragged that is not there";
     return NULL;
 }

@@ -19,16 +19,36 @@
 bat_leveling *bat_leveling_of(const bat_context *c) { return bat_toolbox_that(c, BAT_EDITS_LEVELS)->state; }
 
 void bat_leveling_free(bat_leveling *l) {
-    bat_shape_free(l->base);
+    bat_ladder_free(&l->base);
     bat_shape_live_cancel(l->live);
-    bat_shape_free(l->apart);
+    bat_relief_free(l->carved);
+    bat_ladder_free(&l->apart);
     free(l->strip);
     *l = (bat_leveling){.chosen = -1, .version = l->version};
 }
 
+const bat_object *bat_leveling_solid(const bat_context *c) {
+    const bat_leveling *l = bat_leveling_of(c);
+    const bat_document *document = c->session->document;
+    const bat_object *object = l->object ? bat_document_at(document, bat_document_find(document, l->object))
+                                         : NULL;
+    return object && bat_object_surface(object) ? object : NULL;
+}
+
+const bat_relief *bat_leveling_relief(const bat_context *c) {
+    const bat_object *object = bat_leveling_solid(c);
+    return object ? bat_object_relief(object) : NULL;
+}
+
+bat_ladder bat_leveling_ladder(const bat_context *c) {
+    return (bat_ladder){bat_leveling_shape(c), bat_leveling_relief(c)};
+}
+
 const bat_curve *bat_leveling_curve(const bat_context *c) {
     const bat_leveling *l = bat_leveling_of(c);
-    return l->object ? bat_edit_target_in(c->session->document, 0, l->object, l->curve) : NULL;
+    return l->object && !bat_leveling_solid(c)
+               ? bat_edit_target_in(c->session->document, 0, l->object, l->curve)
+               : NULL;
 }
 
 const bat_shape *bat_leveling_shape(const bat_context *c) {
@@ -47,15 +67,16 @@ void bat_leveling_settle(bat_context *c) {
         l->chosen = -1;
     }
     int at = bat_document_find(c->session->document, l->object);
-    if (!bat_leveling_curve(c) || bat_seen_out_of_reach(c, at)) {
+    if ((!bat_leveling_curve(c) && !bat_leveling_solid(c)) || bat_seen_out_of_reach(c, at)) {
         l->object = 0;
         l->copying = false;
     }
     const bat_shape *shape = bat_leveling_shape(c);
-    int top = shape ? bat_shape_levels(shape) : 0;
+    int top = bat_ladder_levels(bat_leveling_ladder(c));
     if (l->level > top) l->level = top, l->chosen = -1;
     if (!shape || l->chosen >= bat_point_count(bat_shape_curve(shape, l->level))) l->chosen = -1;
-    if (l->apart && (!l->object || l->apart_revision != c->session->revision)) bat_apart_drop(c);
+    if (bat_ladder_any(l->apart) && (!l->object || l->apart_revision != c->session->revision))
+        bat_apart_drop(c);
 }
 
 void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
@@ -78,8 +99,7 @@ bat_status bat_leveling_commit(bat_context *c, bat_shape *shape, bat_string labe
 bool bat_leveling_let_go(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
     if (!l->fading) return false;
-    bat_shape_free(l->base);
-    l->base = NULL;
+    bat_ladder_free(&l->base);
     l->fading = false;
     bat_transaction_cancel(c);
     return true;
@@ -89,9 +109,12 @@ uint32_t bat_leveling_version(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
     bool levels = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_LEVELS,
          sketch = bat_tool_at(c->choice->tool)->traits & BAT_DRAWS;
-    if (!(levels && bat_leveling_curve(c)) && !(sketch && bat_leveling_shape(c))) return 0;
+    bool lines = bat_tool_at(c->choice->tool)->traits & BAT_REDRAWS_LINES;
+    if (!(levels && (bat_leveling_curve(c) || bat_leveling_solid(c))) && !(sketch && bat_leveling_shape(c)) &&
+        !(lines && bat_leveling_relief(c)))
+        return 0;
     const uint64_t parts[] = {l->object,  (uint64_t)l->curve,   (uint64_t)l->level,
-                              l->copying, c->session->revision, l->apart != NULL,
+                              l->copying, c->session->revision, bat_ladder_any(l->apart),
                               levels};
     const bat_property_id values[] = {BAT_PROPERTY_SHOW_LEVELS,  BAT_PROPERTY_SHOW_FRAMES,
                                       BAT_PROPERTY_FRAME_RULE,   BAT_PROPERTY_LEVEL_SKETCH,
@@ -109,8 +132,7 @@ uint32_t bat_leveling_version(bat_context *c) {
 
 bool bat_apart_drop(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
-    bool any = l->apart != NULL;
-    bat_shape_free(l->apart);
-    l->apart = NULL;
+    bool any = bat_ladder_any(l->apart);
+    bat_ladder_free(&l->apart);
     return any;
 }

@@ -1,5 +1,5 @@
 /*
- * The state shared by the levels tool and the level strip: the chosen curve, its active level, and the operation
+ * The state shared by the levels tool and the level strip: the chosen curve or surface, its active level, and the operation
  * under way. Levels are numbered from the base, which is 0.
  */
 #ifndef BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
@@ -7,12 +7,14 @@
 
 #include "editor/session/context.h"
 #include "editor/show/handles.h"
+#include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
+#include "editor/tools/levels/ladder.h"
 #include <batten/editor.h>
 
 typedef struct bat_leveling {
-    bat_id object; /* the chosen curve; 0: none */
-    int curve;
+    bat_id object;  /* the chosen curve or surface; 0: none */
+    int curve;      /* of a surface: no matter */
     bat_id adopted; /* the selection already taken into account */
     int level;      /* the active level */
     int chosen;     /* index of its chosen control point; -1: none */
@@ -27,10 +29,12 @@ typedef struct bat_leveling {
     bat_handle grip;
     double start[2], at[2]; /* view pixels */
     bool fading;            /* a fader is being dragged and holds the transaction */
-    bat_shape *base;        /* the shape before the fader was moved, owned */
+    bat_ladder base;        /* the levels before the fader was moved, owned */
     bat_shape_live *live;   /* the drag's session, owned */
+    bat_relief *carved;     /* a surface's levels before the drag, owned */
+    double place[2];        /* u and v of what is dragged of it */
 
-    bat_shape *apart; /* the curve taken apart, a preview until Enter or Esc; owned */
+    bat_ladder apart; /* the curve or surface taken apart, a preview until Enter or Esc; owned */
     uint64_t apart_revision;
     bool copying; /* the next tap chooses the curve that receives the detail */
 
@@ -46,10 +50,27 @@ void bat_leveling_choose(bat_context *c, bat_id object, int curve);
 /* The chosen curve and its levels; NULL: none. */
 const bat_curve *bat_leveling_curve(const bat_context *c);
 const bat_shape *bat_leveling_shape(const bat_context *c);
+/* The chosen surface and its levels; NULL: none. One of curve and surface is NULL. */
+const bat_object *bat_leveling_solid(const bat_context *c);
+const bat_relief *bat_leveling_relief(const bat_context *c);
+/* The levels of either. */
+bat_ladder bat_leveling_ladder(const bat_context *c);
 /* Gives the chosen curve this shape, within the open transaction or as a step of its own. Takes ownership of the
  * shape, whatever it returns. */
 bat_status bat_leveling_put(bat_context *c, bat_shape *shape);
 bat_status bat_leveling_commit(bat_context *c, bat_shape *shape, bat_string label);
+/* The same with the levels of a curve or a surface. */
+bat_status bat_leveling_put_ladder(bat_context *c, bat_ladder ladder);
+bat_status bat_leveling_commit_ladder(bat_context *c, bat_ladder ladder, bat_string label);
+/* solid.c: gives a surface these levels (NULL: none, as it is) as a step of its own; takes the relief over, whatever it
+ * returns. */
+bat_status bat_relief_commit(bat_context *c, bat_id object, bat_relief *relief, bat_string label);
+/* Drags a place of the chosen surface: at the press; on the way, within the open transaction. */
+bat_status bat_relief_grip(bat_context *c);
+bat_status bat_relief_pull(bat_context *c);
+void bat_relief_show(const bat_context *c, bat_overlay *list);
+/* Takes the chosen surface apart; how many points that leaves of n. */
+bat_status bat_relief_take_apart(bat_context *c, int levels, int points, bat_relief **out);
 /* Ends a fader drag and reverts it; false: there was none. */
 bool bat_leveling_let_go(bat_context *c);
 /* The version of the strip's contents; 0: the strip is not visible. */

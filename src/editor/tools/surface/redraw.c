@@ -2,6 +2,7 @@
 #include "editor/tools/surface/state.h"
 #include "editor/edit/symmetry.h"
 #include "editor/session/notice.h"
+#include "editor/tools/toolbox.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include <math.h>
@@ -25,6 +26,24 @@ static void settings_of(const bat_context *c, const bat_surface *surface, bat_li
     for (int k = 0; k < BAT_EDGES; k++) out->lock[k] = (int)values[BAT_PROPERTY_LOCK_U_LOW + k];
 }
 
+/* The level that is chosen in the level strip; of another surface the base. */
+static int active_level(const bat_context *c, bat_id object) {
+    const bat_slot *levels = bat_toolbox_that(c, BAT_EDITS_LEVELS);
+    bat_focus focus = {0};
+    return levels->is->focus(c, levels->state, &focus) && focus.object == object ? focus.level : 0;
+}
+
+/* The surface whose rows move: of one with levels that of the level. */
+static const bat_surface *surface_at(const bat_context *c, const bat_line_edit *edit,
+                                     const bat_surface *surface) {
+    const bat_document *document = c->session->document;
+    const bat_relief *relief = bat_object_relief(
+        bat_document_at(document, bat_document_find(document, edit->object)));
+    if (!relief) return surface;
+    const int top = bat_relief_levels(relief);
+    return bat_relief_surface(relief, edit->level < top ? edit->level : top);
+}
+
 bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
     const bat_surface *surface = bat_surfacing_surface(c, s);
     if (!surface) return false;
@@ -35,7 +54,8 @@ bool bat_surfacing_edit(bat_context *c, bat_surfacing *s, bat_line_edit *out) {
                            .count = s->count,
                            .pixels = s->pixels,
                            .mirror = bat_symmetry_plane(c)};
-    settings_of(c, surface, out);
+    out->level = active_level(c, s->lit.object);
+    settings_of(c, surface_at(c, out, surface), out);
     bat_surfacing_along(c, s, out->along);
     const double pixel = s->seen.height > 0 ? s->seen.height / s->seen.size[1] : bat_stage_pixel(c->stage);
     out->tolerance = fmin(fmax(c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel, 1e-12), 1e12);
@@ -131,7 +151,7 @@ bool bat_surfacing_reach(bat_context *c, bat_surfacing *s) {
     const bool same = reach->revision == asked.revision && same_line(&reach->line, &asked.line) &&
                       !memcmp(reach->lock, asked.lock, sizeof asked.lock) && reach->radius == asked.radius;
     if (same) return reach->known;
-    asked.known = bat_line_edit_probe(surface, &edit, &report) == BAT_OK;
+    asked.known = bat_line_edit_probe(surface_at(c, &edit, surface), &edit, &report) == BAT_OK;
     memcpy(asked.moved, report.moved, sizeof asked.moved);
     *reach = asked;
     return reach->known;
