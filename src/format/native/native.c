@@ -19,8 +19,8 @@
 #include <string.h>
 
 /* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with meshes or with
- * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that keep the file that they were read from, drawings with
- * something in space, and all others. */
+ * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that
+ * keep the file that they were read from, drawings with something in space, and all others. */
 enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5, BOUND = 6 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
@@ -266,10 +266,11 @@ static void write_pictures(const bat_document *document, bat_text *text) {
     bat_pictures_free(&written);
 }
 
-/* Whether it came with the last version. */
+/* Whether it came with the last version. What has no sources is not asked for wires: that would fetch the second part of the
+ * module while a drawing is opened. */
 static bool is_new(const bat_object *object) {
-    return bat_object_wires(object, NULL, NULL) > 0 || bat_object_relief(object) ||
-           bat_object_is(object, BAT_NEW);
+    return bat_object_is(object, BAT_NEW) || bat_object_relief(object) ||
+           (bat_object_sources(object, NULL) > 0 && bat_object_wires(object, NULL, NULL) > 0);
 }
 
 static uint64_t version_of(const bat_document *document, bool whole) {
