@@ -1,4 +1,5 @@
 #include "editor/show/tubes.h"
+#include "base/real.h"
 #include "document/bound.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -79,21 +80,31 @@ static void wall_point(const bat_tube_place *p, double radius, int side, double 
     for (int k = 0; k < 2; k++) out[k] = p->at[k] + side * radius * p->scale * p->across[k];
 }
 
-/* There on one side, back on the other; each wall a line of its own when not filled. */
+/* Half a circle from the wall at the end of a tube to the other wall: beyond its ends a wire is felt all around them. way: 1
+ * at the last end, -1 at the first. */
+static void add_cap(const bat_tube_place *p, double radius, int way, bat_overlay *overlay) {
+    const double from = bat_atan2(way * p->across[1], way * p->across[0]);
+    bat_overlay_arc(overlay, p->at, radius * p->scale, from, from - BAT_PI, true);
+}
+
+/* There on one side, back on the other, round the ends; each wall of a closed wire a line of its own when not filled. */
 static void add_walls(const bat_context *c, const bat_tube *tube, bool filled, bat_overlay *overlay) {
+    const bool closed = bat_curve_is_closed(tube->now);
     bool on = false;
     for (int i = 0; i < 2 * SAMPLES; i++) {
         const int k = i < SAMPLES ? i : 2 * SAMPLES - 1 - i;
-        const double at = k / (SAMPLES - 1.0);
+        const double at = k / (SAMPLES - 1.0), radius = bat_tube_radius(tube, at);
         bat_tube_place p;
         double wall[2];
-        if (i == SAMPLES && !filled) on = false;
+        if (i == SAMPLES && closed && !filled) on = false;
         if (!bat_tube_look(c, tube, at, &p)) continue;
-        wall_point(&p, bat_tube_radius(tube, at), i < SAMPLES ? 1 : -1, wall);
+        wall_point(&p, radius, i < SAMPLES ? 1 : -1, wall);
         (on ? bat_path_line : bat_path_move)(&overlay->path, wall[0], wall[1]);
         on = true;
+        if (!closed && (i == SAMPLES - 1 || i == 2 * SAMPLES - 1))
+            add_cap(&p, radius, i < SAMPLES ? 1 : -1, overlay);
     }
-    if (filled && on) bat_path_close(&overlay->path);
+    if (on && (filled || !closed)) bat_path_close(&overlay->path);
 }
 
 static void show_stops(const bat_context *c, const bat_tube *tube, int held, bat_overlay *overlay) {
