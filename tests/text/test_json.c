@@ -104,8 +104,7 @@ static void numbers_are_rounded_correctly(void **state) {
     bat_number_scan(text, text + 1017, &value), assert_true(value == 9007199254740992.0);
     text[1000] = '1';
     bat_number_scan(text, text + 1017, &value), assert_true(value == 9007199254740994.0);
-    const char *comma = setlocale(LC_NUMERIC, "de_DE.UTF-8");
-    if (!comma) comma = setlocale(LC_NUMERIC, "fr_FR.UTF-8");
+    if (!setlocale(LC_NUMERIC, "de_DE.UTF-8")) setlocale(LC_NUMERIC, "fr_FR.UTF-8");
     const char *long_one = "3.14159265358979311599796346854";
     assert_non_null(bat_number_scan(long_one, long_one + strlen(long_one), &value));
     assert_true(value == 3.141592653589793);

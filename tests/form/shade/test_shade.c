@@ -70,7 +70,7 @@ static void a_disc(void **state) {
 static void matte_light(void **state) {
     (void)state;
     double light = AMBIENT;
-#define BAT_LIGHT(name, x, y, z, strength) light += strength * fmax(0, ((z) + WRAP) / (1 + WRAP));
+#define BAT_LIGHT(name, x, y, z, strength) light += (strength)*fmax(0, ((z) + WRAP) / (1 + WRAP));
 #include "form/shade/light.def"
     bat_surface *sphere = round_sphere();
     const bat_viewpoint view = view_of_sphere(0);
