@@ -87,6 +87,18 @@ static void check_amended(const bat_camera *from) {
     }
     bat_camera_base(camera, &count);
     if (bat_camera_remove_key(camera, count / 2, &change) == BAT_OK && !(change >= 0)) abort();
+    if (bat_camera_set_muted(camera, bat_camera_levels(camera), true) == BAT_OK &&
+        !bat_camera_is_muted(camera, bat_camera_levels(camera)))
+        abort();
+    const double stroke[6] = {0.1, 0.9, u, 0.2, 0.8, 0.4};
+    bat_camera_retime(camera, 3, stroke);
+    bat_camera_ease(camera, 1, 0.5);
+    bat_camera_set_timing(camera, bat_camera_duration(from), bat_camera_timing(camera));
+    bat_camera_add_shake(camera, 7, 0.1, 30 / bat_camera_duration(camera));
+    if (bat_camera_take_levels(camera, from) == BAT_OK &&
+        bat_camera_levels(camera) != bat_camera_levels(from))
+        abort();
+    check_samples(camera);
     if (bat_camera_set_fov(camera, u, 50) != BAT_OK) abort();
     if (bat_camera_aim(camera, before.position, up, &other) == BAT_OK) check_samples(other);
     bat_camera_free(other), other = NULL;

@@ -16,6 +16,8 @@ extern "C" {
 
 enum {
     BAT_CAMERA_LEVELS_MAX = 24,
+    BAT_CAMERA_SHAKE_MAX = 100000,
+    BAT_CAMERA_PACE_SPANS = 48,
     BAT_CAMERA_KEYS_MAX = 4096,       /* that are added by hand */
     BAT_CAMERA_SAMPLES_MAX = 10000000 /* the most that a host should ask for at once */
 };
@@ -93,11 +95,40 @@ BAT_API double bat_camera_gain(const bat_camera *camera, int level);
 /* As bat_shape_set_gain: 0 mutes a level's details, 1 leaves them as they are. Within +-1e6, else BAT_NUMBER. */
 BAT_API bat_status bat_camera_set_gain(bat_camera *camera, int level, double gain);
 
+/* A muted level does not show, and keeps its gain. BAT_ARGUMENT: no such level. */
+BAT_API bat_status bat_camera_set_muted(bat_camera *camera, int level, bool muted);
+BAT_API bool bat_camera_is_muted(const bat_camera *camera, int level);
+/*
+ * Adds a level on top that shakes: rotation vectors at even times, `rate` of them a second, drawn from the seed, up to
+ * `amount` radians to each side and up, and half of that in roll; the same seed gives the same shake. BAT_NUMBER: amount or
+ * rate is not above 0, or amount above pi; BAT_COUNT: more than BAT_CAMERA_SHAKE_MAX of them, or no room for another level.
+ */
+BAT_API bat_status bat_camera_add_shake(bat_camera *camera, uint64_t seed, double amount, double rate);
+/* Takes over the levels of another camera instead of its own. BAT_UNSUPPORTED: their bases differ in degree or in being closed. */
+BAT_API bat_status bat_camera_take_levels(bat_camera *camera, const bat_camera *from);
+
+/* How the camera goes in time: the share of the distance over the share of the time; owned by the camera. */
+BAT_API const bat_function *bat_camera_timing(const bat_camera *camera);
+/* Another duration in seconds, and another timing (NULL: as it is). Statuses as bat_camera_create. */
+BAT_API bat_status bat_camera_set_timing(bat_camera *camera, double duration, const bat_function *timing);
+/*
+ * Redraws a stretch of the timing's graph by a stroke: points[2 i] is a share of the time, points[2 i + 1] of the distance,
+ * each brought within 0 to 1. The stretch is from the least to the largest time among them, and where the stroke runs back the
+ * later part counts. The timing gets knots where it has fewer than BAT_CAMERA_PACE_SPANS spans; of its coefficients
+ * those are drawn whose Greville abscissa lies in the stretch, and then all are made ascending by the least change
+ * (bat_pool_ascending): time never runs back. A flat stretch is a pause. BAT_NUMBER: a number is not finite; BAT_COUNT: fewer than 2
+ * points, or a path without length, where there is no distance. O(count + spans).
+ */
+BAT_API bat_status bat_camera_retime(bat_camera *camera, size_t count, const double *points);
+/* Begins, and ends, gently: within so many seconds the speed rises from 0 to what it is then, as a cubic; 0 leaves that end as it
+ * is. Each within the duration's half. Statuses as bat_camera_retime. */
+BAT_API bat_status bat_camera_ease(bat_camera *camera, double in, double out);
+
 /*
  * Turns the camera at u so that what it shows there, all levels together, is `rotation` (of any length above 0), by the
  * least change of the coefficients of one level: level 1..k, or 0, the base, whose quaternions are turned from the left;
  * details ride along. Within 1e-12 radians; BAT_TOLERANCE: the base does not get there, BAT_UNSUPPORTED: there is no base;
- * BAT_ARGUMENT: no such level, or its gain is 0. On failure the camera is as it was.
+ * BAT_ARGUMENT: no such level, or its gain is 0, or it is muted. On failure the camera is as it was.
  */
 BAT_API bat_status bat_camera_turn(bat_camera *camera, int level, double u, const double rotation[4]);
 /* Turns the whole base from the left; details keep every bit. BAT_UNSUPPORTED: there is no base. */

@@ -69,7 +69,9 @@ BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done
 
 /* Of the camera that is selected, else of the one before, else of the first in the drawing, as JSON: {"id" (0: there is no
  * camera),"name","cameras": in the drawing,"at": seconds of the playhead,"duration","length": of its path,"rate": frames a
- * second,"playing","through": the drawing is seen through it,"loop"}; the last three are 0 or 1. Owned by the editor, valid
+ * second,"playing","through": the drawing is seen through it,"loop"; the last three are 0 or 1. "gaze":[{"gain","muted","solo"}],
+ * its levels, the base first; "path": the same of the curve that it follows, empty when that has no levels; "graph": the share
+ * of the distance at 97 even times; empty for a path without length}. Owned by the editor, valid
  * until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_move(bat_editor *editor);
 /* Moves the playhead, which stays within the move; what plays stops. Nothing enters the history or the journal, here and
@@ -78,6 +80,23 @@ BAT_API bat_status bat_editor_seek(bat_editor *editor, double seconds);
 /* While a move plays (command "move-play", or a tap of the space bar) the host says what time it is, in milliseconds, before
  * each frame; the first call only begins. A change of the drawing stops it. */
 BAT_API void bat_editor_play(bat_editor *editor, double time);
+
+typedef enum bat_move_act {
+    BAT_MOVE_GAIN,     /* of a level, to value */
+    BAT_MOVE_MUTE,     /* value 0: it sounds, else silent */
+    BAT_MOVE_SOLO,     /* the levels above are silent and the others not; again: all sound */
+    BAT_MOVE_DURATION, /* value: seconds */
+    BAT_MOVE_EASE_IN,  /* value: seconds within which it begins gently */
+    BAT_MOVE_EASE_OUT, /* and ends gently */
+    BAT_MOVE_EASE      /* both */
+} bat_move_act;
+/* Edits the camera (path: the levels of the curve that it follows instead). Shown at once, from what the camera was before the first
+ * of them; one step of the history when `done` comes, command "cancel" takes it back. What plays stops. BAT_STATE: there
+ * is no camera, or something else is under way; BAT_ARGUMENT: no such level; else as camera.h says. */
+BAT_API bat_status bat_editor_move_set(bat_editor *editor, bat_move_act act, bool path, int level,
+                                       double value, bool done);
+/* Redraws a stretch of the graph by a stroke, as bat_camera_retime; as bat_editor_move_set. */
+BAT_API bat_status bat_editor_retime(bat_editor *editor, size_t count, const double *points, bool done);
 
 /* ---- levels of the chosen curve, for the level strip ---- */
 

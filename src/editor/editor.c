@@ -6,6 +6,7 @@
 #include "editor/edit/symmetry.h"
 #include "editor/input/pressure.h"
 #include "editor/tables/words.h"
+#include "editor/tools/gazes/fade.h"
 #include <stdlib.h>
 
 static void wire(bat_editor *editor) {
@@ -221,6 +222,15 @@ bat_status bat_editor_seek(bat_editor *editor, double seconds) {
 }
 
 void bat_editor_play(bat_editor *editor, double time) { bat_panel_play(&editor->context, time); }
+
+bat_status bat_editor_move_set(bat_editor *editor, bat_move_act act, bool path, int level, double value,
+                               bool done) {
+    return settled(editor, bat_move_set(&editor->context, act, path, level, value, done));
+}
+
+bat_status bat_editor_retime(bat_editor *editor, size_t count, const double *points, bool done) {
+    return settled(editor, bat_move_retime(&editor->context, count, points, done));
+}
 
 const char *bat_editor_said(bat_editor *editor) { return bat_panel_said(&editor->context); }
 

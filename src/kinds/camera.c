@@ -164,6 +164,7 @@ static uint64_t digest_camera(uint64_t digest, const void *own) {
     for (int l = 0; l < camera->levels; l++) {
         digest = bat_digest_curve(digest, camera->level[l].details);
         digest = bat_digest_double(digest, camera->level[l].gain);
+        if (camera->level[l].muted) digest = bat_digest_number(digest, 1);
     }
     digest = digest_function(digest_function(digest, &o->fov), &o->timing);
     return bat_digest_double(digest, o->duration);

@@ -566,6 +566,7 @@ static bat_editor *cameras(int n) {
     bat_document *made = document();
     bat_style style = bat_style_defaults();
     bat_camera_options options = bat_camera_defaults();
+    bat_id two[2] = {0, 0};
     options.mode = BAT_CAMERA_ALONG;
     for (int i = 0; i < n; i++) {
         const bat_id id = add_small(made, i, n, LINES, 0);
@@ -576,9 +577,12 @@ static bat_editor *cameras(int n) {
             bat_object_create_camera(bat_document_new_id(made), "", &style, camera, id, &object) != BAT_OK)
             abort();
         bat_camera_free(camera);
+        two[0] = two[1], two[1] = bat_object_id(object);
         append(made, object, 0);
     }
-    return open(made, (const char *const[]){"tool-select", "move-next", NULL});
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", "move-next", "deselect", NULL});
+    for (int i = 0; i < 2; i++) bat_editor_select(editor, two[i], true);
+    return editor;
 }
 
 static bat_editor *isolated(int n) {

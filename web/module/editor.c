@@ -37,7 +37,22 @@ int editor_level(bat_editor *editor, int act, int level, double value, int done)
 MODULE_EXPORT(editor_move) const char *editor_move(bat_editor *editor);
 MODULE_EXPORT(editor_seek) int editor_seek(bat_editor *editor, double seconds);
 MODULE_EXPORT(editor_play) void editor_play(bat_editor *editor, double time);
-MODULE_EXPORT(editor_outline) const char *editor_outline(bat_editor *editor, int first, int count);
+MODULE_EXPORT(editor_move_set)
+int editor_move_set(bat_editor *editor, int act, int path, int level, double value, int done);
+MODULE_EXPORT(editor_retime)
+int editor_retime(bat_editor *editor, const double *points, size_t count, int done);
+MODULE_EXPORT(editor_outline)
+int editor_move_set(bat_editor *editor, int act, int path, int level, double value, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_move_set(editor, (bat_move_act)act, path != 0, level, value, done != 0);
+}
+
+int editor_retime(bat_editor *editor, const double *points, size_t count, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_retime(editor, count, points, done != 0);
+}
+
+const char *editor_outline(bat_editor *editor, int first, int count);
 MODULE_EXPORT(editor_outline_points) const char *editor_outline_points(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_choose) int editor_choose(bat_editor *editor, uint32_t id, int point);
 MODULE_EXPORT(editor_select) int editor_select(bat_editor *editor, uint32_t id, int add);

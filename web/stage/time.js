@@ -3,6 +3,7 @@
 
 import { dress } from '../page/build.js';
 import { word } from '../page/words.js';
+import { Timing } from './timing.js';
 
 /** @typedef {import('../engine/types.js').Frame} Frame */
 /**
@@ -17,13 +18,17 @@ import { word } from '../page/words.js';
  * @property {number} playing 0 or 1, as the next ones
  * @property {number} through
  * @property {number} loop
+ * @property {import('./timing.js').Row[]} gaze its levels, the base first
+ * @property {import('./timing.js').Row[]} path those of the curve that it follows
+ * @property {number[]} graph the share of the distance at even times
  */
 
-const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0 });
+const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0, gaze: [], path: [], graph: [] });
 const THUMB = 16; // px
 const PICTURES = {
   'move-play': '<path d="M7 4l13 8-13 8z" fill="currentColor"/><path class="on" d="M6 4h4v16H6zM14 4h4v16h-4z" fill="currentColor"/>',
   'move-loop': '<path d="M17 3l4 4-4 4M21 7H8a5 5 0 0 0-5 5M7 21l-4-4 4-4M3 17h13a5 5 0 0 0 5-5"/>',
+  'move-more': '<path d="M4 20V4M4 20h16M4 20C9 20 9 8 20 7"/>',
   'look-through': '<path d="M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12z"/><circle cx="12" cy="12" r="3"/>',
 };
 
@@ -37,11 +42,21 @@ export class TimeStrip {
     this.box.className = 'time';
     this.box.hidden = true;
     this.buttons = /** @type {Record<string, HTMLButtonElement>} */ ({});
+    /** @type {HTMLButtonElement | undefined} */
+    this.more = undefined;
     this.slider = document.createElement('input');
     this.slider.type = 'range';
     this.slider.min = '0';
     this.told = document.createElement('output');
-    this.box.append(this.#button('move-play'), this.slider, this.told, this.#button('move-loop'), this.#button('look-through'));
+    this.timing = new Timing(shell, () => {
+      this.version = 0; // what a control changes shows before the next change of the drawing
+      shell.wake();
+    });
+    this.timing.box.hidden = true;
+    this.row = document.createElement('div');
+    this.row.className = 'time-row';
+    this.row.append(this.#button('move-play'), this.slider, this.told, this.#button('move-loop'), this.#button('look-through'), this.#more());
+    this.box.append(this.timing.box, this.row);
     this.slider.addEventListener('input', () => this.#seek(this.slider.valueAsNumber));
     this.slider.addEventListener('pointerdown', (event) => this.#grasp(event));
     this.slider.addEventListener('pointermove', (event) => this.#scrub(event));
@@ -54,6 +69,20 @@ export class TimeStrip {
       }
     });
     void dress('styles/time.css').then(() => shell.stage.after(this.box));
+  }
+
+  /** Opens and closes what lies above the strip. */
+  #more() {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'time-more';
+    button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true">${PICTURES['move-more']}</svg>`;
+    button.addEventListener('click', () => {
+      this.timing.box.hidden = !this.timing.box.hidden;
+      this.#fill();
+    });
+    this.more = button;
+    return button;
   }
 
   /** @param {'move-play' | 'move-loop' | 'look-through'} command */
@@ -130,6 +159,13 @@ export class TimeStrip {
     this.told.textContent = word('moves.at', `${at.toFixed(digits)} / ${duration.toFixed(digits)}`);
     this.slider.ariaLabel = word('moves.name');
     this.slider.setAttribute('aria-valuetext', this.told.textContent);
+    if (this.more) {
+      this.more.title = this.more.ariaLabel = word('moves.more');
+      this.more.ariaExpanded = String(!this.timing.box.hidden);
+    }
+    if (!this.timing.box.hidden) {
+      this.timing.show(this.move);
+    }
     for (const [command, on] of Object.entries(states)) {
       const button = this.buttons[command];
       button.ariaPressed = String(on !== 0);

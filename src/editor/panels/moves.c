@@ -6,6 +6,7 @@
 #include "editor/show/flight.h"
 #include "editor/show/moves.h"
 #include "editor/tables/settings.h"
+#include "editor/tools/gazes/fade.h"
 #include "text/text.h"
 #include <math.h>
 #include <stdlib.h>
@@ -35,6 +36,7 @@ const char *bat_panel_move(bat_context *c) {
     number(&text, ",\"playing\":", m->playing);
     number(&text, ",\"through\":", m->through);
     number(&text, ",\"loop\":", c->settings->values[BAT_PROPERTY_MOVE_LOOP]);
+    bat_move_rows(c, &text);
     bat_text_string(&text, "}");
     bat_text_add(&text, "", 1);
     if (text.failed) {

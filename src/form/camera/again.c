@@ -28,6 +28,7 @@ bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const
     for (int l = 0; l < from->levels && status == BAT_OK; l++) {
         status = bat_curve_copy(from->level[l].details, &made->level[l].details);
         made->level[l].gain = from->level[l].gain;
+        made->level[l].muted = from->level[l].muted;
         if (status == BAT_OK) made->levels = l + 1;
     }
     if (status == BAT_OK)

@@ -123,7 +123,7 @@ bat_status bat_camera_add_level(bat_camera *camera, int knot_count, const double
                                                base ? base->closed : camera->path->closed, count, details,
                                                knot_count, knots, &level->details);
     if (status != BAT_OK) return status;
-    level->gain = 1;
+    level->gain = 1, level->muted = false;
     camera->levels++;
     return BAT_OK;
 }
@@ -167,13 +167,13 @@ quat bat_camera_detail(const bat_camera *camera, int level, double u) {
     double domain[2], d[3];
     bat_curve_domain(l->details, domain);
     bat_curve_eval(l->details, domain[0] + (domain[1] - domain[0]) * bat_camera_share(camera, u), 0, d);
-    return quat_exp(vec_scale(vec_load(d, 3), l->gain));
+    return quat_exp(vec_scale(vec_load(d, 3), bat_camera_loudness(l)));
 }
 
 quat bat_camera_up_to(const bat_camera *camera, int top, double u) {
     quat q = camera->base.keys ? bat_rotation_at(&camera->base, bat_camera_share(camera, u)) : quat_one;
     for (int l = 1; l <= top; l++)
-        if (camera->level[l - 1].gain != 0) q = quat_mul(q, bat_camera_detail(camera, l, u));
+        if (bat_camera_loudness(&camera->level[l - 1]) != 0) q = quat_mul(q, bat_camera_detail(camera, l, u));
     return q;
 }
 

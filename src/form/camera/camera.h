@@ -11,7 +11,13 @@
 typedef struct bat_camera_level {
     bat_curve *details;
     double gain;
+    bool muted;
 } bat_camera_level;
+
+/* The gain as it shows. */
+static inline double bat_camera_loudness(const bat_camera_level *level) {
+    return level->muted ? 0 : level->gain;
+}
 
 struct bat_camera {
     bat_camera_options options; /* what it points to is the camera's own */

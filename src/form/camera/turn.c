@@ -38,7 +38,7 @@ static bat_status turn_level(bat_camera *camera, int number, double u, quat targ
     bat_camera_level *level = &camera->level[number - 1];
     const bat_curve *old = level->details;
     double weights[BAT_DEGREE_MAX + 1], domain[2], at[3];
-    if (level->gain == 0) return BAT_ARGUMENT;
+    if (bat_camera_loudness(level) == 0) return BAT_ARGUMENT;
     bat_curve_domain(old, domain);
     const double share = bat_camera_share(camera, u), width = domain[1] - domain[0];
     int first = 0;

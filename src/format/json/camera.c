@@ -181,7 +181,10 @@ static bat_status read_level(const bat_fields *f, uint32_t node, bat_camera *cam
         else
             bat_fields_say(f, detail_list, status);
     }
+    bool muted = false;
+    if (status == BAT_OK) status = bat_fields_flag(f, node, "muted", &muted);
     if (status == BAT_OK) status = bat_camera_set_gain(camera, bat_camera_levels(camera), gain);
+    if (status == BAT_OK) status = bat_camera_set_muted(camera, bat_camera_levels(camera), muted);
     free(knots), free(details);
     return status;
 }

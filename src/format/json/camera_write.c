@@ -37,6 +37,7 @@ static void put_level(const bat_camera_level *level, bat_text *text) {
         bat_text_string(text, ",\"gain\":");
         bat_text_number(text, level->gain);
     }
+    if (level->muted) bat_text_string(text, ",\"muted\":true");
     bat_text_string(text, "}");
 }
 

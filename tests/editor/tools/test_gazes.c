@@ -377,6 +377,156 @@ static void in_a_tilted_view(void **state) {
     bat_editor_free(editor);
 }
 
+/* ---- what the time strip changes ---- */
+
+static bool says(bat_editor *editor, const char *text) {
+    return strstr(bat_editor_move(editor), text) != NULL;
+}
+
+static void levels_fade_mute_and_solo(void **state) {
+    (void)state;
+    bat_editor *editor = with_camera();
+    const uint64_t still = digest(editor);
+    bat_camera_pose before[9], now;
+    for (int i = 0; i < 9; i++) bat_camera_at_time(camera_of(editor), 0.5 * i, &before[i]);
+    assert_true(says(editor, "\"gaze\":[{\"gain\":1,\"muted\":0,\"solo\":0}],\"path\":[],"));
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 2, true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, true, 1, 2, true), BAT_STATE);
+    bat_editor_set(editor, "shake-amount", 3);
+    assert_int_equal(bat_editor_command(editor, "shake-add"), BAT_OK);
+    const uint64_t shaken = digest(editor);
+    assert_true(shaken != still);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 0.5, false), BAT_OK);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 0.25, false), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "shake-add"), BAT_STATE); /* a fader is held */
+    bat_editor_command(editor, "cancel");
+    assert_true(digest(editor) == shaken);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 0.5, false), BAT_OK);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 0.25, true), BAT_OK);
+    assert_true(says(editor, "{\"gain\":0.25,\"muted\":0,"));
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK); /* one step */
+    assert_true(digest(editor) == shaken);
+    /* Solo of level 0 is the move without shake, bit for bit; again: all of it. */
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_SOLO, false, 0, 0, true), BAT_OK);
+    assert_true(
+        says(editor, "\"gaze\":[{\"gain\":1,\"muted\":0,\"solo\":1},{\"gain\":1,\"muted\":1,\"solo\":0}]"));
+    for (int i = 0; i < 9; i++) {
+        bat_camera_at_time(camera_of(editor), 0.5 * i, &now);
+        assert_memory_equal(now.rotation, before[i].rotation, sizeof now.rotation);
+    }
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_SOLO, false, 0, 0, true), BAT_OK);
+    assert_true(digest(editor) == shaken);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_MUTE, false, 1, 1, true), BAT_OK);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_MUTE, false, 1, 0, true), BAT_OK);
+    assert_true(digest(editor) == shaken);
+    assert_int_equal(bat_editor_move_set(editor, (bat_move_act)99, false, 1, 0, true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, NAN, true), BAT_NUMBER);
+    bat_editor_command(editor, "move-play"); /* an edit stops it */
+    bat_editor_play(editor, 1);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 0.5, true), BAT_OK);
+    assert_true(says(editor, "\"playing\":0"));
+    check(editor);
+    replays(editor, 1);
+    while (digest(editor) != still) assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    bat_editor_free(editor);
+}
+
+/* The gains of the levels of the path that is followed: they change the curve, and the camera with it. */
+static void levels_of_the_path(void **state) {
+    (void)state;
+    bat_editor *editor = editor_with(1, (bat_curve *[]){pen_curve(200, 400, 60, 5, 40)});
+    bat_editor_command(editor, "tool-levels");
+    bat_editor_command(editor, "select-all");
+    bat_editor_command(editor, "take-apart");
+    bat_editor_command(editor, "accept");
+    bat_editor_command(editor, "tool-select");
+    bat_editor_command(editor, "select-all");
+    assert_int_equal(bat_editor_command(editor, "camera-along"), BAT_OK);
+    bat_editor_frame(editor);
+    const uint64_t first = digest(editor);
+    const double length = bat_camera_length(camera_of(editor));
+    bat_camera_pose start, now;
+    pose_at(editor, 0, &start);
+    assert_true(says(editor, "\"path\":[{\"gain\":1,\"muted\":0,\"solo\":0},{"));
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_SOLO, true, 0, 0, false), BAT_OK);
+    bat_editor_frame(editor);
+    assert_true(fabs(bat_camera_length(camera_of(editor)) - length) > 1e-6 * length);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_SOLO, false, 0, 0, false),
+                     BAT_STATE); /* of the other column */
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_SOLO, true, 0, 0, true), BAT_OK);
+    pose_at(editor, 0, &now);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, true, 1, 1.5, true), BAT_OK);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_EASE, true, 1, 1.5, true), BAT_ARGUMENT);
+    check(editor);
+    replays(editor, 2);
+    bat_editor_command(editor, "undo");
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == first);
+    bat_editor_free(editor);
+}
+
+static void a_stroke_redraws_the_timing(void **state) {
+    (void)state;
+    bat_editor *editor = with_camera();
+    const uint64_t first = digest(editor);
+    const double stroke[6] = {0.2, 0.2, 0.4, 0.7, 0.6, 0.7};
+    assert_int_equal(bat_editor_retime(editor, 1, stroke, false), BAT_ARGUMENT);
+    for (size_t n = 2; n <= 3; n++) {
+        assert_int_equal(bat_editor_retime(editor, n, stroke, false), BAT_OK);
+        bat_editor_frame(editor);
+        check(editor);
+    }
+    assert_true(digest(editor) != first); /* live */
+    bat_editor_command(editor, "cancel");
+    assert_true(digest(editor) == first);
+    assert_int_equal(bat_editor_retime(editor, 2, stroke, false), BAT_OK);
+    assert_int_equal(bat_editor_retime(editor, 3, stroke, true), BAT_OK);
+    const double length = bat_camera_length(camera_of(editor));
+    bat_camera_pose pose;
+    bat_camera_at_time(camera_of(editor), 0.5 * 4, &pose);
+    assert_true(fabs(pose.distance / length - 0.7) < 0.01);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_DURATION, false, 0, 6, false), BAT_OK);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_DURATION, false, 0, 8, true), BAT_OK);
+    assert_true(bat_camera_duration(camera_of(editor)) == 8);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_DURATION, false, 0, -1, true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_command(editor, "move-ease"), BAT_OK);
+    bat_camera_at_time(camera_of(editor), 0.01, &pose);
+    assert_true(pose.distance / length < 0.01 / 8 * 0.2);
+    check(editor);
+    replays(editor, 1);
+    for (int i = 0; i < 3; i++) bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == first);
+    bat_editor_free(editor);
+}
+
+/* The shake of one camera goes to another, which may have another path. */
+static void copies_shake(void **state) {
+    (void)state;
+    bat_editor *editor = with_camera();
+    const bat_id one = bat_object_id(last(editor));
+    bat_editor_command(editor, "shake-add");
+    assert_int_equal(bat_editor_command(editor, "gaze-copy"), BAT_STATE);
+    assert_string_equal(bat_editor_frame(editor)->notice,
+                        "Select two cameras: the second gets the first one's shake");
+    bat_editor_command(editor, "deselect");
+    bat_editor_command(editor, "camera-here");
+    const bat_id two = bat_object_id(last(editor));
+    bat_editor_select(editor, one, false);
+    bat_editor_select(editor, two, true);
+    const bat_status status = bat_editor_command(editor, "gaze-copy");
+    assert_int_equal(status, BAT_UNSUPPORTED); /* of a tripod the base is a straight line */
+    bat_editor_select(editor, bat_object_id(bat_document_at(bat_editor_document(editor), 0)), false);
+    assert_int_equal(bat_editor_command(editor, "camera-along"), BAT_OK);
+    const bat_id three = bat_object_id(last(editor));
+    bat_editor_select(editor, one, false);
+    bat_editor_select(editor, three, true);
+    assert_int_equal(bat_editor_command(editor, "gaze-copy"), BAT_OK);
+    assert_int_equal(bat_camera_levels(camera_of(editor)), 1);
+    check(editor);
+    replays(editor, 1);
+    bat_editor_free(editor);
+}
+
 static void every_allocation_may_fail(void **state) {
     (void)state;
     bool reached = true;
@@ -390,6 +540,11 @@ static void every_allocation_may_fail(void **state) {
         drag(&p, at[0], at[1], at[0] + 10, at[1] - 40);
         bat_editor_command(editor, "gaze-add");
         bat_editor_command(editor, "gaze-left");
+        bat_editor_command(editor, "shake-add");
+        bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 0.5, false);
+        bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 0.7, true);
+        bat_editor_retime(editor, 2, (double[]){0.1, 0.5, 0.6, 0.7}, true);
+        bat_editor_move(editor);
         reached = alloc_fail_reached();
         alloc_fail_at(0);
         check(editor);
@@ -414,6 +569,10 @@ int main(void) {
                                        cmocka_unit_test(keys_turn_too),
                                        cmocka_unit_test(the_outline_names_keys),
                                        cmocka_unit_test(in_a_tilted_view),
+                                       cmocka_unit_test(levels_fade_mute_and_solo),
+                                       cmocka_unit_test(levels_of_the_path),
+                                       cmocka_unit_test(a_stroke_redraws_the_timing),
+                                       cmocka_unit_test(copies_shake),
                                        cmocka_unit_test(every_allocation_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,6 +13,7 @@
 #include "editor/session/transaction.h"
 #include "editor/show/moves.h"
 #include "editor/tools/gazes/change.h"
+#include "editor/tools/gazes/fade.h"
 #include "editor/tools/gazes/find.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
@@ -256,7 +257,16 @@ static bool busy(const bat_context *c, const void *state) {
 static bool on(const void *state) { return ((const bat_gazing *)state)->on; }
 
 static void begin(void *state) { ((bat_gazing *)state)->chosen = -1; }
-static void end(void *state) { bat_object_release(((bat_gazing *)state)->before); }
+static void end(void *state) {
+    bat_object_release(((bat_gazing *)state)->before);
+    bat_object_release(((bat_gazing *)state)->fading);
+}
+
+static bool held_by_panel(const void *state) { return ((const bat_gazing *)state)->fading != NULL; }
+static void let_go(bat_context *c, void *state) {
+    (void)state;
+    bat_move_let_go(c);
+}
 
 static bat_string hint(const bat_context *c, const void *state) {
     (void)c;
@@ -292,6 +302,8 @@ const bat_tool *bat_tool_gazes(void) {
                                   .cancel = cancel,
                                   .modifiers = modifiers,
                                   .busy = busy,
+                                  .held_by_panel = held_by_panel,
+                                  .let_go = let_go,
                                   .update = update,
                                   .hint = hint,
                                   .cursor = cursor,

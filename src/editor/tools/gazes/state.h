@@ -26,6 +26,7 @@ typedef struct bat_gazing {
     double base[3];         /* the handle when it was taken */
     bat_object *before;     /* NULL: the drag has not begun */
     bat_pointer pressed;
+    bat_object *fading; /* what a panel's control changes, as it was; owned. NULL: nothing */
 } bat_gazing;
 
 /* The state of the mode. */

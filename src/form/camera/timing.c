@@ -1,0 +1,155 @@
+/* How a camera goes in time, and edits of that (docs/math/camera.md, math 4). */
+#include "form/camera/camera.h"
+
+#include <batten/refine.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EASE_POINTS = 33, DEGREE = 3 };
+
+const bat_function *bat_camera_timing(const bat_camera *camera) { return &camera->options.timing; }
+
+bat_status bat_camera_set_timing(bat_camera *camera, double duration, const bat_function *timing) {
+    bat_camera *made = NULL;
+    if (!camera) return BAT_ARGUMENT;
+    if (timing && timing->curve) {
+        bat_camera_options options = camera->options;
+        bat_rotation_curve base;
+        options.base = bat_camera_base_curve(camera, &base) ? &base : NULL;
+        options.timing = *timing, options.duration = duration;
+        const bat_status status = bat_camera_again(camera, camera->given, &options, &made);
+        if (status != BAT_OK) return status;
+        const bat_camera before = *camera;
+        *camera = *made, *made = before;
+        bat_camera_free(made);
+        return BAT_OK;
+    }
+    if (!(duration > 0)) return BAT_ARGUMENT;
+    if (!(duration <= 1e9)) return BAT_NUMBER;
+    if (timing) bat_function_clear(&camera->options.timing);
+    camera->options.duration = duration;
+    return BAT_OK;
+}
+
+/* ---- strokes ---- */
+
+/* The timing with knots enough; even timing is a straight line. */
+static bat_status fine_timing(const bat_camera *camera, bat_curve **out) {
+    static const double line[4] = {0, 0, 1, 0}, ends[4] = {0, 0, 1, 1};
+    const bat_curve *now = camera->options.timing.curve;
+    bat_curve *straight = NULL, *raised = NULL;
+    double more[BAT_CAMERA_PACE_SPANS];
+    int count = 0;
+    bat_status status = now ? bat_curve_copy(now, &straight)
+                            : bat_curve_create(2, 1, false, 2, line, 4, ends, &straight);
+    if (status == BAT_OK)
+        status = straight->degree < DEGREE ? bat_curve_elevate(straight, DEGREE, &raised)
+                                           : bat_curve_copy(straight, &raised);
+    bat_curve_free(straight);
+    if (status != BAT_OK) return status;
+    for (int i = 1; i < BAT_CAMERA_PACE_SPANS; i++) { /* where no knot is near */
+        const double u = (double)i / BAT_CAMERA_PACE_SPANS;
+        bool near = false;
+        for (int k = 0; k < raised->spread + raised->degree + 1; k++)
+            near = near || fabs(raised->knots[k] - u) < 0.25 / BAT_CAMERA_PACE_SPANS;
+        if (!near) more[count++] = u;
+    }
+    status = bat_curve_insert_knots(raised, count, more, out);
+    bat_curve_free(raised);
+    return status;
+}
+
+/* The stroke's distance at a time: of its parts that are there the last. */
+static double stroke_at(size_t count, const double *points, double time) {
+    for (size_t i = count - 1; i > 0; i--) {
+        const double *a = points + 2 * (i - 1), *b = points + 2 * i;
+        if (time < fmin(a[0], b[0]) || time > fmax(a[0], b[0])) continue;
+        const double width = b[0] - a[0], share = width != 0 ? (time - a[0]) / width : 1;
+        return a[1] + share * (b[1] - a[1]);
+    }
+    return points[1];
+}
+
+static bat_status redraw(bat_curve *timing, size_t count, const double *points) {
+    const size_t n = (size_t)timing->count, size = (size_t)timing->dimension;
+    double low = INFINITY, high = -INFINITY;
+    double *places = malloc(2 * n * sizeof *places), *values = places + n;
+    if (!places) return BAT_MEMORY;
+    for (size_t i = 0; i < count; i++) low = fmin(low, points[2 * i]), high = fmax(high, points[2 * i]);
+    bat_curve_greville(timing, places);
+    for (size_t i = 0; i < n; i++)
+        values[i] = places[i] >= low && places[i] <= high ? stroke_at(count, points, places[i])
+                                                          : fmin(fmax(timing->points[i * size], 0), 1);
+    values[0] = 0, values[n - 1] = 1;
+    const bat_status status = bat_pool_ascending(n, values);
+    if (status == BAT_OK) values[0] = 0, values[n - 1] = 1;
+    for (size_t i = 0; i < n && status == BAT_OK; i++) timing->points[i * size] = fmin(fmax(values[i], 0), 1);
+    free(places);
+    return status;
+}
+
+bat_status bat_camera_retime(bat_camera *camera, size_t count, const double *points) {
+    if (!camera || !points) return BAT_ARGUMENT;
+    if (count < 2 || count > BAT_POINTS_MAX || !(bat_camera_length(camera) > 0)) return BAT_COUNT;
+    double *within = malloc(2 * count * sizeof *within);
+    if (!within) return BAT_MEMORY;
+    bat_curve *timing = NULL;
+    bat_status status = BAT_OK;
+    for (size_t i = 0; i < 2 * count; i++) {
+        if (!isfinite(points[i])) status = BAT_NUMBER;
+        within[i] = fmin(fmax(points[i], 0), 1);
+    }
+    if (status == BAT_OK) status = fine_timing(camera, &timing);
+    if (status == BAT_OK) status = redraw(timing, count, within);
+    free(within);
+    if (status != BAT_OK) {
+        bat_curve_free(timing);
+        return status;
+    }
+    bat_curve_free(camera->options.timing.curve);
+    camera->options.timing = (bat_function){0, timing};
+    return BAT_OK;
+}
+
+/* ---- ease ---- */
+
+/* From standing at the end of the move to the speed after so long: a cubic, which never falls. end: the move's end. */
+static bat_status ease_one(bat_camera *camera, double share, bool end) {
+    double points[2 * EASE_POINTS], at[3];
+    const bat_function *timing = &camera->options.timing;
+    const double x = end ? 1 - share : share;
+    if (!(share > 0)) return BAT_OK;
+    if (timing->curve)
+        bat_function_eval(timing, x, at);
+    else
+        at[0] = x, at[1] = 1;
+    const double rise = end ? 1 - at[0] : at[0], slope = fmin(at[1] * share, 3 * rise);
+    for (int i = 0; i < EASE_POINTS; i++) {
+        const double t = (double)i / (EASE_POINTS - 1), way = t * t * ((3 - 2 * t) * rise - (1 - t) * slope);
+        const int k = end ? EASE_POINTS - 1 - i : i;
+        points[2 * k] = end ? 1 - share * t : share * t;
+        points[2 * k + 1] = end ? 1 - way : way;
+    }
+    return bat_camera_retime(camera, EASE_POINTS, points);
+}
+
+bat_status bat_camera_ease(bat_camera *camera, double in, double out) {
+    if (!camera) return BAT_ARGUMENT;
+    if (!(in >= 0) || !(out >= 0)) return BAT_NUMBER;
+    const double duration = camera->options.duration;
+    if (!(bat_camera_length(camera) > 0)) return BAT_COUNT;
+    bat_curve *before = NULL;
+    const bool had = camera->options.timing.curve != NULL;
+    bat_status status = had ? bat_curve_copy(camera->options.timing.curve, &before) : BAT_OK;
+    if (status != BAT_OK) return status;
+    status = ease_one(camera, fmin(in / duration, 0.5), false);
+    if (status == BAT_OK) status = ease_one(camera, fmin(out / duration, 0.5), true);
+    if (status == BAT_OK) {
+        bat_curve_free(before);
+        return BAT_OK;
+    }
+    bat_curve_free(camera->options.timing.curve);
+    camera->options.timing = (bat_function){had ? 0 : camera->options.timing.constant, before};
+    return status;
+}
