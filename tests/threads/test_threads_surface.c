@@ -202,6 +202,7 @@ static uint64_t look_through(const void *shared, int seed) {
     d = add(d, (uint64_t)bat_camera_aim(camera, far, up, &aimed[0]));
     d = add(d, (uint64_t)bat_camera_let_go(camera, up, &aimed[1]));
     for (int k = 0; k < 2; k++) d = aimed[k] ? bat_digest_double(d, bat_camera_length(aimed[k])) : d;
+    if (aimed[0]) d = add(d, (uint64_t)bat_camera_take_levels(aimed[0], camera));
     bat_camera_free(aimed[0]), bat_camera_free(aimed[1]);
     const double *keys = bat_camera_base(camera, &count);
     d = add_doubles(d, keys, 4 * (int)count);

@@ -71,19 +71,34 @@ static double stroke_at(size_t count, const double *points, double time) {
     return points[1];
 }
 
+/* The coefficients first..last are drawn; they are made ascending by the least change, and those on both sides then give way to
+ * them: pooling with weights of which the others' are as good as none. */
+static bat_status settle(size_t n, double *values, size_t first, size_t last) {
+    if (first == 0) values[0] = 0;
+    if (last == n - 1) values[n - 1] = 1;
+    const bat_status status = bat_pool_ascending(last - first + 1, values + first);
+    if (status != BAT_OK) return status;
+    for (size_t i = 0; i < first; i++) values[i] = fmin(values[i], values[first]);
+    for (size_t i = last + 1; i < n; i++) values[i] = fmax(values[i], values[last]);
+    values[0] = 0, values[n - 1] = 1;
+    return BAT_OK;
+}
+
 static bat_status redraw(bat_curve *timing, size_t count, const double *points) {
     const size_t n = (size_t)timing->count, size = (size_t)timing->dimension;
     double low = INFINITY, high = -INFINITY;
     double *places = malloc(2 * n * sizeof *places), *values = places + n;
+    size_t first = n, last = 0;
     if (!places) return BAT_MEMORY;
     for (size_t i = 0; i < count; i++) low = fmin(low, points[2 * i]), high = fmax(high, points[2 * i]);
     bat_curve_greville(timing, places);
-    for (size_t i = 0; i < n; i++)
-        values[i] = places[i] >= low && places[i] <= high ? stroke_at(count, points, places[i])
-                                                          : fmin(fmax(timing->points[i * size], 0), 1);
-    values[0] = 0, values[n - 1] = 1;
-    const bat_status status = bat_pool_ascending(n, values);
-    if (status == BAT_OK) values[0] = 0, values[n - 1] = 1;
+    for (size_t i = 0; i < n; i++) {
+        const bool drawn = places[i] >= low && places[i] <= high;
+        values[i] = drawn ? stroke_at(count, points, places[i]) : timing->points[i * size];
+        if (drawn && first == n) first = i;
+        if (drawn) last = i;
+    }
+    const bat_status status = first < n ? settle(n, values, first, last) : BAT_OK;
     for (size_t i = 0; i < n && status == BAT_OK; i++) timing->points[i * size] = fmin(fmax(values[i], 0), 1);
     free(places);
     return status;
@@ -131,7 +146,15 @@ static bat_status ease_one(bat_camera *camera, double share, bool end) {
         points[2 * k] = end ? 1 - share * t : share * t;
         points[2 * k + 1] = end ? 1 - way : way;
     }
-    return bat_camera_retime(camera, EASE_POINTS, points);
+    const bat_status status = bat_camera_retime(camera, EASE_POINTS, points);
+    bat_curve *drawn = camera->options.timing.curve;
+    if (status != BAT_OK) return status;
+    const size_t size = (size_t)drawn->dimension; /* two equal coefficients: it stands still there */
+    if (end)
+        drawn->points[((size_t)drawn->count - 2) * size] = 1;
+    else
+        drawn->points[size] = 0;
+    return BAT_OK;
 }
 
 bat_status bat_camera_ease(bat_camera *camera, double in, double out) {
