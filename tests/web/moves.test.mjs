@@ -65,7 +65,7 @@ for (const colorScheme of ['light', 'dark']) {
     await quiet(page);
     const written = await journal(page);
 
-    const slider = await page.locator('.time input').boundingBox();
+    const slider = await page.locator('.time-row input').boundingBox();
     await hand.stroke([[slider.x + 8, slider.y + slider.height / 2], [slider.x + 0.4 * slider.width, slider.y + slider.height / 2]], { pointerType: 'pen' });
     await quiet(page);
     const scrubbed = (await move(page)).at;
@@ -125,7 +125,7 @@ test('by touch, from a view, looped and in Korean', async (t) => {
   await quiet(page);
   assert.equal((await move(page)).playing, 0, 'with reduced motion, too');
   assert.equal((await move(page)).length, 0, 'a tripod');
-  for (const button of await page.locator('.time button').all()) {
+  for (const button of await page.locator('.time-row button').all()) {
     const box = await button.boundingBox();
     assert.ok(box.width >= 44 && box.height >= 44, 'a target');
     assert.match(await button.getAttribute('title'), /[가-힣]/);
@@ -156,5 +156,92 @@ test('by touch, from a view, looped and in Korean', async (t) => {
   await page.evaluate(() => globalThis.batten.engine.command('undo'));
   await page.evaluate(() => globalThis.batten.wake());
   await quiet(page);
+  assert.equal((await state(page)).digest, first.digest);
+});
+
+test('levels and timing over the strip: shake, a stroke over the graph, the duration; undo takes all back', async (t) => {
+  const { page, hand, first } = await begin(t, {});
+  await page.evaluate(() => globalThis.batten.engine.command('camera-along'));
+  await page.evaluate(() => globalThis.batten.wake());
+  await page.waitForSelector('.time:not([hidden])');
+  await quiet(page);
+  const made = (await state(page)).digest;
+  await page.click('.time-more');
+  await page.waitForSelector('.timing:not([hidden])');
+  await page.click('.timing [data-command="shake-add"]');
+  await quiet(page);
+  assert.equal((await move(page)).gaze.length, 2, 'the base, and the shake');
+  const shaken = (await state(page)).digest;
+  await page.click('.timing-level:last-child button:not([hidden])'); // solo of the base
+  await quiet(page);
+  assert.deepEqual((await move(page)).gaze.map(({ muted }) => muted), [0, 1]);
+  await page.click('.timing-level:last-child button:not([hidden])');
+  await quiet(page);
+  assert.equal((await state(page)).digest, shaken);
+
+  const graph = await page.locator('.timing-graph').boundingBox();
+  const at = (x, y) => [graph.x + x * graph.width, graph.y + (1 - y) * graph.height];
+  await hand.stroke([at(0.3, 0.6), at(0.5, 0.6), at(0.7, 0.6)], { pointerType: 'pen' });
+  await quiet(page);
+  const drawn = await move(page);
+  assert.ok(drawn.graph.every((y, i) => i === 0 || y >= drawn.graph[i - 1] - 1e-12), 'time never runs back');
+  assert.ok(Math.abs(drawn.graph[48] - 0.6) < 0.01, `a pause where it is flat: ${drawn.graph[48]}`);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'moves-timing.png') });
+  const end = await page.locator('.ease-width').boundingBox();
+  const middle = [end.x + end.width / 2, end.y + end.height / 2];
+  await hand.stroke([middle, [middle[0] - graph.width / 2, middle[1]]], { pointerType: 'pen' });
+  await quiet(page);
+  assert.ok(Math.abs((await move(page)).duration - 2) < 0.25, 'the right end is the duration');
+  await page.fill('.timing-seconds input', '6');
+  await page.keyboard.press('Enter');
+  await quiet(page);
+  assert.equal((await move(page)).duration, 6);
+  await page.click('.timing-end.ease-in');
+  await quiet(page);
+  assert.ok((await move(page)).graph[1] < drawn.graph[1] / 2, 'a tap eases both ends');
+  for (const button of await page.locator('.timing button:visible').all()) {
+    const box = await button.boundingBox();
+    assert.ok(box.width >= 32 && box.height >= 32, 'a target: 32 px for a mouse, as in the bar');
+    assert.ok(await button.evaluate((b) => b.ariaLabel || b.textContent), 'a name');
+  }
+  assert.equal((await state(page)).check, '');
+  const digests = [];
+  for (let i = 0; i < 12 && digests.at(-1) !== first.digest; i++) {
+    await page.evaluate(() => {
+      globalThis.batten.engine.command('undo');
+      globalThis.batten.wake();
+    });
+    await quiet(page);
+    digests.push((await state(page)).digest);
+  }
+  assert.equal(digests.at(-1), first.digest);
+  assert.ok(digests.includes(made));
+});
+
+test('gaze handles: a pen turns the gaze, a tap adds a key, keys choose, turn and delete it', async (t) => {
+  const { page, hand, first } = await begin(t, {});
+  await page.evaluate(() => globalThis.batten.engine.command('camera-along'));
+  await page.evaluate(() => globalThis.batten.wake());
+  await page.waitForSelector('.time:not([hidden])');
+  await hand.stroke([[600, 400], [640, 290]], { pointerType: 'mouse', button: 'right' });
+  await quiet(page);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'moves-gazes.png') });
+  const made = (await state(page)).digest;
+  await page.locator('#stage').focus();
+  await page.keyboard.press('>');
+  await page.keyboard.press('>');
+  await page.keyboard.press('Shift+ArrowUp');
+  await quiet(page);
+  const up = (await state(page)).digest;
+  assert.notEqual(up, made);
+  await page.keyboard.press('Insert');
+  await page.keyboard.press('Delete');
+  await quiet(page);
+  assert.equal((await state(page)).check, '');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'moves-gaze-key.png') });
+  for (let i = 0; i < 8 && (await state(page)).digest !== first.digest; i++) {
+    await page.keyboard.press('Control+z');
+    await quiet(page);
+  }
   assert.equal((await state(page)).digest, first.digest);
 });

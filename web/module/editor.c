@@ -42,16 +42,6 @@ int editor_move_set(bat_editor *editor, int act, int path, int level, double val
 MODULE_EXPORT(editor_retime)
 int editor_retime(bat_editor *editor, const double *points, size_t count, int done);
 MODULE_EXPORT(editor_outline)
-int editor_move_set(bat_editor *editor, int act, int path, int level, double value, int done) {
-    MODULE_CHECK(editor);
-    return (int)bat_editor_move_set(editor, (bat_move_act)act, path != 0, level, value, done != 0);
-}
-
-int editor_retime(bat_editor *editor, const double *points, size_t count, int done) {
-    MODULE_CHECK(editor);
-    return (int)bat_editor_retime(editor, count, points, done != 0);
-}
-
 const char *editor_outline(bat_editor *editor, int first, int count);
 MODULE_EXPORT(editor_outline_points) const char *editor_outline_points(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_choose) int editor_choose(bat_editor *editor, uint32_t id, int point);
@@ -201,6 +191,16 @@ int editor_seek(bat_editor *editor, double seconds) {
 void editor_play(bat_editor *editor, double time) {
     MODULE_CHECK(editor);
     bat_editor_play(editor, time);
+}
+
+int editor_move_set(bat_editor *editor, int act, int path, int level, double value, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_move_set(editor, (bat_move_act)act, path != 0, level, value, done != 0);
+}
+
+int editor_retime(bat_editor *editor, const double *points, size_t count, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_retime(editor, count, points, done != 0);
 }
 
 const char *editor_outline(bat_editor *editor, int first, int count) {

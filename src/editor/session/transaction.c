@@ -20,7 +20,7 @@ bat_status bat_transaction_begin(bat_context *c) {
     return BAT_OK;
 }
 
-static bat_status reserve(bat_transaction *transaction, bool replacement) {
+static bat_status reserve(bat_transaction *transaction) {
     if (transaction->count == transaction->room) {
         int room = transaction->room ? 2 * transaction->room : 4;
         bat_delta *deltas = realloc(transaction->deltas, (size_t)room * sizeof *deltas);
@@ -28,13 +28,15 @@ static bat_status reserve(bat_transaction *transaction, bool replacement) {
         transaction->deltas = deltas;
         transaction->room = room;
     }
-    return replacement ? bat_replaced_reserve(&transaction->replaced) : BAT_OK;
+    return bat_replaced_reserve(&transaction->replaced);
 }
 
 static bat_status add(bat_context *c, int index, const bat_object *before, bat_object *after) {
     bat_transaction *transaction = &c->session->transaction;
     if (!transaction->open) return BAT_STATE;
-    bat_status status = reserve(transaction, before && after);
+    if (!before || !after)
+        bat_replaced_clear(&transaction->replaced); /* indices have another meaning from here on */
+    bat_status status = reserve(transaction);
     if (status != BAT_OK) return status;
     bat_delta delta = {index, before ? bat_object_retain(before) : NULL,
                        after ? bat_object_retain(after) : NULL};
@@ -44,10 +46,8 @@ static bat_status add(bat_context *c, int index, const bat_object *before, bat_o
         bat_object_release(delta.after);
         return status;
     }
-    if (before && after)
-        bat_replaced_add(&transaction->replaced, index, transaction->count);
-    else
-        bat_replaced_clear(&transaction->replaced); /* indices have another meaning from here on */
+    if (after)
+        bat_replaced_add(&transaction->replaced, index, transaction->count); /* what is inserted, too */
     transaction->deltas[transaction->count++] = delta;
     c->session->revision++;
     return BAT_OK;
