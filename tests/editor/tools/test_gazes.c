@@ -434,7 +434,7 @@ static void levels_fade_mute_and_solo(void **state) {
 /* The gains of the levels of the path that is followed: they change the curve, and the camera with it. */
 static void levels_of_the_path(void **state) {
     (void)state;
-    bat_editor *editor = editor_with(1, (bat_curve *[]){pen_curve(200, 400, 60, 5, 40)});
+    bat_editor *editor = editor_with(1, (bat_curve *[]){pen_curve(100, 400, 30, 20, 28)});
     bat_editor_command(editor, "tool-levels");
     bat_editor_command(editor, "select-all");
     bat_editor_command(editor, "take-apart");
