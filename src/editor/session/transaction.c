@@ -20,7 +20,7 @@ bat_status bat_transaction_begin(bat_context *c) {
     return BAT_OK;
 }
 
-static bat_status reserve(bat_transaction *transaction) {
+static bat_status reserve(bat_transaction *transaction, bool stays) {
     if (transaction->count == transaction->room) {
         int room = transaction->room ? 2 * transaction->room : 4;
         bat_delta *deltas = realloc(transaction->deltas, (size_t)room * sizeof *deltas);
@@ -28,7 +28,7 @@ static bat_status reserve(bat_transaction *transaction) {
         transaction->deltas = deltas;
         transaction->room = room;
     }
-    return bat_replaced_reserve(&transaction->replaced);
+    return stays ? bat_replaced_reserve(&transaction->replaced) : BAT_OK;
 }
 
 static bat_status add(bat_context *c, int index, const bat_object *before, bat_object *after) {
@@ -36,7 +36,7 @@ static bat_status add(bat_context *c, int index, const bat_object *before, bat_o
     if (!transaction->open) return BAT_STATE;
     if (!before || !after)
         bat_replaced_clear(&transaction->replaced); /* indices have another meaning from here on */
-    bat_status status = reserve(transaction);
+    bat_status status = reserve(transaction, after != NULL);
     if (status != BAT_OK) return status;
     bat_delta delta = {index, before ? bat_object_retain(before) : NULL,
                        after ? bat_object_retain(after) : NULL};
