@@ -562,7 +562,9 @@ static const char *check(const bat_context *c, const void *state) {
     (void)state;
     const bat_splining *s = bat_splining_of(c);
     bool dragging = s->state == BAT_SPLINING_DRAGGING;
-    if (c->session->transaction.open && !dragging) return "a transaction outlived its drag";
+    /* When it is idle, a panel may hold one. */
+    if (s->state != BAT_SPLINING_IDLE && c->session->transaction.open && !dragging)
+        return "a transaction outlived its drag";
     if (dragging && s->object && !c->session->transaction.open) return "a drag without a transaction";
     if (s->state != BAT_SPLINING_IDLE && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a point is held without a pen";
