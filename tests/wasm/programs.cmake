@@ -9,7 +9,7 @@ list(APPEND UNITS ${EXAMPLES} ${PROJECT_SOURCE_DIR}/tests/curve/fit_strokes.c
 # Excluded: programs driven by a Python script (tests/cli, tests/gestures, driver_curve.c, svg_again.c), and those that
 # need threads, expat, native struct sizes or the calls on the stack, which WebAssembly does not have, or that make
 # solves fail.
-set(NATIVE_ONLY test_svg_file test_options)
+set(NATIVE_ONLY test_svg_file test_svg_view test_options)
 set(files /) # the path of the repository for tests
 if(NOT BATTEN_WASM)
   set(files ${PROJECT_SOURCE_DIR})
