@@ -34,7 +34,7 @@ for (const [pointerType, colorScheme] of [['pen', 'light'], ['touch', 'dark'], [
     await page.keyboard.press('Control+a');
     await settle(page);
     await quiet(page);
-    assert.ok(await page.locator('#actions').isVisible());
+    await page.locator('#actions').waitFor({ state: 'visible' });
     await shot('offered');
     const button = page.locator('#actions button', { has: page.locator('use[href$="icon-surface-revolve"]') });
     assert.equal(await button.count(), 1);

@@ -171,25 +171,25 @@ static void is_told(void **state) {
     bat_relief_free(read);
 }
 
-static int set_up(void **state) {
+static void begins(void **state) {
     (void)state;
     random_source r = {3};
     sheet = random_surface(&r, (const int[2]){3, 2}, (const int[2]){2, 1}, (const int[2]){5, 4});
     other = random_surface(&r, (const int[2]){2, 3}, (const int[2]){1, 2}, (const int[2]){2, 3});
-    return bat_relief_decompose(sheet, 2, &relief) != BAT_OK ||
-           bat_relief_write(relief, &text, &text_size) != BAT_OK;
+    assert_int_equal(bat_relief_decompose(sheet, 2, &relief), BAT_OK);
+    assert_int_equal(bat_relief_write(relief, &text, &text_size), BAT_OK);
 }
 
-static int tear_down(void **state) {
+static void ends(void **state) {
     (void)state;
     bat_free(text);
     bat_relief_free(relief);
     bat_surface_free(sheet), bat_surface_free(other);
-    return 0;
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(each_allocation), cmocka_unit_test(comes_back),
-                                       cmocka_unit_test(is_told)};
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    const struct CMUnitTest tests[] = {cmocka_unit_test(begins), cmocka_unit_test(each_allocation),
+                                       cmocka_unit_test(comes_back), cmocka_unit_test(is_told),
+                                       cmocka_unit_test(ends)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }
