@@ -549,8 +549,11 @@ static bat_editor *redrawn(int n) {
 
 /* A camera along a curve of n points. */
 static bat_editor *flight(int n) {
-    return one_curve(n, false,
-                     (const char *const[]){"tool-select", "select-all", "camera-along", "move-next", NULL});
+    static const char *const commands[] = {"tool-select", "camera-along", "move-next"};
+    bat_editor *editor = one_curve(n, false, NULL);
+    for (int i = 0; i < 3; i++) bat_editor_command(editor, commands[i]);
+    bat_editor_frame(editor);
+    return editor;
 }
 
 /* The same, with a key in the middle that is chosen. */

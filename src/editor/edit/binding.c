@@ -46,7 +46,8 @@ static void split_curves(const bat_document *document, chosen *of) {
 static bool take(const bat_document *document, int index, chosen *of) {
     const bat_object *object = bat_document_at(document, index);
     if (bat_object_is_group(object)) {
-        for (int i = index + 1; i < bat_document_end(document, index); i++)
+        const int end = bat_document_end(document, index);
+        for (int i = index + 1; i < end; i++)
             if (bat_object_curve_count(bat_document_at(document, i)) > 0 &&
                 !bat_object_is(bat_document_at(document, i), BAT_AID))
                 of->targets[of->target_count++] = i;

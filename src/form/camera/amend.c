@@ -101,8 +101,9 @@ typedef struct draft {
 /* What the first `count` points of both curves are as keys with weights. */
 static bat_status take_draft(const bat_curve *xyz, const bat_curve *w, size_t count, draft *out) {
     const size_t knots = count + (xyz->closed ? 1 : (size_t)xyz->degree + 1);
-    double *keys = malloc((5 * count + knots) * sizeof *keys), *weights = keys + 4 * count;
+    double *keys = malloc((5 * count + knots) * sizeof *keys);
     if (!keys) return BAT_MEMORY;
+    double *weights = keys + 4 * count;
     for (size_t i = 0; i < count; i++) {
         const double *v = bat_curve_points(xyz) + 3 * i;
         const quat q = {v[0], v[1], v[2], bat_curve_points(w)[2 * i]};

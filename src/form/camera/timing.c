@@ -87,9 +87,10 @@ static bat_status settle(size_t n, double *values, size_t first, size_t last) {
 static bat_status redraw(bat_curve *timing, size_t count, const double *points) {
     const size_t n = (size_t)timing->count, size = (size_t)timing->dimension;
     double low = INFINITY, high = -INFINITY;
-    double *places = malloc(2 * n * sizeof *places), *values = places + n;
+    double *places = malloc(2 * n * sizeof *places);
     size_t first = n, last = 0;
     if (!places) return BAT_MEMORY;
+    double *values = places + n;
     for (size_t i = 0; i < count; i++) low = fmin(low, points[2 * i]), high = fmax(high, points[2 * i]);
     bat_curve_greville(timing, places);
     for (size_t i = 0; i < n; i++) {

@@ -360,6 +360,7 @@ static void a_surface_without_a_stroke(void **state) {
     for (uint32_t i = 0; i < frame->still_count; i++)
         if (frame->still[i].id == SHEET) item = &frame->still[i];
     assert_non_null(item);
+    if (!item) return;
     assert_true((item->flags & BAT_ITEM_STROKED) && (item->flags & BAT_ITEM_SCREEN_WIDTH));
     assert_true(item->width == 1 && (item->stroke & 255) == 255 && item->path_count > 0);
     for (int i = 0; i < 3; i++) bat_editor_command(editor, "orbit-up");
