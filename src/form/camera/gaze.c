@@ -194,13 +194,10 @@ static bat_status crossings(const double net[NET][3], int p, double up, double a
     return status;
 }
 
-static double hold_within(const bat_look_at *g) { return nearest * bat_curve_size(g->path); }
-
 static bat_status look_between(const bat_look_at *g, double a, double b, places *out) {
     const int p = g->target && g->target->degree > g->path->degree ? g->target->degree : g->path->degree;
     double net[NET][3], to[NET][3], turned[NET][3];
     const vec north = vec_cross(g->up, g->east);
-    const double within = hold_within(g);
     net_of(g->path, a, b, p, net);
     if (g->target)
         net_of(g->target, target_at(g, a), b < g->domain[1] ? target_at(g, b) : g->target_domain[1], p, to);
@@ -209,8 +206,8 @@ static bat_status look_between(const bat_look_at *g, double a, double b, places 
         vec_store((vec){vec_dot(w, g->up), vec_dot(w, g->east), vec_dot(w, north)}, turned[k]);
     }
     const bat_status status = crossings((const double(*)[3])turned, p, 1 - COSINE2, -COSINE2, 0, a, b, out);
-    if (status != BAT_OK || !(within > 0)) return status;
-    return crossings((const double(*)[3])turned, p, 1, 1, within * within, a, b, out);
+    if (status != BAT_OK || !(g->within > 0)) return status;
+    return crossings((const double(*)[3])turned, p, 1, 1, g->within * g->within, a, b, out);
 }
 
 static int by_size(const void *a, const void *b) {
@@ -254,7 +251,7 @@ static bat_gaze_kind kind_at(const bat_look_at *g, double u) {
     vec w, w1;
     away(g, u, &w, &w1);
     const double length = vec_norm(w), high = vec_dot(w, g->up);
-    if (!(length > hold_within(g))) return BAT_GAZE_HELD;
+    if (!(length > g->within)) return BAT_GAZE_HELD;
     return high * high > COSINE2 * length * length ? BAT_GAZE_CONE : BAT_GAZE_UPRIGHT;
 }
 
@@ -321,8 +318,10 @@ static bat_status take(const bat_curve *path, const bat_camera_options *options,
         if (!(fabs(options->up[k]) <= BAT_COORDINATE_MAX) ||
             !(fabs(options->target[k]) <= BAT_COORDINATE_MAX))
             return BAT_NUMBER;
-    *g = (bat_look_at){
-        .path = path, .point = vec_load(options->target, 3), .up = vec_unit(vec_load(options->up, 3))};
+    *g = (bat_look_at){.path = path,
+                       .within = nearest * bat_curve_size(path),
+                       .point = vec_load(options->target, 3),
+                       .up = vec_unit(vec_load(options->up, 3))};
     if (!(vec_norm(g->up) > 0)) return BAT_SINGULAR;
     g->east = vec_any_normal(g->up);
     bat_curve_domain(path, g->domain);

@@ -31,6 +31,7 @@ typedef struct bat_look_at {
     const bat_curve *path; /* borrowed */
     bat_curve *target;     /* NULL: the point */
     vec point, up, east;
+    double within; /* nearer to the target than this, the last gaze is held */
     double domain[2], target_domain[2];
     size_t parts, cells, parts_room, cells_room;
     bat_gaze_part *part;
