@@ -46,13 +46,13 @@ static void hold(double low[3], double high[3], const double *point, int dimensi
 static bool middle(bat_context *c, bool selected, double out[3]) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, page[4];
     bat_document_page(c->session->document, page);
-    for (int i = 0, end = 0; i < c->scene->count; i++) {
-        const bat_scene_entry *entry = &c->scene->entries[i];
-        if (i >= end && bat_selection_has(&c->choice->selection, bat_object_id(entry->object)))
+    for (int i = 0, end = 0; i < bat_document_count(c->session->document); i++) {
+        const bat_object *object = bat_document_at(c->session->document, i);
+        if (i >= end && bat_selection_has(&c->choice->selection, bat_object_id(object)))
             end = bat_document_end(c->session->document, i);
-        if (entry->hidden || (selected && i >= end)) continue;
-        for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
-            const bat_curve *curve = bat_object_curve(entry->object, j);
+        if (bat_seen_hidden(c, i) || (selected && i >= end)) continue;
+        for (int j = 0; j < bat_object_curve_count(object); j++) {
+            const bat_curve *curve = bat_object_curve(object, j);
             const int size = bat_curve_dimension(curve);
             for (int k = 0; k < bat_point_count(curve); k++)
                 hold(low, high, bat_curve_points(curve) + (size_t)k * (size_t)size, size);

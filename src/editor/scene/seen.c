@@ -24,13 +24,17 @@ void bat_seen_sync(bat_context *c) {
         bat_notice(c, BAT_STRING_NOTICE_MEMORY);
 }
 
+static bat_nesting_level level_of(const bat_context *c, int at) {
+    if (c->scene->revision != c->session->revision) /* memory ran out, say */
+        return bat_document_level(c->session->document, at);
+    const bat_scene_entry *entry = &c->scene->entries[at];
+    return (bat_nesting_level){.hidden = entry->hidden, .locked = entry->locked};
+}
+
+bool bat_seen_hidden(const bat_context *c, int at) { return at >= 0 && level_of(c, at).hidden; }
+
 bool bat_seen_out_of_reach(const bat_context *c, int at) {
-    const bat_scene *scene = c->scene;
-    if (at < 0) return false;
-    if (scene->revision == c->session->revision)
-        return scene->entries[at].hidden || scene->entries[at].locked;
-    const bat_nesting_level level = bat_document_level(c->session->document, at); /* memory ran out, say */
-    return level.hidden || level.locked;
+    return at >= 0 && (level_of(c, at).hidden || level_of(c, at).locked);
 }
 
 /* The box around the page and everything drawn, as it is seen in a tilted view. */

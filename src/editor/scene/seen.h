@@ -9,6 +9,8 @@ enum { BAT_FIT_MARGIN = 32 };
 
 /* Brings the scene up to date before it is queried. */
 void bat_seen_sync(bat_context *c);
+/* Whether the object or a group around it is hidden. at: its index, -1 for none. */
+bool bat_seen_hidden(const bat_context *c, int at);
 /* Whether the object is hidden or locked, or, as of the last sync, outside the group in isolation: tools do not touch
  * it. at: its index, -1 for none. */
 bool bat_seen_out_of_reach(const bat_context *c, int at);
