@@ -7,31 +7,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int option_index(const cli_command *command, const char *name, size_t size) {
-    for (int i = 0; i < OPTIONS_MAX && command->options[i].name; i++) {
-        const char *known = command->options[i].name;
-        if (strlen(known) == size && memcmp(known, name, size) == 0) return i;
-    }
-    return -1;
+const cli_option *command_option(const cli_command *command, int index) {
+    static const cli_option
+        lines = {OPTION_LINES, NULL, "an input a line of standard input, a result a line, in order"},
+        output = {OPTION_OUTPUT, "FILE",
+                  "the curve goes back to its place in the drawing, FILE#NAME, which is written to FILE"};
+    int own = 0;
+    while (own < OPTIONS_MAX && command->options[own].name) own++;
+    if (index < own) return &command->options[index];
+    if (command->lines && index-- == own) return &lines;
+    return command->puts_back && index == own ? &output : NULL;
 }
 
-/* Options that are in no command's table: 1: one of them, 0: none, else an exit status. */
-static int common_option(const cli_command *command, int count, char **words, int *at, cli_arguments *out) {
-    if (command->lines && strcmp(words[*at], OPTION_LINES) == 0) {
-        out->lines = true;
-        return 1;
-    }
-    if (!command->puts_back || strcmp(words[*at], OPTION_OUTPUT) != 0) return 0;
-    if (out->output) return fail_usage(command, "%s is given twice", OPTION_OUTPUT);
-    if (*at + 1 == count || !words[*at + 1][0]) return fail_usage(command, "%s needs FILE", OPTION_OUTPUT);
-    out->output = words[++*at];
-    return 1;
+static int option_index(const cli_command *command, const char *name, size_t size) {
+    const cli_option *option;
+    for (int i = 0; (option = command_option(command, i)) != NULL; i++)
+        if (strlen(option->name) == size && memcmp(option->name, name, size) == 0) return i;
+    return -1;
 }
 
 /* With --lines the first operand is standard input, which may be left out. */
 static int place_lines(cli_arguments *out, int operands) {
-    if (!out->lines) return operands;
-    if (out->output) {
+    const char *output = arguments_value(out, OPTION_OUTPUT);
+    if (output && !*output) {
+        fail_usage(out->command, "%s needs FILE", OPTION_OUTPUT);
+        return -1;
+    }
+    if (!arguments_value(out, OPTION_LINES)) return operands;
+    if (output) {
         fail_usage(out->command, "%s goes with one curve, not with %s", OPTION_OUTPUT, OPTION_LINES);
         return -1;
     }
@@ -63,14 +66,11 @@ int arguments_parse(const cli_command *command, int count, char **words, cli_arg
             out->operands[operands++] = word;
             continue;
         }
-        const int common = common_option(command, count, words, &i, out);
-        if (common == 1) continue;
-        if (common) return common;
         const char *equals = strchr(word, '=');
         size_t size = equals ? (size_t)(equals - word) : strlen(word);
         int index = option_index(command, word, size);
         if (index < 0) return fail_usage(command, "no such option: %s", word);
-        const cli_option *option = &command->options[index];
+        const cli_option *option = command_option(command, index);
         if (out->values[index]) return fail_usage(command, "%s is given twice", option->name);
         if (!option->value) {
             if (equals) return fail_usage(command, "%s takes no value", option->name);
@@ -135,6 +135,26 @@ int arguments_integer(const cli_arguments *arguments, const char *name, long low
                           arguments_value(arguments, name));
     }
     *out = (long)value;
+    return EXIT_DONE;
+}
+
+int arguments_gains(const cli_arguments *arguments, const char *name, int most, double *gains, bool *given) {
+    const char *text = arguments_value(arguments, name);
+    if (text && !*text) return fail_usage(arguments->command, "%s: expected LEVEL=GAIN,..., found ''", name);
+    for (const char *at = text; at && *at;) {
+        char *end = NULL, *last = NULL;
+        const long level = strtol(at, &end, 10);
+        const double gain = end != at && *end == '=' ? strtod(end + 1, &last) : 0;
+        if (!last || last == end + 1 || (*last != '\0' && *last != ',') || (*last == ',' && last[1] == '\0'))
+            return fail_usage(arguments->command, "%s: expected LEVEL=GAIN,..., found '%s'", name, text);
+        if (level < 1 || level > most)
+            return fail_usage(arguments->command, "%s: expected levels from 1 to %d, found %ld", name, most,
+                              level);
+        if (!(gain >= -1e6 && gain <= 1e6))
+            return fail_usage(arguments->command, "%s: expected gains within 1e6, found '%s'", name, text);
+        gains[level] = gain, given[level] = true;
+        at = *last ? last + 1 : last;
+    }
     return EXIT_DONE;
 }
 
@@ -210,8 +230,8 @@ int arguments_product(const cli_arguments *arguments, const char *name, long mos
         if (end == second) h = 0;
     }
     if (w < 1 || h < 1 || w > most || h > most || *end) {
-        const cli_option *option =
-            &arguments->command->options[option_index(arguments->command, name, strlen(name))];
+        const cli_option *option = command_option(arguments->command,
+                                                  option_index(arguments->command, name, strlen(name)));
         return fail_usage(arguments->command, "%s: expected %s, 1x1 to %ldx%ld, found '%s'", name,
                           option->value, most, most, text);
     }

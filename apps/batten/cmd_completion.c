@@ -46,15 +46,10 @@ static void put_words(bat_text *text, const char *choices) {
 
 typedef void put_option(bat_text *text, const cli_command *command, const cli_option *option);
 
-/* All options of a command, those without a table, too. */
 static void each_option(bat_text *text, const cli_command *command, put_option *put) {
-    const cli_option lines = {OPTION_LINES, NULL, "an input a line of standard input"},
-                     output = {OPTION_OUTPUT, "FILE", "the curve goes back to its drawing"},
-                     help = {"--help", NULL, "what the command does, with an example"};
-    for (int i = 0; i < OPTIONS_MAX && command->options[i].name; i++)
-        put(text, command, &command->options[i]);
-    if (command->lines) put(text, command, &lines);
-    if (command->puts_back) put(text, command, &output);
+    static const cli_option help = {"--help", NULL, "what the command does, with an example"};
+    const cli_option *option;
+    for (int i = 0; (option = command_option(command, i)) != NULL; i++) put(text, command, option);
     put(text, command, &help);
 }
 
@@ -97,6 +92,19 @@ static void put_seconds(bat_text *text, const cli_command *const *all, size_t co
     }
 }
 
+/* A case for each first word of names with two: between both texts, its second words. */
+static void put_groups(bat_text *text, const cli_command *const *all, size_t count, const char *before,
+                       const char *after) {
+    for (size_t i = 0; i < count; i++) {
+        if (!second_word(all[i]->name) || is_repeated(all, i)) continue;
+        bat_text_string(text, "    ");
+        bat_text_add(text, all[i]->name, first_word(all[i]->name));
+        bat_text_string(text, before);
+        put_seconds(text, all, count, all[i]->name);
+        bat_text_string(text, after);
+    }
+}
+
 static void put_bash(bat_text *text, const cli_command *const *all, size_t count) {
     bat_text_string(text, "_batten() {\n"
                           "  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]}\n"
@@ -106,15 +114,8 @@ static void put_bash(bat_text *text, const cli_command *const *all, size_t count
                           "    COMPREPLY=($(compgen -W '");
     put_firsts(text, all, count);
     bat_text_string(text, "--help --version' -- \"$cur\"))\n    return\n  fi\n  case $command in\n");
-    for (size_t i = 0; i < count; i++) {
-        if (!second_word(all[i]->name) || is_repeated(all, i)) continue;
-        bat_text_string(text, "    ");
-        bat_text_add(text, all[i]->name, first_word(all[i]->name));
-        bat_text_string(text, ")\n      if ((COMP_CWORD == 2)); then\n        COMPREPLY=($(compgen -W '");
-        put_seconds(text, all, count, all[i]->name);
-        bat_text_string(text, "' -- \"$cur\"))\n        return\n      fi\n"
-                              "      command=\"$command ${COMP_WORDS[2]}\" ;;\n");
-    }
+    put_groups(text, all, count, ")\n      if ((COMP_CWORD == 2)); then\n        COMPREPLY=($(compgen -W '",
+               "' -- \"$cur\"))\n        return\n      fi\n      command=\"$command ${COMP_WORDS[2]}\" ;;\n");
     bat_text_string(text, "  esac\n  case \"$command $prev\" in\n");
     for (size_t i = 0; i < count; i++) each_option(text, all[i], bash_choice);
     bat_text_string(text, "  esac\n  if [[ -z $words && $cur == -* ]]; then\n    case $command in\n");
@@ -163,14 +164,8 @@ static void put_zsh(bat_text *text, const cli_command *const *all, size_t count)
                           "  if ((CURRENT == 2)); then\n    compadd -- ");
     put_firsts(text, all, count);
     bat_text_string(text, "--help --version\n    return\n  fi\n  case $command in\n");
-    for (size_t i = 0; i < count; i++) {
-        if (!second_word(all[i]->name) || is_repeated(all, i)) continue;
-        bat_text_string(text, "    ");
-        bat_text_add(text, all[i]->name, first_word(all[i]->name));
-        bat_text_string(text, ")\n      if ((CURRENT == 3)); then\n        compadd -- ");
-        put_seconds(text, all, count, all[i]->name);
-        bat_text_string(text, "\n        return\n      fi\n      command=\"$command $words[3]\" ;;\n");
-    }
+    put_groups(text, all, count, ")\n      if ((CURRENT == 3)); then\n        compadd -- ",
+               "\n        return\n      fi\n      command=\"$command $words[3]\" ;;\n");
     bat_text_string(text, "  esac\n  case $command in\n");
     for (size_t i = 0; i < count; i++) {
         bat_text_string(text, "    ");

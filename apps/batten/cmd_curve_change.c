@@ -6,27 +6,6 @@
 
 #include <stdlib.h>
 
-/* Both curves in one array, and frees them. */
-static int write_two(bat_curve *a, bat_curve *b) {
-    bat_text text = {0};
-    bat_curve *const both[] = {a, b};
-    bool made = true;
-    for (int i = 0; i < 2; i++) {
-        char *data;
-        size_t size;
-        made = made && bat_curve_write(both[i], &data, &size) == BAT_OK;
-        bat_curve_free(both[i]);
-        if (!made) continue;
-        bat_text_string(&text, i ? ",\n" : "[");
-        bat_text_add(&text, data, size - (data[size - 1] == '\n'));
-        bat_free(data);
-    }
-    bat_text_string(&text, "]");
-    if (made) return write_text(&text);
-    bat_text_free(&text);
-    return fail_memory();
-}
-
 /* Closed curves are opened at the first place, so that they come as two when there are two places; open ones are cut at
  * one. */
 static int split(const cli_arguments *arguments, const bat_curve *a, const bat_curve *b) {
@@ -34,15 +13,18 @@ static int split(const cli_arguments *arguments, const bat_curve *a, const bat_c
     double at;
     const int failed = arguments_vector(arguments, "--at", 1, &at);
     if (failed) return failed;
-    bat_curve *left = NULL, *right = NULL;
+    bat_curve *parts[2] = {NULL};
     if (bat_curve_is_closed(a))
         return fail_data(arguments->operands[0], "closed",
                          "expected an open curve, which can be cut in two, found a closed one");
-    const bat_status status = bat_curve_split(a, at, &left, &right);
+    const bat_status status = bat_curve_split(a, at, &parts[0], &parts[1]);
     if (status == BAT_PARAMETER)
         return fail_data(arguments->operands[0], "--at", "expected a parameter inside the domain, found %g",
                          at);
-    return status == BAT_OK ? write_two(left, right) : fail_curve(arguments, status);
+    if (status != BAT_OK) return fail_curve(arguments, status);
+    const int written = write_curves(2, parts, NULL);
+    bat_curve_free(parts[0]), bat_curve_free(parts[1]);
+    return written;
 }
 
 static int join(const cli_arguments *arguments, const bat_curve *a, const bat_curve *b) {

@@ -9,30 +9,6 @@
 static const double CORNER = 0.02;          /* radians */
 static const double TOLERANCE_SHARE = 1e-4; /* of the sides of the curve's box, where no tolerance is given */
 
-/* An array of curves; each has the report of all. */
-static int write_parallels(size_t count, bat_curve *const *all, double error) {
-    bat_text text = {0};
-    bool made = true;
-    bat_text_string(&text, "[");
-    for (size_t i = 0; i < count && made; i++) {
-        char *data;
-        size_t size;
-        made = bat_curve_write(all[i], &data, &size) == BAT_OK;
-        if (!made) break;
-        while (size && data[size - 1] != '}') size--;
-        bat_text_string(&text, i ? ",\n" : "");
-        bat_text_add(&text, data, size - 1);
-        bat_text_string(&text, ",\n \"report\":{\"max_error\":");
-        bat_text_number(&text, error);
-        bat_text_string(&text, "}}");
-        bat_free(data);
-    }
-    bat_text_string(&text, "]");
-    if (made) return write_text(&text);
-    bat_text_free(&text);
-    return fail_memory();
-}
-
 static int options_of(const cli_arguments *arguments, double *distance, double *tolerance) {
     int failed = arguments_number(arguments, "--distance", -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX, distance);
     if (!failed && arguments_value(arguments, "--tolerance"))
@@ -52,7 +28,11 @@ static int offset(const cli_arguments *arguments, const bat_curve *a, const bat_
     if (!(tolerance > 0)) tolerance = fmax(TOLERANCE_SHARE * fabs(distance), 1e-12); /* a point */
     const bat_status status = bat_curve_offset(a, distance, tolerance, CORNER, &count, &all, &error);
     if (status != BAT_OK) return fail_curve(arguments, status);
-    failed = write_parallels(count, all, error);
+    bat_text report = {0};
+    bat_text_string(&report, "{\"max_error\":");
+    bat_text_number(&report, error);
+    bat_text_string(&report, "}");
+    failed = write_curves(count, all, &report);
     bat_curves_free(count, all);
     return failed;
 }

@@ -25,26 +25,11 @@ static bool ends_in(const char *name, const char *ending) {
     return a >= b && strcmp(name + a - b, ending) == 0;
 }
 
-/* "2=0,3=1.5" */
 static int gains_of(const cli_arguments *arguments, wanted *w) {
-    const char *text = arguments_value(arguments, "--gain");
+    bool given[LEVELS_MOST + 1];
     for (int l = 0; l <= LEVELS_MOST; l++) w->gains[l] = 1;
-    for (const char *at = text; at && *at;) {
-        char *end = NULL, *last = NULL;
-        const long level = strtol(at, &end, 10);
-        const double gain = end != at && *end == '=' ? strtod(end + 1, &last) : 0;
-        if (!last || last == end + 1 || (*last != '\0' && *last != ',') || (*last == ',' && last[1] == '\0'))
-            return fail_usage(arguments->command, "--gain: expected LEVEL=GAIN,..., found '%s'", text);
-        if (level < 1 || level > w->options.levels)
-            return fail_usage(arguments->command, "--gain: expected levels from 1 to %d, found %ld",
-                              w->options.levels, level);
-        if (!(gain >= -1e6 && gain <= 1e6))
-            return fail_usage(arguments->command, "--gain: expected gains within 1e6, found '%s'", text);
-        w->gains[level] = gain, w->scaled = true;
-        at = *last ? last + 1 : last;
-    }
-    return text && !w->scaled ? fail_usage(arguments->command, "--gain: expected LEVEL=GAIN,..., found ''")
-                              : EXIT_DONE;
+    w->scaled = arguments_value(arguments, "--gain") != NULL;
+    return arguments_gains(arguments, "--gain", w->options.levels, w->gains, given);
 }
 
 static int wanted_of(const cli_arguments *arguments, wanted *out) {

@@ -14,27 +14,6 @@ typedef struct request {
     bool scaled[BAT_RELIEF_LEVELS + 1];
 } request;
 
-/* "2=0,3=1.5" */
-static int gains_of(const cli_arguments *arguments, request *w) {
-    const char *text = arguments_value(arguments, "--gain");
-    if (text && !*text) return fail_usage(arguments->command, "--gain: expected LEVEL=GAIN,..., found ''");
-    for (const char *at = text; at && *at;) {
-        char *end = NULL, *last = NULL;
-        const long level = strtol(at, &end, 10);
-        const double gain = end != at && *end == '=' ? strtod(end + 1, &last) : 0;
-        if (!last || last == end + 1 || (*last != '\0' && *last != ',') || (*last == ',' && last[1] == '\0'))
-            return fail_usage(arguments->command, "--gain: expected LEVEL=GAIN,..., found '%s'", text);
-        if (level < 1 || level > BAT_RELIEF_LEVELS)
-            return fail_usage(arguments->command, "--gain: expected levels from 1 to %d, found %ld",
-                              (int)BAT_RELIEF_LEVELS, level);
-        if (!(gain >= -1e6 && gain <= 1e6))
-            return fail_usage(arguments->command, "--gain: expected gains within 1e6, found '%s'", text);
-        w->gains[level] = gain, w->scaled[level] = true;
-        at = *last ? last + 1 : last;
-    }
-    return EXIT_DONE;
-}
-
 static int request_of(const cli_arguments *arguments, request *w) {
     *w = (request){.level = -1};
     int failed = arguments_integer(arguments, "--decompose", 1, BAT_RELIEF_LEVELS, &w->apart);
@@ -45,7 +24,7 @@ static int request_of(const cli_arguments *arguments, request *w) {
     const char *onto = arguments_value(arguments, "--onto");
     if (!failed && onto && strcmp(onto, "-") == 0 && strcmp(arguments->operands[0], "-") == 0)
         failed = fail_usage(arguments->command, "only one of IN and --onto can be standard input");
-    return failed ? failed : gains_of(arguments, w);
+    return failed ? failed : arguments_gains(arguments, "--gain", BAT_RELIEF_LEVELS, w->gains, w->scaled);
 }
 
 /* Replaces the relief by what a call made of it. */

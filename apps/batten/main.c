@@ -61,12 +61,12 @@ static const cli_command *const commands[] = {
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
-/* The command named by the first words; *used: how many words the name has. */
 const cli_command *const *all_commands(size_t *count) {
     *count = COMMAND_COUNT;
     return commands;
 }
 
+/* The command named by the first words; *used: how many words the name has. */
 static const cli_command *command_find(int count, char **words, int *used) {
     for (size_t i = 0; i < COMMAND_COUNT; i++) {
         const char *name = commands[i]->name, *second = strchr(name, ' ');
@@ -106,19 +106,14 @@ static void print_indented(const char *lines) {
 static void print_command_help(const cli_command *command) {
     printf("Usage: batten %s %s\n\n%s\n", command->name, command->usage, command->summary);
     if (command->details) printf("\n%s\n", command->details);
-    if (command->options[0].name || command->lines || command->puts_back) printf("\nOptions:\n");
-    for (int i = 0; i < OPTIONS_MAX && command->options[i].name; i++) {
-        const cli_option *option = &command->options[i];
+    const cli_option *option = command_option(command, 0);
+    if (option) printf("\nOptions:\n");
+    for (int i = 0; (option = command_option(command, i)) != NULL; i++) {
         char left[64];
         snprintf(left, sizeof left, "%s%s%s", option->name, option->value ? " " : "",
                  option->value ? option->value : "");
         printf("  %-22s %s\n", left, option->help);
     }
-    if (command->lines)
-        printf("  %-22s %s\n", OPTION_LINES, "an input a line of standard input, a result a line, in order");
-    if (command->puts_back)
-        printf("  %-22s %s\n", OPTION_OUTPUT " FILE",
-               "the curve goes back to its place in the drawing, FILE#NAME, which is written to FILE");
     printf("\nExample:\n");
     print_indented(command->example);
 }
@@ -189,8 +184,8 @@ int main(int count, char **words) {
     int status = arguments_parse(command, count - from, words + from, &arguments);
     if (status) return status;
     if (command != &command_edit) progress_begin(command->name); /* the server waits, it is not at work */
-    write_back_to(arguments.output);
-    status = arguments.lines ? run_lines(&arguments) : command->run(&arguments);
+    write_back_to(arguments_value(&arguments, OPTION_OUTPUT));
+    status = arguments_value(&arguments, OPTION_LINES) ? run_lines(&arguments) : command->run(&arguments);
     progress_end();
     address_release();
     return finish(status);

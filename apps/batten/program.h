@@ -32,10 +32,8 @@ typedef struct cli_command {
 
 struct cli_arguments {
     const cli_command *command;
-    const char *operands[OPERANDS_MAX]; /* NULL: left out */
-    const char *values[OPTIONS_MAX];    /* parallel to command->options; NULL: not given; flags: "" */
-    bool lines;                         /* --lines */
-    const char *output;                 /* -o FILE, or NULL */
+    const char *operands[OPERANDS_MAX];  /* NULL: left out */
+    const char *values[OPTIONS_MAX + 2]; /* parallel to command_option; NULL: not given; flags: "" */
 };
 
 extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
@@ -57,6 +55,8 @@ const cli_command *const *all_commands(size_t *count);
 #define OPTION_LINES "--lines"
 #define OPTION_OUTPUT "-o"
 
+/* The options of a command: those of its table, then --lines and -o where it takes them; NULL: no more. */
+const cli_option *command_option(const cli_command *command, int index);
 /* EXIT_DONE, or EXIT_USAGE after reporting what is wrong. */
 int arguments_parse(const cli_command *command, int count, char **words, cli_arguments *out);
 /* Wrong usage when more than one of the first `count` operands, which `names` names, is standard input. */
@@ -71,6 +71,8 @@ int arguments_number(const cli_arguments *arguments, const char *name, double lo
 int arguments_integer(const cli_arguments *arguments, const char *name, long low, long high, long *out);
 /* A list of numbers, "1,2.5,-3": *out is malloc'ed; NULL when the option was not given. */
 int arguments_numbers(const cli_arguments *arguments, const char *name, double **out, size_t *count);
+/* "2=0,3=1.5": for levels from 1 to most a gain within 1e6 each; given[level] becomes true, all else stays. */
+int arguments_gains(const cli_arguments *arguments, const char *name, int most, double *gains, bool *given);
 /* A list of places of `size` numbers, "0,1;0.5,1"; *count: how many places. */
 int arguments_places(const cli_arguments *arguments, const char *name, size_t size, double **out,
                      size_t *count);

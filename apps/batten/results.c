@@ -232,28 +232,59 @@ static void put_report(bat_text *text, const bat_sketch_report *report) {
     put_flag(text, report->replaced);
 }
 
-/* Writes an object with the report as its last member (NULL: without one). Releases both. */
+/* Adds an object, which is released, with the report as its last member ("": without one). */
+static void put_reported(bat_text *text, char *data, size_t size, const char *report) {
+    while (size && data[size - 1] != '}') size--;
+    if (*report) {
+        size -= size > 0;
+        while (size && (data[size - 1] == '\n' || data[size - 1] == ' ')) size--;
+    }
+    bat_text_add(text, data, size);
+    bat_free(data);
+    if (!*report) return;
+    bat_text_string(text, ",\n  \"report\": ");
+    bat_text_string(text, report);
+    bat_text_string(text, "\n}");
+}
+
+/* The report as text, which is the caller's (bat_free); it is released. NULL: "". */
+static char *take_report(bat_text *report) {
+    bat_text nothing = {0};
+    char *text = NULL;
+    size_t size;
+    return bat_text_finish(report ? report : &nothing, &text, &size) == BAT_OK ? text : NULL;
+}
+
+/* Writes an object with its report. Releases both. */
 static int write_reported(char *data, size_t size, bat_text *report) {
     bat_text text = {0};
-    if (!report) {
-        bat_text_add(&text, data, size - (data[size - 1] == '\n'));
+    char *end = take_report(report);
+    if (!end) {
         bat_free(data);
-        return write_text(&text);
-    }
-    while (size && data[size - 1] != '}') size--;
-    while (size > 1 && (data[size - 2] == '\n' || data[size - 2] == ' ')) size--;
-    bat_text_add(&text, data, size - 1);
-    bat_free(data);
-    char *end = NULL;
-    if (bat_text_finish(report, &end, &size) != BAT_OK) {
-        bat_text_free(&text);
         return fail_memory();
     }
-    bat_text_string(&text, ",\n  \"report\": ");
-    bat_text_add(&text, end, size);
-    bat_text_string(&text, "\n}");
+    put_reported(&text, data, size, end);
     bat_free(end);
     return write_text(&text);
+}
+
+int write_curves(size_t count, bat_curve *const *curves, bat_text *report) {
+    bat_text text = {0};
+    char *end = take_report(report);
+    bool made = end != NULL;
+    bat_text_string(&text, "[");
+    for (size_t i = 0; i < count && made; i++) {
+        char *data;
+        size_t size;
+        made = bat_curve_write(curves[i], &data, &size) == BAT_OK;
+        if (i) bat_text_string(&text, ",\n");
+        if (made) put_reported(&text, data, size, end);
+    }
+    bat_text_string(&text, "]");
+    bat_free(end);
+    if (made) return write_text(&text);
+    bat_text_free(&text);
+    return fail_memory();
 }
 
 static int write_back(const bat_curve *curve, bat_text *report) {

@@ -174,22 +174,15 @@ static bat_status round_off(const parallel *p, const double *centre, const doubl
     return BAT_OK;
 }
 
-/* From one point of the parallel to the next around one point of the curve. A curve that turns back has its outside on both
- * sides. */
-static bat_status across(const parallel *p, const double *centre, const double *from, const double *s,
-                         const double *to, const double *t) {
+/* From the end of what has been made to a place of the parallel around `centre`, where the curve goes on. A curve that turns
+ * back has its outside on both sides. */
+static bat_status reach_out(const parallel *p, const double *centre, const double *point, const double *t) {
+    const double *s = p->tangent;
     double turn = bat_atan2(s[0] * t[1] - s[1] * t[0], s[0] * t[0] + s[1] * t[1]);
-    if (fabs(turn) > BACK) turn = copysign(turn, -p->distance);
-    return turn * p->distance < 0 ? round_off(p, centre, s, turn) : straight(p->chain, from, to);
-}
-
-/* From the end of what has been made to a place of the parallel around `centre`, where the curve goes on. */
-static bat_status reach_out(parallel *p, const double *centre, const double *point, const double *t) {
-    const double turn = bat_atan2(p->tangent[0] * t[1] - p->tangent[1] * t[0],
-                                  p->tangent[0] * t[0] + p->tangent[1] * t[1]);
     const double gap = bat_hypot(p->end[0] - point[0], p->end[1] - point[1]);
     if (fabs(turn) <= p->corner && gap <= 0.1 * p->tolerance) return BAT_OK;
-    return across(p, centre, p->end, p->tangent, point, t);
+    if (fabs(turn) > BACK) turn = copysign(turn, -p->distance);
+    return turn * p->distance < 0 ? round_off(p, centre, s, turn) : straight(p->chain, p->end, point);
 }
 
 /* Adds the parallel of a span; where it cannot be followed, at a cusp, the next one that can begins after a corner. */

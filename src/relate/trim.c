@@ -266,14 +266,10 @@ static bat_status link_end(trim *t, int i) {
     }
 }
 
-static bool ends_freely(const trim *t, const run *r, int end) {
-    return !t->closed && r->ends[end] == t->domain[end];
-}
-
 static bat_status link_up(trim *t) {
     bat_status status = BAT_OK;
     for (int i = 0; i < t->run_count && status == BAT_OK; i++)
-        if (!t->runs[i].spare && !ends_freely(t, &t->runs[i], 1)) status = link_end(t, i);
+        if (!t->runs[i].spare && (t->closed || t->runs[i].ends[1] != t->domain[1])) status = link_end(t, i);
     return status;
 }
 
@@ -384,18 +380,13 @@ static double measured(const trim *t) {
     return worst;
 }
 
-static bat_status as_curve(const bat_chain *chain, bool closed, double corner, double tolerance,
-                           bat_curve **out) {
-    if (!chain->count) return BAT_OK;
-    return bat_curve_from_bezier(2, 3, closed, chain->count, chain->points, corner, tolerance, out, NULL);
-}
-
 static bat_status parallels(trim *t, const bat_curve *curve, double corner) {
     bat_chain chain = {0};
     bat_curve *raw = NULL;
     bat_status status = bat_offset_raw(curve, t->distance, FIT * t->tolerance, corner, &chain);
-    if (status == BAT_OK)
-        status = as_curve(&chain, bat_curve_is_closed(curve), corner, REMOVAL * t->tolerance, &raw);
+    if (status == BAT_OK && chain.count)
+        status = bat_curve_from_bezier(2, 3, bat_curve_is_closed(curve), chain.count, chain.points, corner,
+                                       REMOVAL * t->tolerance, &raw, NULL);
     free(chain.points);
     if (status == BAT_OK && raw) status = bat_finder_create(curve, &t->finder);
     if (status == BAT_OK && raw) {

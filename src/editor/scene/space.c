@@ -134,24 +134,30 @@ static void add_triangles(bat_space *space, bat_space_item *to, const bat_scene_
     space->count++;
 }
 
+/* Lines of an object, painted like it: count points, as the shader takes them. */
+static void put_lines(bat_space *space, bat_space_item *to, const bat_item *item, uint32_t version,
+                      const float *points, uint32_t count) {
+    *to = (bat_space_item){.id = item->id,
+                           .version = version,
+                           .kind = BAT_SPACE_LINES,
+                           .colour = item->stroke,
+                           .width = item->width * (item->flags & BAT_ITEM_SCREEN_WIDTH ? 1 : space->scale),
+                           .opacity = item->opacity,
+                           .cap = item->cap,
+                           .rows = count,
+                           .columns = 1,
+                           .moved = {0, count, 0, 1},
+                           .vertices = points};
+    space->count++;
+}
+
 static void add_lines(bat_space *space, bat_space_item *to, const bat_scene *scene,
                       const bat_scene_entry *entry) {
     const bat_solid *s = entry->solid;
     const bat_item item = bat_scene_painted(scene, entry);
     if (!(item.flags & BAT_ITEM_STROKED) || s->point_count < 4) return;
     if (bat_scene_is_bare(entry->object) && space->look != BAT_LOOK_LINES) return; /* it is shaded */
-    *to = (bat_space_item){.id = item.id,
-                           .version = s->line_version,
-                           .kind = BAT_SPACE_LINES,
-                           .colour = item.stroke,
-                           .width = item.width * (item.flags & BAT_ITEM_SCREEN_WIDTH ? 1 : space->scale),
-                           .opacity = item.opacity,
-                           .cap = item.cap,
-                           .rows = s->point_count,
-                           .columns = 1,
-                           .moved = {0, s->point_count, 0, 1},
-                           .vertices = s->points};
-    space->count++;
+    put_lines(space, to, &item, s->line_version, s->points, s->point_count);
 }
 
 /* The outline of a surface is of one view: it is found when the view has come to rest, and not while a stroke changes the
@@ -186,18 +192,8 @@ static void add_outline(bat_space *space, bat_space_item *to, const bat_space_ke
     const bat_item item = bat_scene_painted(scene, entry);
     if (s->rim_count < 4 || s->guised || s->rim_view != kept->views || s->rim_lines != s->line_version)
         return;
-    *to = (bat_space_item){.id = item.id | BAT_SPACE_OUTLINE,
-                           .version = s->rim_version,
-                           .kind = BAT_SPACE_LINES,
-                           .colour = item.stroke,
-                           .width = item.width * (item.flags & BAT_ITEM_SCREEN_WIDTH ? 1 : space->scale),
-                           .opacity = item.opacity,
-                           .cap = item.cap,
-                           .rows = s->rim_count,
-                           .columns = 1,
-                           .moved = {0, s->rim_count, 0, 1},
-                           .vertices = s->rim};
-    space->count++;
+    put_lines(space, to, &item, s->rim_version, s->rim, s->rim_count);
+    to->id |= BAT_SPACE_OUTLINE;
 }
 
 /* The buffers of every object that is seen; false: some could not be made. */
