@@ -101,7 +101,8 @@ static bat_status line_at(const picture *p, const line_pen *pen, const bat_surfa
                           double at) {
     bat_curve *line = NULL;
     bat_status status = bat_surface_isocurve(surface, d, at, &line);
-    if (status == BAT_OK) status = line_curve(&p->sheet, pen, line);
+    const bool pole = status == BAT_OK && bat_curve_size(line) <= 1e-9 * bat_surface_size(surface);
+    if (status == BAT_OK && !pole) status = line_curve(&p->sheet, pen, line);
     bat_curve_free(line);
     return status;
 }
