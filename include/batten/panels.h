@@ -69,7 +69,7 @@ BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done
 
 /* Of the camera that is selected, else of the one before, else of the first in the drawing, as JSON: {"id" (0: there is no
  * camera),"name","cameras": in the drawing,"at": seconds of the playhead,"duration","length": of its path,"rate": frames a
- * second,"playing","through": the drawing is seen through it,"loop"; the last three are 0 or 1. "gaze":[{"gain","muted","solo"}],
+ * second,"playing","through": the drawing is seen through it,"loop"; the last three are 0 or 1. "gaze":[{"gain","muted","solo","active"}],
  * its levels, the base first; "path": the same of the curve that it follows, empty when that has no levels; "graph": the share
  * of the distance at 97 even times; empty for a path without length}. Owned by the editor, valid
  * until the next call of it; NULL: out of memory. */
@@ -88,7 +88,8 @@ typedef enum bat_move_act {
     BAT_MOVE_DURATION, /* value: seconds */
     BAT_MOVE_EASE_IN,  /* value: seconds within which it begins gently */
     BAT_MOVE_EASE_OUT, /* and ends gently */
-    BAT_MOVE_EASE      /* both */
+    BAT_MOVE_EASE,     /* both */
+    BAT_MOVE_CHOOSE    /* makes the level the active one, which drags change: no edit */
 } bat_move_act;
 /* Edits the camera (path: the levels of the curve that it follows instead). Shown at once, from what the camera was before the first
  * of them; one step of the history when `done` comes, command "cancel" takes it back. What plays stops. BAT_STATE: there

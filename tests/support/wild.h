@@ -110,7 +110,7 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
         const double stroke[4] = {more % 7 / 6.0, more % 5 / 4.0, more % 11 / 10.0,
                                   more == 254 ? (double)NAN : 0.5};
         if (more & 2) bat_editor_retime(editor, 2, stroke, more & 4);
-        bat_editor_move_set(editor, (bat_move_act)(more % 8), more & 16, more % 3, more / 32 * 0.7, more & 8);
+        bat_editor_move_set(editor, (bat_move_act)(more % 9), more & 16, more % 3, more / 32 * 0.7, more & 8);
         bat_editor_move(editor);
         bat_editor_frame(editor);
         bat_editor_space(editor);

@@ -4,10 +4,10 @@
 import { word } from '../page/words.js';
 
 /** @typedef {import('./time.js').Move} Move */
-/** @typedef {{gain: number, muted: number, solo: number}} Row */
+/** @typedef {{gain: number, muted: number, solo: number, active: number}} Row */
 
 /** As bat_move_act (panels.h). */
-const Do = Object.freeze({ GAIN: 0, MUTE: 1, SOLO: 2, DURATION: 3, EASE_IN: 4, EASE_OUT: 5, EASE: 6 });
+const Do = Object.freeze({ GAIN: 0, MUTE: 1, SOLO: 2, DURATION: 3, EASE_IN: 4, EASE_OUT: 5, EASE: 6, CHOOSE: 7 });
 const LOUDEST = 2;  // upper end of a fader; the engine accepts more
 const STILL = 4;    // px that a tap may travel
 const LONGEST = 1e9; // seconds
@@ -260,9 +260,10 @@ export class Timing {
     }
     rows.forEach((row, level) => {
       const item = list.children[rows.length - 1 - level];
-      const [mute, solo] = /** @type {NodeListOf<HTMLButtonElement>} */ (item.querySelectorAll('button'));
+      const [choose, mute, solo] = /** @type {NodeListOf<HTMLButtonElement>} */ (item.querySelectorAll('button'));
       const fader = item.querySelector('input');
-      /** @type {HTMLElement} */ (item.firstElementChild).textContent = `${name} ${level}`;
+      choose.textContent = `${name} ${level}`;
+      choose.ariaPressed = String(row.active !== 0);
       if (fader && document.activeElement !== fader) {
         fader.value = String(row.gain);
       }
@@ -282,6 +283,7 @@ export class Timing {
   #row(level, path) {
     const item = make('li', 'timing-level');
     const fader = make('input', '');
+    const choose = make('button', 'timing-choose');
     const mute = make('button', '');
     const solo = make('button', '');
     fader.type = 'range';
@@ -290,10 +292,11 @@ export class Timing {
     fader.step = '0.01';
     fader.addEventListener('input', () => this.#set(Do.GAIN, fader.valueAsNumber, false, path, level));
     fader.addEventListener('change', () => this.#set(Do.GAIN, fader.valueAsNumber, true, path, level));
-    mute.type = solo.type = 'button';
+    choose.type = mute.type = solo.type = 'button';
+    choose.addEventListener('click', () => this.#set(Do.CHOOSE, 0, true, path, level));
     mute.addEventListener('click', () => this.#set(Do.MUTE, Number(mute.ariaPressed !== 'true'), true, path, level));
     solo.addEventListener('click', () => this.#set(Do.SOLO, 0, true, path, level));
-    item.append(make('span', ''));
+    item.append(choose);
     if (level > 0) {
       item.append(fader);
     } else {

@@ -6,12 +6,13 @@
 #include "editor/session/context.h"
 
 typedef struct bat_moves {
-    bat_id camera;    /* 0: there is none in the drawing */
-    int count;        /* of the cameras in it */
-    double at;        /* of the playhead: seconds since the move's start */
-    bool playing;     /* the host says when (bat_editor_play) */
-    double since;     /* ms: when the playhead was there; below 0: not yet known */
-    bool through;     /* the drawing is seen through the camera */
+    bat_id camera; /* 0: there is none in the drawing */
+    int count;     /* of the cameras in it */
+    double at;     /* of the playhead: seconds since the move's start */
+    bool playing;  /* the host says when (bat_editor_play) */
+    double since;  /* ms: when the playhead was there; below 0: not yet known */
+    bool through;  /* the drawing is seen through the camera */
+    int level[2]; /* that drags change, of its path and of its gaze; what is above the finest is the finest */
     uint32_t version; /* grows whenever any of this changes */
     uint64_t revision;
     uint32_t selection; /* of the document and the selection, as last seen */

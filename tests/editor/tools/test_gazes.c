@@ -105,6 +105,71 @@ static void a_drag_turns_the_gaze(void **state) {
     bat_editor_free(editor);
 }
 
+/* A drag turns the gaze at the active level: what is below keeps every bit, and the gaze far away, too. */
+static void a_drag_turns_the_active_level(void **state) {
+    (void)state;
+    bat_editor *editor = with_camera();
+    bat_camera_pose before, after, far[2];
+    double at[2], gaze[3];
+    end_of(editor, 1, at);
+    pen p = pen_for(editor);
+    drag(&p, at[0], at[1], at[0] + 10, at[1] - 30); /* gives it keys */
+    bat_editor_set(editor, "shake-amount", 2);
+    assert_int_equal(bat_editor_command(editor, "shake-add"), BAT_OK);
+    bat_editor_frame(editor);
+    const uint64_t first = digest(editor);
+    size_t count = 0;
+    double keys[64];
+    const double *base = bat_camera_base(camera_of(editor), &count);
+    assert_true(count <= 16);
+    memcpy(keys, base, 4 * count * sizeof *keys);
+    assert_non_null(strstr(bat_editor_move(editor), "\"solo\":0,\"active\":1},{"));
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_CHOOSE, false, 2, 0, true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_CHOOSE, true, 0, 0, true),
+                     BAT_ARGUMENT); /* a path */
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_CHOOSE, false, 1, 0, true), BAT_OK);
+    assert_non_null(strstr(bat_editor_move(editor), "\"solo\":0,\"active\":1}]"));
+    assert_true(digest(editor) == first); /* choosing is no edit */
+    const double u = bat_camera_key_place(camera_of(editor), 1);
+    bat_camera_at(camera_of(editor), u, &before);
+    pose_at(editor, 1, &far[0]);
+    end_of(editor, 1, at);
+    drag(&p, at[0], at[1], at[0] + 25, at[1] + 20);
+    assert_true(digest(editor) != first);
+    assert_memory_equal(bat_camera_base(camera_of(editor), &count), keys, 4 * count * sizeof *keys);
+    bat_camera_at(camera_of(editor), u, &after);
+    axis(after.rotation, 2, gaze);
+    const double length = fmax(0.1 * bat_curve_size(bat_camera_path(camera_of(editor))), 44);
+    axis(before.rotation, 2, far[1].position); /* the gaze before, and where its end went */
+    double wanted[3], size = 0;
+    for (int k = 0; k < 3; k++) {
+        wanted[k] = length * far[1].position[k] + (k == 0 ? 25 : k == 1 ? 20 : 0);
+        size += wanted[k] * wanted[k];
+    }
+    for (int k = 0; k < 3; k++) assert_true(fabs(gaze[k] - wanted[k] / sqrt(size)) < 1e-9);
+    pose_at(editor, 1, &far[1]);
+    assert_memory_equal(far[0].rotation, far[1].rotation, sizeof far[0].rotation);
+    replays(editor, 1);
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == first);
+    /* Keys, too: an arrow key turns by a degree. */
+    assert_int_equal(bat_editor_command(editor, "gaze-left"), BAT_OK);
+    assert_memory_equal(bat_camera_base(camera_of(editor), &count), keys, 4 * count * sizeof *keys);
+    bat_camera_at(camera_of(editor), u, &after);
+    assert_true(fabs(apart(&before, &after) - 3.14159265358979 / 180) < 1e-7);
+    bat_editor_command(editor, "undo");
+    /* What is silent can not be changed. */
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_MUTE, false, 1, 1, true), BAT_OK);
+    const uint64_t silent = digest(editor);
+    end_of(editor, 1, at);
+    drag(&p, at[0], at[1], at[0] + 25, at[1] + 20);
+    assert_string_equal(bat_editor_frame(editor)->notice, "This level is muted; nothing changed");
+    assert_int_equal(bat_editor_command(editor, "gaze-left"), BAT_STATE);
+    assert_true(digest(editor) == silent);
+    check(editor);
+    bat_editor_free(editor);
+}
+
 static void shift_only_rolls(void **state) {
     (void)state;
     bat_editor *editor = with_camera();
@@ -389,7 +454,7 @@ static void levels_fade_mute_and_solo(void **state) {
     const uint64_t still = digest(editor);
     bat_camera_pose before[9], now;
     for (int i = 0; i < 9; i++) bat_camera_at_time(camera_of(editor), 0.5 * i, &before[i]);
-    assert_true(says(editor, "\"gaze\":[{\"gain\":1,\"muted\":0,\"solo\":0}],\"path\":[],"));
+    assert_true(says(editor, "\"gaze\":[{\"gain\":1,\"muted\":0,\"solo\":0,\"active\":1}],\"path\":[],"));
     assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 2, true), BAT_ARGUMENT);
     assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, true, 1, 2, true), BAT_STATE);
     bat_editor_set(editor, "shake-amount", 3);
@@ -408,8 +473,8 @@ static void levels_fade_mute_and_solo(void **state) {
     assert_true(digest(editor) == shaken);
     /* Solo of level 0 is the move without shake, bit for bit; again: all of it. */
     assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_SOLO, false, 0, 0, true), BAT_OK);
-    assert_true(
-        says(editor, "\"gaze\":[{\"gain\":1,\"muted\":0,\"solo\":1},{\"gain\":1,\"muted\":1,\"solo\":0}]"));
+    assert_true(says(editor, "\"gaze\":[{\"gain\":1,\"muted\":0,\"solo\":1,\"active\":1},"
+                             "{\"gain\":1,\"muted\":1,\"solo\":0,\"active\":0}]"));
     for (int i = 0; i < 9; i++) {
         bat_camera_at_time(camera_of(editor), 0.5 * i, &now);
         assert_memory_equal(now.rotation, before[i].rotation, sizeof now.rotation);
@@ -447,7 +512,7 @@ static void levels_of_the_path(void **state) {
     const double length = bat_camera_length(camera_of(editor));
     bat_camera_pose start, now;
     pose_at(editor, 0, &start);
-    assert_true(says(editor, "\"path\":[{\"gain\":1,\"muted\":0,\"solo\":0},{"));
+    assert_true(says(editor, "\"path\":[{\"gain\":1,\"muted\":0,\"solo\":0,\"active\":1},{"));
     assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_SOLO, true, 0, 0, false), BAT_OK);
     bat_editor_frame(editor);
     assert_true(fabs(bat_camera_length(camera_of(editor)) - length) > 1e-6 * length);
@@ -560,6 +625,7 @@ static void every_allocation_may_fail(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_drag_turns_the_gaze),
+                                       cmocka_unit_test(a_drag_turns_the_active_level),
                                        cmocka_unit_test(shift_only_rolls),
                                        cmocka_unit_test(alt_looks_at_what_the_pen_is_over),
                                        cmocka_unit_test(an_edge_sets_the_field_of_view),

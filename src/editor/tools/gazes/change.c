@@ -6,6 +6,7 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/show/moves.h"
+#include "editor/tools/gazes/fade.h"
 #include "editor/tools/gazes/find.h"
 #include "editor/tools/gazes/words.h"
 #include "editor/view/stage.h"
@@ -17,16 +18,25 @@
 static const double TURN = BAT_PI / 180; /* of an arrow key; with Shift ten of it */
 static const double FOV = 1;             /* degrees */
 
-bat_status bat_gaze_turned(const bat_camera *from, double u, const double rotation[4], bat_camera **out) {
+bat_status bat_gaze_turned(const bat_camera *from, int level, double u, const double rotation[4],
+                           bat_camera **out) {
     bat_camera *made = NULL;
     bat_status status = bat_camera_copy(from, &made);
-    if (status == BAT_OK) status = bat_camera_give_base(made);
-    if (status == BAT_OK) status = bat_camera_turn(made, 0, u, rotation);
+    if (status == BAT_OK && level == 0) status = bat_camera_give_base(made);
+    if (status == BAT_OK) status = bat_camera_turn(made, level, u, rotation);
     if (status == BAT_OK)
         *out = made;
     else
         bat_camera_free(made);
     return status;
+}
+
+bool bat_gaze_silent(bat_context *c, const bat_camera *camera) {
+    const int level = bat_move_level(c, false);
+    if (level == 0 || (!bat_camera_is_muted(camera, level) && bat_camera_gain(camera, level) != 0))
+        return false;
+    bat_notice(c, BAT_STRING_NOTICE_MUTED);
+    return true;
 }
 
 /* The camera becomes another one, which is taken over, as one step. */
@@ -166,10 +176,12 @@ bat_status bat_command_gaze_turn(bat_context *c, bat_command_id id) {
     if (key < 0) return BAT_STATE;
     const bat_camera *from = bat_object_camera(object);
     const bool wide = id == BAT_COMMAND_GAZE_WIDER, narrow = id == BAT_COMMAND_GAZE_NARROWER;
+    if (!wide && !narrow && bat_gaze_silent(c, from)) return BAT_STATE;
     bat_camera_at(from, bat_gazing_place(from, (size_t)key), &pose);
     quat_store(quat_mul(quat_load(pose.rotation), quat_exp(turn_of(id, many * TURN))), rotation);
-    bat_status status = wide || narrow ? widen(from, &pose, wide ? many * FOV : -many * FOV, &camera)
-                                       : bat_gaze_turned(from, pose.u, rotation, &camera);
+    bat_status status = wide || narrow
+                            ? widen(from, &pose, wide ? many * FOV : -many * FOV, &camera)
+                            : bat_gaze_turned(from, bat_move_level(c, false), pose.u, rotation, &camera);
     status = put(c, object, status, camera, wide || narrow ? BAT_STRING_STEP_FOV : BAT_STRING_STEP_GAZE);
     if (status != BAT_OK)
         bat_notice_failure(c, status);

@@ -80,6 +80,31 @@ static bat_status set_time(bat_camera *camera, bat_move_act act, double value) {
     return bat_camera_ease(camera, in, out);
 }
 
+/* ---- the active level ---- */
+
+static stack stack_of(const bat_context *c, bool path) {
+    const bat_object *followed = path ? object_of(c, true) : NULL;
+    return (stack){path ? NULL : (bat_camera *)bat_flight_camera(c),
+                   followed ? (bat_shape *)bat_object_shape(followed, 0) : NULL};
+}
+
+static int top_level(const stack *s) { return s->camera || s->shape ? top_of(s) : -1; }
+
+int bat_move_level(const bat_context *c, bool path) {
+    const stack s = stack_of(c, path);
+    return (int)fmin(c->moves->level[!path], fmax(top_level(&s), 0));
+}
+
+static bat_status choose(bat_context *c, bool path, int level) {
+    bat_moves_sync(c);
+    const stack s = stack_of(c, path);
+    if (!c->moves->camera) return BAT_STATE;
+    if (level < 0 || level > top_level(&s)) return BAT_ARGUMENT;
+    c->moves->level[!path] = level;
+    c->moves->version++;
+    return BAT_OK;
+}
+
 /* ---- as a step ---- */
 
 typedef struct change {
@@ -160,6 +185,7 @@ static bat_status make(bat_context *c, const change *what, bool path, bool done)
 
 bat_status bat_move_set(bat_context *c, bat_move_act act, bool path, int level, double value, bool done) {
     const change what = {.act = act, .level = level, .value = value};
+    if (act == BAT_MOVE_CHOOSE) return choose(c, path, level);
     if ((unsigned)act > BAT_MOVE_EASE || (path && act >= BAT_MOVE_DURATION)) return BAT_ARGUMENT;
     if (isnan(value)) return BAT_NUMBER;
     return make(c, &what, path, done);
@@ -245,7 +271,9 @@ static void number(bat_text *text, const char *name, double value) {
     bat_line_number(text, value);
 }
 
-static void rows(bat_text *text, const char *name, const stack *s) {
+static void rows(const bat_context *c, bat_text *text, const char *name, bool path) {
+    const stack own = stack_of(c, path), *s = &own;
+    const int active = bat_move_level(c, path);
     bat_text_string(text, name);
     for (int l = 0; (s->camera || s->shape) && l <= top_of(s); l++) {
         const double gain = l == 0      ? 1
@@ -254,6 +282,7 @@ static void rows(bat_text *text, const char *name, const stack *s) {
         number(text, l ? ",{\"gain\":" : "{\"gain\":", gain);
         number(text, ",\"muted\":", l > 0 && muted(s, l));
         number(text, ",\"solo\":", solo(s, l));
+        number(text, ",\"active\":", l == active);
         bat_text_string(text, "}");
     }
     bat_text_string(text, "]");
@@ -261,9 +290,8 @@ static void rows(bat_text *text, const char *name, const stack *s) {
 
 void bat_move_rows(const bat_context *c, bat_text *text) {
     const bat_camera *camera = bat_flight_camera(c);
-    const bat_object *path = object_of(c, true);
-    rows(text, ",\"gaze\":[", &(stack){(bat_camera *)camera, NULL});
-    rows(text, ",\"path\":[", &(stack){NULL, path ? (bat_shape *)bat_object_shape(path, 0) : NULL});
+    rows(c, text, ",\"gaze\":[", false);
+    rows(c, text, ",\"path\":[", true);
     bat_text_string(text, ",\"graph\":[");
     for (int i = 0; i < GRAPH && camera && bat_camera_length(camera) > 0; i++) {
         double share[3] = {(double)i / (GRAPH - 1)};

@@ -81,7 +81,7 @@ static bat_status drag_end(bat_context *c, const bat_gazing *g, const bat_camera
     }
     if (!(c->modifiers & BAT_SHIFT ? rolled(c, g, &pose, rotation) : turned(c, g, &pose, rotation)))
         return BAT_STATE;
-    return bat_gaze_turned(from, g->u, rotation, out);
+    return bat_gaze_turned(from, bat_move_level(c, false), g->u, rotation, out);
 }
 
 static bat_status drag_target(bat_context *c, const bat_gazing *g, const bat_camera *from, bat_camera **out) {
@@ -168,6 +168,11 @@ static void stop(bat_gazing *g) {
 static void begin_drag(bat_context *c, bat_gazing *g) {
     const int at = bat_document_find(c->session->document, g->camera);
     bat_camera_pose pose;
+    if (at >= 0 && g->part == BAT_GAZE_END &&
+        bat_gaze_silent(c, bat_object_camera(bat_document_at(c->session->document, at)))) {
+        stop(g);
+        return;
+    }
     bat_status status = at < 0 ? BAT_STATE : bat_transaction_begin(c);
     if (status != BAT_OK) {
         stop(g);
