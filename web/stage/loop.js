@@ -143,8 +143,12 @@ export class Loop {
     if (ours) {
       keeper.note(files.name, engine.session, engine.journal, frame.unsaved, !files.bound && !empty);
     }
-    if (frame.notice && frame.noticeVersion !== this.noticeVersion) {
-      notices.say(frame.notice, this.#offer(frame.offer));
+    if (frame.noticeVersion !== this.noticeVersion) {
+      if (frame.notice) {
+        notices.say(frame.notice, this.#offer(frame.offer));
+      } else {
+        notices.pass(); // what it offered has been done
+      }
     }
     this.noticeVersion = frame.noticeVersion;
   }

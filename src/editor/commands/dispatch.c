@@ -30,6 +30,7 @@ bat_status bat_command_run(bat_context *c, bat_command_id id, bool down) {
     bat_views_arrive(c->views, &c->stage->view);
     c->session->freed = BAT_STRING_COUNT;
     c->session->refused = false;
+    if (id == c->notices->offer) bat_notice_taken(c);
     return functions[id].held ? functions[id].held(c, down) : functions[id].function(c, id);
 }
 

@@ -40,6 +40,12 @@ void bat_notice_edge_on(bat_context *c) {
     c->notices->offer = BAT_COMMAND_VIEW_GROUND;
 }
 
+void bat_notice_taken(bat_context *c) {
+    c->notices->notice = BAT_STRING_COUNT;
+    c->notices->offer = BAT_COMMAND_COUNT;
+    c->notices->notice_version++;
+}
+
 void bat_notice_failure(bat_context *c, bat_status status) {
     bat_notice(c, status == BAT_MEMORY ? BAT_STRING_NOTICE_MEMORY : BAT_STRING_NOTICE_FAILED);
 }

@@ -26,6 +26,8 @@ void bat_notice_tilted(bat_context *c);
 void bat_notice_edge_on(bat_context *c);
 /* Tells that the drawing holds a view, and offers to turn to it. */
 void bat_notice_saved_view(bat_context *c);
+/* What the notice offered has been taken up: nothing is said any more. */
+void bat_notice_taken(bat_context *c);
 void bat_notice_failure(bat_context *c, bat_status status); /* memory ran out, or no curve was made */
 
 #endif

@@ -56,13 +56,14 @@ void bat_tile_move(bat_tile *tile, size_t count, const double *v) {
 BAT_INLINE void sum_of(int terms, bool add, const double *w, const double *const *rows, size_t n,
                        double *restrict out) {
     for (size_t c = 0; c < n; c++) {
-        double sum = add ? out[c] : 0;
-        for (int j = 0; j < terms; j++) sum += w[j] * rows[j][c];
+        double sum = add ? out[c] + w[0] * rows[0][c] : w[0] * rows[0][c];
+        for (int j = 1; j < terms; j++) sum += w[j] * rows[j][c];
         out[c] = sum;
     }
 }
 
 BAT_CLONES static void blend(int terms, const double *w, const double *const *rows, size_t n, double *out) {
+    if (terms < 1) return;
     switch (terms < 4 ? terms : 4) {
     case 1: sum_of(1, false, w, rows, n, out); break;
     case 2: sum_of(2, false, w, rows, n, out); break;
@@ -124,23 +125,47 @@ static void enter_span(bat_tile *tile, int span) {
     tile->span = span;
 }
 
-void bat_tile_at(bat_tile *tile, double u, double *const planes[BAT_TILE_PLANES]) {
+/* The span of u, whose rows are then there, and its basis functions of all degrees. */
+static int enter(bat_tile *tile, double u, double basis[MOST][MOST]) {
     const bat_curve *axis = &tile->surface->axis[0];
     const double at = bat_curve_reduce(axis, u);
-    const int span = bat_span(axis, at, tile->span), p = tile->terms - 1;
-    double basis[MOST][MOST];
+    const int span = bat_span(axis, at, tile->span);
     if (span != tile->span) enter_span(tile, span);
     bat_basis_rows(axis, span, at, basis);
+    return span;
+}
+
+/* The derivative of order k by u and l by v; k is at most the degree. Returns the number of rows. */
+static int rows_at(const bat_tile *tile, int span, int k, int l, const double *rows[MOST]) {
+    for (int j = 0; j < tile->terms - k; j++) rows[j] = value_row(tile, span, l, k, j);
+    return tile->terms - k;
+}
+
+void bat_tile_at(bat_tile *tile, double u, double *const planes[BAT_TILE_PLANES]) {
+    const int p = tile->terms - 1;
+    double basis[MOST][MOST];
+    const int span = enter(tile, u, basis);
     for (int k = 0; k <= tile->order; k++)
         for (int l = 0; k + l <= tile->order; l++) {
             double *out = planes[(k + l) * (k + l + 1) / 2 + l];
             const double *rows[MOST];
             if (!out) continue;
-            if (k > p) {
+            if (k > p)
                 memset(out, 0, 3 * tile->count * sizeof *out);
-                continue;
-            }
-            for (int j = 0; j <= p - k; j++) rows[j] = value_row(tile, span, l, k, j);
-            blend(p - k + 1, basis[p - k], rows, 3 * tile->count, out);
+            else
+                blend(rows_at(tile, span, k, l, rows), basis[p - k], rows, 3 * tile->count, out);
         }
+}
+
+bool bat_tile_tangents(bat_tile *tile, double u, double *points, bat_tile_sum sums[2]) {
+    const int before = tile->span, p = tile->terms - 1;
+    double basis[MOST][MOST];
+    const double *rows[MOST];
+    const int span = enter(tile, u, basis);
+    if (points) blend(rows_at(tile, span, 0, 0, rows), basis[p], rows, 3 * tile->count, points);
+    for (int l = 0; l < 2; l++) {
+        rows_at(tile, span, 1 - l, l, sums[l].rows);
+        memcpy(sums[l].weights, basis[p - 1 + l], sizeof sums[l].weights);
+    }
+    return span != before;
 }

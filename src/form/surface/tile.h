@@ -20,4 +20,15 @@ void bat_tile_move(bat_tile *tile, size_t count, const double *v);
  * bat_surface_eval; planes that are NULL are left out. Quickest when calls go through u in its order. */
 void bat_tile_at(bat_tile *tile, double u, double *const planes[BAT_TILE_PLANES]);
 
+/* Numbers that are not computed yet: the sum of weights[j] rows[j], planes of x, y and z. */
+typedef struct bat_tile_sum {
+    double weights[BAT_DEGREE_MAX + 1];
+    const double *rows[BAT_DEGREE_MAX + 1];
+} bat_tile_sum;
+
+/* For tiles of order 1, apart: S_u at u and each v as a sum of as many rows as the degree in u says, S_v as one of one row
+ * more, for who computes with them at once. points: as above; NULL: none. Returns whether the rows are others than those of
+ * the last call for this tile. */
+bool bat_tile_tangents(bat_tile *tile, double u, double *points, bat_tile_sum sums[2]);
+
 #endif

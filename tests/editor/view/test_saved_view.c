@@ -204,8 +204,13 @@ static void opening(void **state) {
     assert_memory_equal(frame->view, plain->view, sizeof frame->view);
     assert_string_equal(frame->offer, "view-saved");
     assert_true(!plain->notice || !*plain->notice);
+    const uint32_t said = frame->notice_version;
     turn(again, frame->offer);
     assert_true(again->context.stage->view.tilt == 90);
+    frame = bat_editor_frame(again); /* taken up, it is not offered any longer */
+    assert_true(frame->notice_version > said);
+    assert_string_equal(frame->offer, "");
+    assert_string_equal(frame->notice, "");
     turn(again, "view-upright");
     bat_free(text), bat_free(bare);
     bat_editor_free(editor), bat_editor_free(again), bat_editor_free(without);
