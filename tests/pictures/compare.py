@@ -2,13 +2,15 @@
 """Compares the pictures that `batten render` makes of SVG files with those of rsvg-convert.
 
 Two pictures agree when all but SHARE of the pixels of each lie between the least and the greatest value of the other in their
-neighbourhood of 3 x 3, within NEAR. Files that rsvg-convert cannot show, or shows empty, are not counted. It takes minutes for
+neighbourhood of 3 x 3, within NEAR. The size is one that both programs fill: they centre a picture of other proportions in
+different ways. Files that rsvg-convert cannot show, or shows empty, are not counted. It takes minutes for
 hundreds of files.
 
 Usage: compare.py BATTEN [--list] FILE_OR_FOLDER ...
 """
 import concurrent.futures
 import hashlib
+import json
 import pathlib
 import struct
 import subprocess
@@ -81,12 +83,28 @@ def run(command):
         return None
 
 
+def size_of(batten, path):
+    """Width and height in pixels, as near as can be to the page's proportions."""
+    told = run([batten, "info", "--json", str(path)])
+    try:
+        wide, high = json.loads(told.stdout)["page"][2:]
+    except (AttributeError, KeyError, TypeError, ValueError):
+        return SIDE, SIDE
+    if not (wide > 0 and high > 0):
+        return SIDE, SIDE
+    sizes = [(side, side * min(wide, high) / max(wide, high)) for side in range(SIDE, SIDE + 64)]
+    long, short = min(sizes, key=lambda pair: (round(abs(pair[1] - round(pair[1])), 2), pair[0]))
+    short = max(1, round(short))
+    return (long, short) if wide >= high else (short, long)
+
+
 def compare(batten, path, written=None):
     """None: rsvg-convert shows nothing; else the greater of both shares, 1 when there is no picture. written: what stands for
     the picture of batten, as rsvg-convert shows it."""
     with tempfile.TemporaryDirectory() as folder:
         theirs, ours = pathlib.Path(folder) / "theirs.png", pathlib.Path(folder) / "ours.png"
-        run(["rsvg-convert", "-w", str(SIDE), "-h", str(SIDE), "--keep-aspect-ratio", "-b", "white", "-o", str(theirs), str(path)])
+        wide, high = size_of(batten, path)
+        run(["rsvg-convert", "-w", str(wide), "-h", str(high), "--keep-aspect-ratio", "-b", "white", "-o", str(theirs), str(path)])
         if not theirs.exists() or not theirs.stat().st_size:
             return None
         expected = pixels(theirs.read_bytes())
