@@ -101,7 +101,15 @@ static bat_status image(source *s, bat_id id, bat_object **out) {
     for (int i = 0; i < 6; i++) matrix[i] = number(s);
     bat_status status = bat_picture_create(head, head_png(head, (unsigned)byte(s), 9), &picture);
     if (status != BAT_OK) return status;
-    status = bat_object_create_image(id, "tree", picture, matrix, number(s) / 90, out);
+    const double opacity = number(s) / 90;
+    status = bat_object_create_image(id, "tree", picture, matrix, opacity, out);
+    bat_picture *alone = NULL;
+    if (id % 3 == 0 && status == BAT_OK && bat_picture_create(ALONE, sizeof ALONE - 1, &alone) == BAT_OK) {
+        bat_object_release(*out);
+        *out = NULL;
+        status = bat_object_create_foreign(id, "words", alone, matrix, opacity, out);
+        bat_picture_release(alone);
+    }
     bat_picture_release(bat_picture_retain(picture));
     bat_picture_release(picture);
     return status;
@@ -286,12 +294,14 @@ static void ask(const bat_object *object) {
                                             bat_object_curve(object, i)));
     }
     const bat_picture *picture = bat_object_picture(object);
-    demand((picture != NULL) == (kind == BAT_KIND_IMAGE));
+    demand((picture != NULL) == (kind == BAT_KIND_IMAGE || kind == BAT_KIND_FOREIGN));
+    demand(bat_object_is_foreign(object) == (kind == BAT_KIND_FOREIGN));
     if (!picture) return;
     bat_object_corners(object, corners);
     bat_picture_sides(picture, sides);
     demand(bat_object_matrix(object) && bat_picture_bytes(picture, &bytes) && bytes > 0);
-    demand(strcmp(bat_picture_type(picture), "image/png") == 0 && bat_picture_digest(picture) != 0);
+    demand(strcmp(bat_picture_type(picture), kind == BAT_KIND_FOREIGN ? "image/svg+xml" : "image/png") == 0 &&
+           bat_picture_digest(picture) != 0);
     const double *m = bat_object_matrix(object);
     demand(corners[0] == m[4] && corners[1] == m[5]);
 }

@@ -193,8 +193,11 @@ static int flat_picture(const cli_arguments *arguments, const bat_document *docu
     paint_area area;
     paint_area_of(document, (int)w->size[0], (int)w->size[1], &area);
     if (w->kind == PICTURE_SVG) return svg_picture(document, &area, w->background, in, data, size);
+    bool whole = true;
     const char *wrong = paint_document(document, &area, w->kind == PICTURE_PDF ? PAINT_PDF : PAINT_PNG,
-                                       w->background, data, size);
+                                       w->background, data, size, &whole);
+    if (!wrong && !whole)
+        remark("%s: texts and other foreign content are left out: librsvg did not paint them", in);
     return wrong ? fail_data(in, NULL, "cannot be painted: %s", wrong) : EXIT_DONE;
 }
 

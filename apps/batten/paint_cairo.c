@@ -1,5 +1,6 @@
 #include "paint_cairo.h"
 #include "paint_bytes.h"
+#include "paint_foreign.h"
 
 #include "document/kind.h"
 #include "document/nesting.h"
@@ -189,7 +190,7 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
 }
 
 static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area,
-                        uint32_t background) {
+                        uint32_t background, bool *whole) {
     if (background & 255) {
         set_colour(cairo, background);
         cairo_paint(cairo);
@@ -204,6 +205,10 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
         bat_nesting_level level = {0};
         bat_nesting_next(&nesting, bat_document_at(document, i), &level);
         if (level.hidden || !bat_object_is_painted(bat_document_at(document, i))) continue;
+        if (bat_object_is_foreign(bat_document_at(document, i))) {
+            *whole = paint_foreign(cairo, bat_document_at(document, i)) && *whole;
+            continue;
+        }
         bat_status status = paint_object(cairo, bat_document_at(document, i), 0.05 / scale);
         if (status != BAT_OK) return status;
     }
@@ -211,14 +216,14 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
 }
 
 const char *paint_document(const bat_document *document, const paint_area *area, paint_kind kind,
-                           uint32_t background, unsigned char **data, size_t *size) {
+                           uint32_t background, unsigned char **data, size_t *size, bool *whole) {
     byte_list bytes = {0};
     cairo_surface_t *surface =
         kind == PAINT_PDF
             ? cairo_pdf_surface_create_for_stream(collect_bytes, &bytes, area->width, area->height)
             : cairo_image_surface_create(CAIRO_FORMAT_ARGB32, area->width, area->height);
     cairo_t *cairo = cairo_create(surface);
-    bat_status status = paint(cairo, document, area, background);
+    bat_status status = paint(cairo, document, area, background, whole);
     cairo_status_t painted = cairo_status(cairo);
     cairo_destroy(cairo);
     if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PAINT_PNG) {

@@ -19,9 +19,10 @@ void paint_area_of(const bat_document *document, int width, int height, paint_ar
 
 typedef enum paint_kind { PAINT_PNG, PAINT_PDF } paint_kind;
 
-/* Makes the bytes of the file; *data is malloc'ed. background: 0xRRGGBBAA. Returns NULL, or what went wrong
+/* Makes the bytes of the file; *data is malloc'ed. background: 0xRRGGBBAA. *whole is cleared when foreign content could not be
+ * painted. Returns NULL, or what went wrong
  * (static storage). */
 const char *paint_document(const bat_document *document, const paint_area *area, paint_kind kind,
-                           uint32_t background, unsigned char **data, size_t *size);
+                           uint32_t background, unsigned char **data, size_t *size, bool *whole);
 
 #endif

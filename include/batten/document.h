@@ -59,7 +59,8 @@ typedef enum bat_kind {
     BAT_KIND_CAMERA = 10,
     BAT_KIND_VIEW = 11,
     BAT_KIND_MESH = 12,
-    BAT_KIND_BOUND = 13
+    BAT_KIND_BOUND = 13,
+    BAT_KIND_FOREIGN = 14
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -69,15 +70,15 @@ typedef struct bat_picture bat_picture;
 enum { BAT_PICTURE_SIDE = 65535 };           /* pixels of a side, at most */
 #define BAT_PICTURE_SIZE ((size_t)16 << 20)  /* bytes of one, at most */
 #define BAT_PICTURES_SIZE ((size_t)32 << 20) /* bytes of all in a file or a session, at most */
-/* Copies the bytes. BAT_UNSUPPORTED: none of the three kinds, a broken header, or a side too long; BAT_COUNT: too
+/* Copies the bytes. BAT_UNSUPPORTED: none of these kinds nor foreign content as bat_object_create_foreign takes it, a broken header, or a side too long; BAT_COUNT: too
  * many bytes. O(size). */
 BAT_API bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out);
 BAT_API bat_picture *bat_picture_retain(const bat_picture *picture); /* counts users */
 BAT_API void bat_picture_release(bat_picture *picture);              /* NULL is fine */
 BAT_API const void *bat_picture_bytes(const bat_picture *picture, size_t *size);
 BAT_API const char *
-bat_picture_type(const bat_picture *picture);                    /* "image/png", "image/jpeg", "image/webp" */
-BAT_API uint64_t bat_picture_digest(const bat_picture *picture); /* of its bytes */
+bat_picture_type(const bat_picture *picture); /* "image/png", "image/jpeg", "image/webp", "image/svg+xml" */
+BAT_API uint64_t bat_picture_digest(const bat_picture *picture);             /* of its bytes */
 BAT_API void bat_picture_sides(const bat_picture *picture, double sides[2]); /* pixels across and down */
 
 /* Takes ownership of the curves, which must all be different (the array itself stays the caller's). name: UTF-8,
@@ -97,6 +98,13 @@ BAT_API bat_status bat_object_create_group(bat_id id, const char *name, bool lay
 BAT_API bat_status bat_object_create_image(bat_id id, const char *name, const bat_picture *picture,
                                            const double matrix[6], double opacity, bat_object **out);
 BAT_API bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out);
+/* What is not edited here (texts, filters and the like), as a small SVG file that stands alone: a picture of the type
+ * "image/svg+xml", whose pixels are as above. It can be chosen, moved, ordered, hidden and deleted; hosts paint it in
+ * isolation: nothing in it is fetched or run. The other statuses as above; BAT_UNSUPPORTED, here and for images: the picture is
+ * of the other sort. */
+BAT_API bat_status bat_object_create_foreign(bat_id id, const char *name, const bat_picture *picture,
+                                             const double matrix[6], double opacity, bat_object **out);
+BAT_API bool bat_object_is_foreign(const bat_object *object);
 /* A guide: the line x = at (axis 0) or y = at (axis 1). BAT_NUMBER: at lies beyond BAT_COORDINATE_MAX. */
 BAT_API bat_status bat_object_create_guide(bat_id id, int axis, double at, bat_object **out);
 /* A copy at another place along its axis. BAT_ARGUMENT: the object is not a guide. */
@@ -200,7 +208,7 @@ BAT_API const bat_spline *bat_object_spline(const bat_object *object);
 BAT_API const bat_tangents_options *bat_object_spline_options(const bat_object *object);
 /* The levels of a curve; NULL: it has none. */
 BAT_API const bat_shape *bat_object_shape(const bat_object *object, int index);
-/* NULL when the object is not an image. */
+/* NULL when the object is neither an image nor foreign content. */
 BAT_API const bat_picture *bat_object_picture(const bat_object *object);
 BAT_API const double *bat_object_matrix(const bat_object *object);
 /* The corners of an image: of pixels (0, 0), (w, 0), (w, h), (0, h). */

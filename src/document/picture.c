@@ -47,6 +47,7 @@ const void *bat_picture_bytes(const bat_picture *picture, size_t *size) {
     return picture->bytes;
 }
 const char *bat_picture_type(const bat_picture *picture) { return picture->type; }
+bool bat_picture_is_drawing(const bat_picture *picture) { return picture->type[6] == 's'; }
 uint64_t bat_picture_digest(const bat_picture *picture) { return picture->digest; }
 void bat_picture_sides(const bat_picture *picture, double sides[2]) {
     sides[0] = picture->width, sides[1] = picture->height;

@@ -4,11 +4,15 @@
 
 #include <batten/document.h>
 
-/* Reads width and height in pixels from the header of a PNG, JPEG or WebP file, as the picture is meant to be
+/* Reads width and height in pixels from the header of a PNG, JPEG or WebP file, or of an SVG file that stands alone, as the picture is meant to be
  * seen (a JPEG's Exif data may rotate it). Returns the file's media type, or NULL: none of the three, or a
  * broken header. Reads nothing beyond size; O(size) for JPEG, else O(1). PNG 3rd edition 11.2.1; ITU-T T.81
  * B.2.2; RFC 9649; Exif 2.32. */
 const char *bat_picture_head(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height);
+
+/* Whether it is an SVG file that stands alone, which begins with exactly
+ * <svg xmlns="http://www.w3.org/2000/svg" width="W" height="H" viewBox="..."> and whole numbers W and H of pixels. */
+bool bat_picture_is_drawing(const bat_picture *picture);
 
 /* A set of pictures. All zeros: empty. */
 typedef struct bat_pictures {

@@ -80,12 +80,30 @@ static bool webp(const unsigned char *b, size_t size, uint32_t side[2]) {
     }
 }
 
+/* The whole number at *at, of at most five digits, which moves behind it and the text that has to follow. */
+static bool whole(const unsigned char *b, size_t size, size_t *at, const char *then, uint32_t *side) {
+    const size_t first = *at, length = strlen(then);
+    for (*side = 0; *at < size && *at < first + 5 && b[*at] >= '0' && b[*at] <= '9'; ++*at)
+        *side = 10 * *side + (uint32_t)(b[*at] - '0');
+    if (*at == first || size - *at < length || memcmp(b + *at, then, length) != 0) return false;
+    *at += length;
+    return true;
+}
+
+static bool drawing(const unsigned char *b, size_t size, uint32_t side[2]) {
+    static const char begin[] = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
+    size_t at = sizeof begin - 1;
+    return size > at && memcmp(b, begin, at) == 0 && whole(b, size, &at, "\" height=\"", &side[0]) &&
+           whole(b, size, &at, "\" viewBox=\"", &side[1]);
+}
+
 const char *bat_picture_head(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height) {
     uint32_t side[2] = {0, 0};
-    const char *type = png(bytes, size, side)    ? "image/png"
-                       : jpeg(bytes, size, side) ? "image/jpeg"
-                       : webp(bytes, size, side) ? "image/webp"
-                                                 : NULL;
+    const char *type = png(bytes, size, side)       ? "image/png"
+                       : jpeg(bytes, size, side)    ? "image/jpeg"
+                       : webp(bytes, size, side)    ? "image/webp"
+                       : drawing(bytes, size, side) ? "image/svg+xml"
+                                                    : NULL;
     if (side[0] < 1 || side[1] < 1 || side[0] > BAT_PICTURE_SIDE || side[1] > BAT_PICTURE_SIDE) return NULL;
     *width = side[0], *height = side[1];
     return type;

@@ -1,4 +1,5 @@
-/* An image: a picture placed by a matrix that maps its pixels to the document. */
+/* Images, and foreign content: pictures placed by a matrix that maps their pixels to the document. Foreign content is what the
+ * program does not edit, kept as a small SVG file of its own. */
 #include "base/matrix.h"
 #include "document/digest.h"
 #include "document/picture.h"
@@ -8,14 +9,14 @@
 
 #include <math.h>
 
-typedef struct image {
+typedef struct placed {
     double matrix[6];
     bat_picture *picture;
-} image;
+} placed;
 
 static const char expected_matrix[] = "six numbers that do not flatten";
 
-static void corners_of(const image *g, double corners[8]) {
+static void corners_of(const placed *g, double corners[8]) {
     const double *m = g->matrix;
     double sides[2];
     bat_picture_sides(g->picture, sides);
@@ -27,7 +28,7 @@ static void corners_of(const image *g, double corners[8]) {
 }
 
 /* -0 becomes 0, so that equal images have equal bits. */
-static bat_status set(const bat_picture *picture, const double matrix[6], image *out) {
+static bat_status set(const bat_picture *picture, const double matrix[6], placed *out) {
     double corners[8];
     out->picture = (bat_picture *)picture; /* no reference added yet */
     for (int i = 0; i < 6; i++) out->matrix[i] = matrix[i] + 0.0;
@@ -38,56 +39,66 @@ static bat_status set(const bat_picture *picture, const double matrix[6], image 
     return BAT_OK;
 }
 
-static void share(const void *own) { (void)bat_picture_retain(((const image *)own)->picture); }
-static void end(void *own) { bat_picture_release(((image *)own)->picture); }
+static void share(const void *own) { (void)bat_picture_retain(((const placed *)own)->picture); }
+static void end(void *own) { bat_picture_release(((placed *)own)->picture); }
 
-bat_status bat_object_create_image(bat_id id, const char *name, const bat_picture *picture,
-                                   const double matrix[6], double opacity, bat_object **out) {
-    image own;
+static const placed *own_of(const bat_object *object) {
+    const placed *image = bat_object_own(object, &bat_kind_of_image);
+    return image ? image : bat_object_own(object, &bat_kind_of_foreign);
+}
+
+static bat_status create(const bat_kind_type *type, bat_id id, const char *name, const bat_picture *picture,
+                         const double matrix[6], double opacity, bat_object **out) {
+    placed own;
     if (!picture || !matrix || !(opacity >= 0 && opacity <= 1)) return BAT_ARGUMENT;
+    if (bat_picture_is_drawing(picture) != (type == &bat_kind_of_foreign)) return BAT_UNSUPPORTED;
     bat_style style = bat_style_defaults();
     style.stroked = false;
     style.filled = true; /* it covers what lies behind it */
     style.opacity = opacity;
     bat_status status = set(picture, matrix, &own);
-    if (status == BAT_OK) status = bat_object_make(&bat_kind_of_image, id, name, &style, &own, 0, NULL, out);
+    if (status == BAT_OK) status = bat_object_make(type, id, name, &style, &own, 0, NULL, out);
     if (status == BAT_OK) share(&own);
     return status;
 }
 
 bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out) {
-    const image *old = object ? bat_object_own(object, &bat_kind_of_image) : NULL;
-    image own;
+    const placed *old = object ? own_of(object) : NULL;
+    placed own;
     if (!old || !matrix || !out) return BAT_ARGUMENT;
     bat_status status = set(old->picture, matrix, &own);
-    if (status == BAT_OK) status = bat_object_remake(object, &bat_kind_of_image, &own, 0, NULL, out);
+    if (status == BAT_OK) status = bat_object_remake(object, bat_object_type(object), &own, 0, NULL, out);
     if (status == BAT_OK) share(&own);
     return status;
 }
 
 const bat_picture *bat_object_picture(const bat_object *object) {
-    const image *g = bat_object_own(object, &bat_kind_of_image);
+    const placed *g = own_of(object);
     return g ? g->picture : NULL;
 }
 
+bool bat_object_is_foreign(const bat_object *object) {
+    return bat_object_own(object, &bat_kind_of_foreign) != NULL;
+}
+
 const double *bat_object_matrix(const bat_object *object) {
-    const image *g = bat_object_own(object, &bat_kind_of_image);
+    const placed *g = own_of(object);
     return g ? g->matrix : NULL;
 }
 
 void bat_object_corners(const bat_object *object, double corners[8]) {
-    const image *g = bat_object_own(object, &bat_kind_of_image);
+    const placed *g = own_of(object);
     if (g)
         corners_of(g, corners);
     else
         for (int i = 0; i < 8; i++) corners[i] = 0;
 }
 
-static uint64_t digest_image(uint64_t digest, const void *own) {
-    const image *g = own;
-    digest = bat_digest_number(digest, bat_picture_digest(g->picture));
-    for (int i = 0; i < 6; i++) digest = bat_digest_double(digest, g->matrix[i]);
-    return digest;
+static uint64_t digest_placed(uint64_t before, const void *own) {
+    const placed *g = own;
+    uint64_t made = bat_digest_number(before, bat_picture_digest(g->picture));
+    for (int i = 0; i < 6; i++) made = bat_digest_double(made, g->matrix[i]);
+    return made;
 }
 
 static void bounds(const void *own, double box[4]) {
@@ -100,9 +111,9 @@ static void bounds(const void *own, double box[4]) {
 }
 
 static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
-    double placed[6];
-    bat_matrix_compose(m, bat_object_matrix(object), placed);
-    return bat_object_with_matrix(object, placed, out);
+    double now[6];
+    bat_matrix_compose(m, bat_object_matrix(object), now);
+    return bat_object_with_matrix(object, now, out);
 }
 
 static void write(const bat_object *object, bat_text *text) {
@@ -119,7 +130,8 @@ static void write(const bat_object *object, bat_text *text) {
     bat_text_number(text, bat_object_style(object)->opacity);
 }
 
-static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char *name, bat_object **out) {
+static bat_status read_as(const bat_kind_type *type, const bat_fields *f, uint32_t node, bat_id id,
+                          const char *name, bat_object **out) {
     uint32_t named = bat_json_member(f->json, node, "picture");
     const char *word = bat_json_text(f->json, named);
     uint64_t digest;
@@ -133,20 +145,53 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
     if (status == BAT_OK) status = bat_fields_numbers(f, node, "matrix", 6, expected_matrix, matrix);
     if (status != BAT_OK) return status;
     uint32_t list = bat_json_member(f->json, node, "matrix");
-    status = bat_object_create_image(id, name, picture, matrix, opacity, out);
+    status = create(type, id, name, picture, matrix, opacity, out);
+    if (status == BAT_UNSUPPORTED)
+        return bat_fields_complain(f, named, "picture", "a picture of the other sort");
     return status == BAT_NUMBER
                ? bat_json_complain(f->json, list, status, "matrix", expected_matrix, f->problem)
                : bat_fields_say(f, list, status);
 }
 
+bat_status bat_object_create_image(bat_id id, const char *name, const bat_picture *picture,
+                                   const double matrix[6], double opacity, bat_object **out) {
+    return create(&bat_kind_of_image, id, name, picture, matrix, opacity, out);
+}
+
+bat_status bat_object_create_foreign(bat_id id, const char *name, const bat_picture *picture,
+                                     const double matrix[6], double opacity, bat_object **out) {
+    return create(&bat_kind_of_foreign, id, name, picture, matrix, opacity, out);
+}
+
+static bat_status read_image(const bat_fields *f, uint32_t node, bat_id id, const char *name,
+                             bat_object **out) {
+    return read_as(&bat_kind_of_image, f, node, id, name, out);
+}
+
+static bat_status read_foreign(const bat_fields *f, uint32_t node, bat_id id, const char *name,
+                               bat_object **out) {
+    return read_as(&bat_kind_of_foreign, f, node, id, name, out);
+}
+
 const bat_kind_type bat_kind_of_image = {.number = BAT_KIND_IMAGE,
                                          .name = "image",
                                          .traits = BAT_DRAWN,
-                                         .size = sizeof(image),
+                                         .size = sizeof(placed),
                                          .share = share,
                                          .end = end,
-                                         .digest = digest_image,
+                                         .digest = digest_placed,
                                          .bounds = bounds,
                                          .transform = transform,
                                          .write = write,
-                                         .read = read};
+                                         .read = read_image};
+const bat_kind_type bat_kind_of_foreign = {.number = BAT_KIND_FOREIGN,
+                                           .name = "foreign",
+                                           .traits = BAT_DRAWN,
+                                           .size = sizeof(placed),
+                                           .share = share,
+                                           .end = end,
+                                           .digest = digest_placed,
+                                           .bounds = bounds,
+                                           .transform = transform,
+                                           .write = write,
+                                           .read = read_foreign};

@@ -19,7 +19,7 @@ enum { ID = 12, PARENT = 3, WIRE = 9 };
 static const bat_kind kinds[] = {BAT_KIND_PATH,    BAT_KIND_SPLINE, BAT_KIND_GROUP, BAT_KIND_LAYER,
                                  BAT_KIND_SHAPE,   BAT_KIND_IMAGE,  BAT_KIND_GUIDE, BAT_KIND_PLANE,
                                  BAT_KIND_SURFACE, BAT_KIND_CAMERA, BAT_KIND_VIEW,  BAT_KIND_MESH,
-                                 BAT_KIND_BOUND};
+                                 BAT_KIND_BOUND,   BAT_KIND_FOREIGN};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {
@@ -69,6 +69,12 @@ static bat_object *bare(bat_kind kind, bat_id id) {
         assert_int_equal(bat_picture_create(head, head_png(head, 30, 20), &picture), BAT_OK);
         assert_int_equal(bat_object_create_image(id, "", picture, (double[]){1, 0, 0, 1, 5, 6}, 0.5, &object),
                          BAT_OK);
+        bat_picture_release(picture);
+        break;
+    case BAT_KIND_FOREIGN:
+        assert_int_equal(bat_picture_create(ALONE, sizeof ALONE - 1, &picture), BAT_OK);
+        assert_int_equal(
+            bat_object_create_foreign(id, "", picture, (double[]){1, 0, 0, 1, 5, 6}, 0.5, &object), BAT_OK);
         bat_picture_release(picture);
         break;
     case BAT_KIND_GUIDE: assert_int_equal(bat_object_create_guide(id, 1, 40, &object), BAT_OK); break;

@@ -43,6 +43,49 @@ static void sides_of_every_kind(void **unused) {
     expect(b, head_webp(b, 'X', 65535, 2), "image/webp", 65535, 2);
 }
 
+/* An SVG file is a picture only as foreign content has it, and no image to trace; a picture to trace is no foreign content. */
+static void files_that_stand_alone(void **unused) {
+    (void)unused;
+    static const char head[] = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
+    static const char *const bad[] = {"",
+                                      "0\" height=\"5\" viewBox=\"0 0 1 1\"/>",
+                                      "5\" height=\"0\" viewBox=\"0 0 1 1\"/>",
+                                      "65536\" height=\"5\" viewBox=\"0 0 1 1\"/>",
+                                      "1000000\" height=\"5\" viewBox=\"0 0 1 1\"/>",
+                                      "5.5\" height=\"5\" viewBox=\"0 0 1 1\"/>",
+                                      "-5\" height=\"5\" viewBox=\"0 0 1 1\"/>",
+                                      "\" height=\"5\" viewBox=\"0 0 1 1\"/>",
+                                      "5\" height=\"\" viewBox=\"0 0 1 1\"/>",
+                                      "5\"  height=\"5\" viewBox=\"0 0 1 1\"/>",
+                                      "5\" height=\"5\" viewbox=\"0 0 1 1\"/>",
+                                      "5",
+                                      "5\" height=\"5",
+                                      "5\" height=\"5\" viewBox="};
+    bat_picture *picture = NULL, *photo = NULL;
+    bat_object *object = NULL;
+    unsigned char b[HEAD_ROOM];
+    const double m[6] = {1, 0, 0, 1, 0, 0}, flat[6] = {1, 1, 1, 1, 0, 0};
+    expect((const unsigned char *)ALONE, sizeof ALONE - 1, "image/svg+xml", 300, 200);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        char text[200];
+        const int size = snprintf(text, sizeof text, "%s%s", head, bad[i]);
+        assert_int_equal(bat_picture_create(text, (size_t)size, &picture), BAT_UNSUPPORTED);
+    }
+    assert_int_equal(bat_picture_create(ALONE, sizeof ALONE - 1, &picture), BAT_OK);
+    assert_int_equal(bat_picture_create(b, head_png(b, 3, 2), &photo), BAT_OK);
+    assert_int_equal(bat_object_create_image(1, "", picture, m, 1, &object), BAT_UNSUPPORTED);
+    assert_int_equal(bat_object_create_foreign(1, "", photo, m, 1, &object), BAT_UNSUPPORTED);
+    assert_int_equal(bat_object_create_foreign(1, "", NULL, m, 1, &object), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_foreign(1, "", picture, m, NAN, &object), BAT_ARGUMENT);
+    assert_int_equal(bat_object_create_foreign(1, "", picture, flat, 1, &object), BAT_NUMBER);
+    assert_int_equal(bat_object_create_foreign(1, "", picture, m, 1, &object), BAT_OK);
+    assert_true(bat_object_is_foreign(object) && bat_object_is_drawn(object) &&
+                !bat_object_is_made_of_curves(object));
+    bat_object_release(object);
+    bat_picture_release(photo);
+    bat_picture_release(picture);
+}
+
 /* What may stand before the frame of a JPEG file, and what ends the search. */
 static void markers_of_jpeg(void **unused) {
     (void)unused;
@@ -493,6 +536,7 @@ static void failing_allocations(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sides_of_every_kind),
+        cmocka_unit_test(files_that_stand_alone),
         cmocka_unit_test(markers_of_jpeg),
         cmocka_unit_test(pictures_of_one_digest),
         cmocka_unit_test(refused_images),

@@ -23,8 +23,9 @@ static void a_drawing(void **state) {
     bat_problem problem;
     assert_int_equal(bat_svg_read(DRAWING, sizeof DRAWING - 1, NULL, &document, &report, &problem), BAT_OK);
     assert_int_equal(report.paths, 1);
-    assert_int_equal(report.lost.count[BAT_LOSS_TEXT], 1);
-    assert_int_equal(bat_document_count(document), 1);
+    assert_int_equal(report.lost.count[BAT_LOSS_TEXT], 0);
+    assert_int_equal(bat_document_count(document), 2);
+    assert_true(bat_object_is_foreign(bat_document_at(document, 1)));
     assert_string_equal(bat_object_name(bat_document_at(document, 0)), "a&b");
     bat_document_free(document);
     document = NULL;

@@ -9,6 +9,11 @@
 
 enum { HEAD_ROOM = 128 };
 
+/* An SVG file as foreign content has it. */
+static const char ALONE[] =
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"200\" viewBox=\"10 20 30 20\">"
+    "<rect width=\"9\" height=\"9\"/></svg>";
+
 static inline void head_big(unsigned char *at, uint32_t value, int bytes) {
     while (bytes > 0) at[--bytes] = (unsigned char)value, value >>= 8;
 }

@@ -88,6 +88,7 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     d = add_doubles(add_doubles(d, box, 4), corners, 8);
     d = add(add(d, bat_object_id(object)), (uint64_t)bat_object_kind(object));
     d = add(add(d, bat_object_is_group(object)), bat_object_is_drawn(object));
+    d = add(d, bat_object_is_foreign(object));
     d = add(add(d, bat_object_parent(object)), (uint64_t)(bat_object_guide(object, &at) + 1));
     d = add(add(d, bat_object_is_hidden(object)), bat_object_is_locked(object));
     for (int i = 0; i < bat_object_curve_count(object); i++) {
@@ -170,6 +171,7 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
         double matrix[6] = {2, 0, 0, 2, seed, 0};
         bat_picture *picture = bat_picture_retain(bat_object_picture(object));
         d = add_object(d, bat_object_create_image(77, "", picture, matrix, 1, &m), &m);
+        d = add_object(d, bat_object_create_foreign(78, "", picture, matrix, 1, &m), &m);
         bat_picture_release(picture);
         d = add_object(d, bat_object_with_matrix(object, matrix, &m), &m);
     }

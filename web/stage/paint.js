@@ -96,7 +96,7 @@ export class Painter {
     this.list = [];
     /** The view that the still canvas shows; null: nothing yet. @type {View | null} */
     this.painted = null;
-    /** Pictures by number; null: still being decoded, or not decodable. @type {Map<number, ImageBitmap | null>} */
+    /** Pictures by number; null: still being decoded, or not decodable. @type {Map<number, ImageBitmap | HTMLImageElement | null>} */
     this.pictures = new Map();
     /** Called when a picture is needed that has not been decoded. @type {(picture: number) => void} */
     this.onpicture = () => {};

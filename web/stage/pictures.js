@@ -20,9 +20,25 @@ export async function bytesOf(file) {
   return new Uint8Array(await blob.arrayBuffer());
 }
 
-/** @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<ImageBitmap | null>} null when it cannot be decoded */
+const TAG = 60; // "<"
+
+/**
+ * Foreign content, an SVG file, as an image: the browser then runs nothing in it and fetches nothing for it.
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ */
+async function isolated(bytes) {
+  const image = new Image();
+  image.src = `data:image/svg+xml,${encodeURIComponent(new TextDecoder().decode(bytes))}`; // a blob's would taint the canvas
+  await image.decode();
+  return image;
+}
+
+/** @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<ImageBitmap | HTMLImageElement | null>} null when it cannot be decoded */
 export async function decode(bytes) {
   try {
+    if (bytes[0] === TAG) {
+      return await isolated(bytes);
+    }
     return await createImageBitmap(new Blob([bytes]));
   } catch {
     return null;

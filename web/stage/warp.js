@@ -4,7 +4,7 @@ const CELLS = 24; // along each side
 
 /**
  * @param {CanvasRenderingContext2D} context in drawing coordinates
- * @param {ImageBitmap} bitmap
+ * @param {ImageBitmap | HTMLImageElement} bitmap
  * @param {number[][]} corners of the picture as it is seen, around
  */
 export function warp(context, bitmap, [[x0, y0], [x1, y1], [x2, y2], [x3, y3]]) {

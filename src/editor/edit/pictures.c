@@ -70,7 +70,9 @@ const bat_picture *bat_picture_shown(const bat_context *c, uint32_t picture) {
 
 /* ---- all of them together ---- */
 
-static bool is_picture(const bat_object *object) { return bat_object_picture(object) != NULL; }
+static bool is_picture(const bat_object *object) {
+    return bat_object_picture(object) && !bat_object_is_foreign(object);
+}
 
 int bat_tracing_count(const bat_document *document) {
     int count = 0;

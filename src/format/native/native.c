@@ -250,13 +250,13 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     bat_text_string(text, "}");
 }
 
-/* Writes each picture once; writes nothing when there are none. */
-static void write_pictures(const bat_document *document, bat_text *text) {
+/* Writes each picture once; writes nothing when there are none. all: not only those of foreign contents. */
+static void write_pictures(const bat_document *document, bool all, bat_text *text) {
     bat_pictures written = {0};
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_picture *picture = bat_object_picture(bat_document_at(document, i));
         int before = written.count;
-        if (!picture) continue;
+        if (!picture || !(all || bat_object_is_foreign(bat_document_at(document, i)))) continue;
         if (bat_pictures_add(&written, picture) != BAT_OK) text->failed = true;
         if (written.count == before) continue;
         bat_text_string(text, before ? ",\n " : ",\n\"pictures\":[");
@@ -299,7 +299,7 @@ void bat_document_to_json(const bat_document *document, bool pictures, bat_text 
     }
     bat_text_string(text, "],\n\"next\":");
     bat_text_integer(text, bat_document_next(document));
-    if (pictures) write_pictures(document, text);
+    write_pictures(document, pictures, text);
     if (pictures && bat_document_origin(document)) {
         bat_text_string(text, ",\n\"source\":");
         bat_source_to_json(bat_document_origin(document), text);

@@ -13,8 +13,28 @@ static void draw_kind(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
         [BAT_SVG_SHAPE] = bat_svg_draw_shape, [BAT_SVG_IMAGE] = bat_svg_draw_image};
     const long before = w->put;
     const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
+    if (kind == BAT_SVG_TEXT || kind == BAT_SVG_OTHER) {
+        if (w->copied || kind != BAT_SVG_TEXT || !bat_svg_draw_text(w, element, s))
+            bat_svg_note(&w->notes, element, (bat_loss)w->tree->elements[element].loss);
+        return;
+    }
     if (ways[kind]) ways[kind](w, element, s);
     if (s->style.opacity < 1 && w->put > before + 1) bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
+}
+
+/* With its own style's losses; what only the whole of it can show is foreign content. */
+static void draw_whole(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bool copied) {
+    const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
+    const bool noted = kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER, now = w->copied;
+    w->copied = copied;
+    const bool whole = noted && bat_svg_has_effect(w, element, s);
+    w->copied = now;
+    const bat_svg_before before = bat_svg_effect_begin(w);
+    if (noted) bat_svg_note_own_style(w, element, &s->style);
+    draw_kind(w, element, s);
+    w->copied = copied;
+    if (whole) (void)bat_svg_effect_end(w, element, s, &before);
+    w->copied = now;
 }
 
 static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) {
@@ -32,8 +52,9 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
     bool shown = s.style.shown;
     /* What is not displayed is kept as hidden, so that saving does not lose it; but `use` makes no copies of
      * it. */
-    if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE) {
-        bool copied = kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER;
+    if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE &&
+        kind != BAT_SVG_TEXT) {
+        bool copied = kind != BAT_SVG_OTHER;
         bat_loss loss = (bat_loss)w->tree->elements[element].loss;
         bat_svg_note(&w->notes, element, copied ? BAT_LOSS_INVISIBLE : loss);
         return;
@@ -50,14 +71,13 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
         if (!bat_svg_transform(transform, m)) bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
         bat_matrix_compose(outer->matrix, m, s.matrix);
     }
-    if (kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER) bat_svg_note_own_style(w, element, &s.style);
     const bool copied = w->copied;
     const int place = w->place;
     bat_svg_place(w, element, outer, s.matrix);
     w->copied = copied || kind == BAT_SVG_USE;
     w->active[w->depth++] = element;
     w->unseen += !shown;
-    draw_kind(w, element, &s);
+    draw_whole(w, element, &s, copied);
     w->unseen -= !shown;
     w->depth--;
     w->copied = copied;
@@ -79,6 +99,7 @@ void bat_svg_draw_root(bat_svg_walk *w) {
     if (!(page[2] > 0 && page[3] > 0)) memset(page, 0, sizeof page);
     if (page[2] > 0) none.width = page[2], none.height = page[3];
     bat_document_set_page(w->document, page);
+    memcpy(w->page, page, sizeof w->page);
     bat_svg_scope s = none;
     bat_svg_cascade(w, 1, &none, &s.style);
     s.opacity = s.style.opacity;

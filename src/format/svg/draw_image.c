@@ -25,6 +25,7 @@ static bat_picture *find_picture(bat_svg_walk *w, uint32_t element) {
 void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     bat_picture *picture = s->style.visible ? find_picture(w, element) : NULL;
     bat_object *object = NULL;
+    if (!picture && s->style.visible && !w->copied && bat_svg_draw_other_image(w, element, s)) return;
     if (!picture) {
         bat_svg_note(&w->notes, element, s->style.visible ? BAT_LOSS_IMAGE : BAT_LOSS_INVISIBLE);
         return;
@@ -41,9 +42,10 @@ void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     bat_svg_fit(box, bat_svg_length_of(w, element, "x", s->width, 0),
                 bat_svg_length_of(w, element, "y", s->height, 0), width, height, ratio, m);
     bat_matrix_compose(s->matrix, m, matrix);
-    bat_status status = bat_object_create_image(bat_document_new_id(w->document),
-                                                bat_svg_find_name(w, element), picture, matrix, s->opacity,
-                                                &object);
+    bat_status status = (bat_picture_is_drawing(picture) ? bat_object_create_foreign
+                                                         : bat_object_create_image)(
+        bat_document_new_id(w->document), bat_svg_find_name(w, element), picture, matrix, s->opacity,
+        &object);
     if (status == BAT_OK) {
         if (!w->unseen)
             w->digest = bat_svg_digest_image(w->digest, picture, bat_object_matrix(object), s->opacity);

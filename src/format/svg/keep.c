@@ -1,6 +1,9 @@
 /* The file is kept with the document that was read from it. */
+#include "base/matrix.h"
 #include "document/digest.h"
 #include "document/document.h"
+#include "format/svg/alone.h"
+#include "format/svg/markup.h"
 #include "format/svg/reader.h"
 #include "format/svg/tags.h"
 #include "format/svg/walk.h"
@@ -8,27 +11,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-
-/* Whether the elements that the parser reported are those of the text: a name declared in the document type may stand
- * for elements, and then they are not. */
-static bat_status compare(const bat_svg_reader *reader, bool *out) {
-    bat_svg_tags tags;
-    const bat_status status = bat_svg_tags_scan(reader->source, reader->source_size, &tags);
-    *out = false;
-    if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_OK;
-    bool same = tags.count == reader->tree.count;
-    for (uint32_t i = 1; same && i < tags.count; i++) {
-        const char *tag = reader->source + tags.list[i].open;
-        const char *name = bat_svg_tree_name(&reader->tree, i);
-        const size_t length = bat_svg_tag_name(tag, tags.list[i].body - tags.list[i].open),
-                     local = strlen(name);
-        same = tags.list[i].parent == reader->tree.elements[i].parent && length >= local &&
-               memcmp(tag + 1 + length - local, name, local) == 0;
-    }
-    bat_svg_tags_free(&tags);
-    *out = same;
-    return BAT_OK;
-}
 
 /* Gives each entry the object that the native document says: {"elements":[[id, element], ...]}. *out: whether it says so. */
 static bat_status name_native(const bat_svg_reader *reader, bat_sourced *list, int count, bool *out) {
@@ -63,10 +45,24 @@ static bat_status name_native(const bat_svg_reader *reader, bat_sourced *list, i
     return BAT_OK;
 }
 
+/* Foreign content of a native document may have been moved before it was saved, and the file's element with it: what counts
+ * from now on is how far it is moved from where it is. */
+static void place_foreign(bat_sourced *entry, const bat_object *object) {
+    double read[6], back[6], first[6], was[6];
+    if (!bat_svg_alone_matrix(bat_object_picture(object), first) ||
+        !bat_svg_inverse(bat_object_matrix(object), back))
+        return;
+    memcpy(read, entry->inner, sizeof read);
+    bat_matrix_compose(back, read, was);
+    bat_matrix_compose(first, was, entry->inner);
+}
+
 bat_status bat_svg_keep(const bat_svg_reader *reader, const bat_svg_walk *w, bool native,
                         bat_document *document) {
+    bat_svg_tags tags = {0};
     bool kept;
-    bat_status status = compare(reader, &kept);
+    bat_status status = bat_svg_match(reader->source, reader->source_size, &reader->tree, &tags, &kept);
+    bat_svg_tags_free(&tags);
     if (status == BAT_OK && kept && native) status = name_native(reader, w->places, w->place_count, &kept);
     if (status != BAT_OK || !kept) return status;
     /* Who asks for fewer nodes whatever the path's size has asked for other path data. */
@@ -78,7 +74,8 @@ bat_status bat_svg_keep(const bat_svg_reader *reader, const bat_svg_walk *w, boo
         if (!object) entry->id = 0;
         if (!object && entry->copied) continue; /* a group that was not needed */
         if (object) bat_sourced_note(entry, object);
-        if (simpler) entry->shape = 0;
+        if (object && native && bat_object_is_foreign(object)) place_foreign(entry, object);
+        if (simpler && object && !bat_object_is_foreign(object)) entry->shape = 0;
         w->places[count++] = *entry;
     }
     double page[4];

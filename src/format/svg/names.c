@@ -8,7 +8,7 @@ static const struct {
     char name[28];
     uint8_t what; /* bat_svg_name */
 } names[] = {
-    {"alignment-baseline", BAT_SVG_IDLE},
+    {"alignment-baseline", BAT_SVG_BASELINE},
     {"autofocus", BAT_SVG_SPOKEN},
     {"baseProfile", BAT_SVG_ATTRIBUTE},
     {"class", BAT_SVG_ATTRIBUTE},
@@ -32,7 +32,7 @@ static const struct {
     {"decoding", BAT_SVG_ATTRIBUTE},
     {"direction", BAT_SVG_IDLE},
     {"display", BAT_SVG_DISPLAY},
-    {"dominant-baseline", BAT_SVG_IDLE},
+    {"dominant-baseline", BAT_SVG_BASELINE},
     {"download", BAT_SVG_ATTRIBUTE},
     {"enable-background", BAT_SVG_IDLE},
     {"externalResourcesRequired", BAT_SVG_ATTRIBUTE},
@@ -41,6 +41,8 @@ static const struct {
     {"fill-rule", BAT_SVG_RULE},
     {"filter", BAT_SVG_FILTER},
     {"focusable", BAT_SVG_SPOKEN},
+    {"font", BAT_SVG_FONT},
+    {"font-size", BAT_SVG_FONT_SIZE},
     {"height", BAT_SVG_ATTRIBUTE},
     {"href", BAT_SVG_ATTRIBUTE},
     {"hreflang", BAT_SVG_ATTRIBUTE},
@@ -95,6 +97,7 @@ static const struct {
     {"systemLanguage", BAT_SVG_ATTRIBUTE},
     {"tabindex", BAT_SVG_SPOKEN},
     {"target", BAT_SVG_ATTRIBUTE},
+    {"text-anchor", BAT_SVG_ANCHOR},
     {"transform", BAT_SVG_ATTRIBUTE},
     {"type", BAT_SVG_ATTRIBUTE},
     {"unicode-bidi", BAT_SVG_IDLE},
@@ -104,7 +107,7 @@ static const struct {
     {"visibility", BAT_SVG_VISIBILITY},
     {"white-space", BAT_SVG_IDLE},
     {"width", BAT_SVG_ATTRIBUTE},
-    {"writing-mode", BAT_SVG_IDLE},
+    {"writing-mode", BAT_SVG_WRITING},
     {"x", BAT_SVG_ATTRIBUTE},
     {"x1", BAT_SVG_ATTRIBUTE},
     {"x2", BAT_SVG_ATTRIBUTE},

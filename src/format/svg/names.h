@@ -23,6 +23,11 @@ typedef enum bat_svg_name {
     BAT_SVG_STOP_COLOUR,
     BAT_SVG_STOP_OPACITY,
     BAT_SVG_DASH_OFFSET,
+    BAT_SVG_FONT, /* of texts: where they lie */
+    BAT_SVG_FONT_SIZE,
+    BAT_SVG_ANCHOR,
+    BAT_SVG_WRITING,
+    BAT_SVG_BASELINE,
     /* properties that are not ("odd" ones): each is a bit in a style */
     BAT_SVG_ODD,
     BAT_SVG_DASHES = BAT_SVG_ODD,

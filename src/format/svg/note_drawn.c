@@ -9,9 +9,11 @@ void bat_svg_note_element(bat_svg_walk *w, uint32_t element) {
     const uint32_t *pair = w->tree->attributes + e->attributes;
     const char *strings = w->tree->strings.data, *name = bat_svg_tree_name(w->tree, element);
     if (!bat_svg_note_once(&w->notes, element)) return;
+    const bool whole = e->kind == BAT_SVG_TEXT ||
+                       e->kind == BAT_SVG_OTHER; /* noted where they are not shown */
+    if (whole) return;
     bat_svg_note(&w->notes, element, (bat_loss)e->loss);
     if (e->kind == BAT_SVG_ROOT && element != 1) bat_svg_note(&w->notes, element, BAT_LOSS_NESTED);
-    if (e->kind == BAT_SVG_TEXT || e->kind == BAT_SVG_OTHER) return; /* they are lost as a whole */
     for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
         bat_svg_name what = bat_svg_name_of(strings + pair[0]);
         if (what > BAT_SVG_IDLE)

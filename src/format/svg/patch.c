@@ -221,7 +221,8 @@ static bat_status read_again(const bat_document *document, const bat_text *text,
     bat_status status = bat_svg_reader_create(NULL, &reader);
     if (status != BAT_OK) return status;
     reader->drawn = digest;
-    status = bat_svg_feed(text->data, text->size, reader);
+    status = bat_svg_reader_source(reader, text->data, text->size);
+    if (status == BAT_OK) status = bat_svg_feed(text->data, text->size, reader);
     if (status != BAT_OK) {
         bat_svg_reader_free(reader);
         return status == BAT_MEMORY ? BAT_MEMORY : BAT_UNSUPPORTED;
@@ -244,6 +245,8 @@ static bat_status read_again(const bat_document *document, const bat_text *text,
             status = BAT_UNSUPPORTED;
             break;
         }
+        if (bat_object_is_foreign(object) && bat_object_is_foreign(other))
+            continue; /* their boxes are guesses */
         bat_object_bounds(object, a);
         bat_object_bounds(other, b);
         for (int j = 0; j < 4; j++)

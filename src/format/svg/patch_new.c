@@ -107,6 +107,11 @@ static void write_moved(bat_svg_patch *p, const bat_object *object, const bat_so
     const bat_svg_tag *tag = &plan->tags.list[entry->element];
     const bool apart = tag->parent != s->in;
     double m[6];
+    if (apart &&
+        bat_object_is_foreign(object)) { /* what it has from the elements around it would be missing */
+        write_new(p, object, s, hides);
+        return;
+    }
     bat_matrix_compose(s->back, entry->outer, m);
     const bool wraps = apart && !is_identity(m);
     if (wraps) {

@@ -3,6 +3,7 @@
 #include "document/digest.h"
 #include "document/kind.h"
 #include "format/svg/markup.h"
+#include "format/svg/alone.h"
 #include "format/svg/patch.h"
 #include "format/svg/retag.h"
 #include "text/number.h"
@@ -248,6 +249,38 @@ static bat_status set_image(bat_svg_retag *r, const bat_object *object, const ba
     return failed ? BAT_MEMORY : BAT_OK;
 }
 
+/* Whether it was written as a picture of an SVG file that stands alone, and not as the element that is in that file. */
+static bool is_written_alone(const bat_svg_retag *r) {
+    static const char own[] =
+        "data:image/svg+xml;base64,PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHdpZHRoPSI";
+    bat_svg_piece piece;
+    if (!bat_svg_retag_has(r, "href", &piece)) return false;
+    return piece.end - piece.value >= sizeof own && memcmp(r->tag + piece.value, own, sizeof own - 1) == 0;
+}
+
+/* Before the element's own transform comes what has moved the content since it was read. */
+static bat_status set_foreign(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
+    double back[6], was[6], moved[6], to[6], own[6], m[6];
+    if (!bat_svg_alone_matrix(bat_object_picture(object), was) || !bat_svg_inverse(was, back) ||
+        !bat_svg_inverse(entry->outer, to))
+        return BAT_UNSUPPORTED;
+    bat_matrix_compose(bat_object_matrix(object), back, moved);
+    bat_matrix_compose(moved, entry->inner, own);
+    bat_matrix_compose(to, own, m);
+    bat_text text = {0};
+    bat_svg_write_matrix(m, &text);
+    bat_text_add(&text, "", 1);
+    if (text.data) bat_svg_retag_set(r, "transform", text.data);
+    const bool failed = text.failed;
+    bat_text_free(&text);
+    return failed ? BAT_MEMORY : BAT_OK;
+}
+
+static bat_status set_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
+    if (bat_object_is_foreign(object) && !is_written_alone(r)) return set_foreign(r, object, entry);
+    return bat_object_picture(object) ? set_image(r, object, entry) : set_path(r, object, entry);
+}
+
 bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool apart,
                        bool hides, bool anonymous, const bat_svg_ids *ids) {
     const bat_svg_plan *plan = &p->plan;
@@ -257,10 +290,12 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
                         plan->sheets);
     if (!bat_object_is_group(object)) {
         const bool reshaped = bat_svg_reshaped(object, entry);
-        set_style(&r, object, entry, says_all(plan, object, entry, apart), ids);
+        if (!bat_object_is_foreign(object))
+            set_style(&r, object, entry, says_all(plan, object, entry, apart), ids);
+        else if (bat_object_style(object)->opacity != entry->style.opacity)
+            set_number(&r, "opacity", bat_object_style(object)->opacity);
         if (reshaped) {
-            const bat_status status = bat_object_picture(object) ? set_image(&r, object, entry)
-                                                                 : set_path(&r, object, entry);
+            const bat_status status = set_shape(&r, object, entry);
             if (status != BAT_OK) p->status = status;
         }
     }

@@ -45,3 +45,56 @@ void bat_svg_place_object(bat_svg_walk *w, const bat_object *object) {
     at->id = bat_object_id(object);
     at->boxed = w->boxed;
 }
+
+/* ---- where elements stand in the text ---- */
+
+bat_status bat_svg_match(const char *text, size_t size, const bat_svg_tree *tree, bat_svg_tags *tags,
+                         bool *out) {
+    const bat_status status = bat_svg_tags_scan(text, size, tags);
+    *out = false;
+    if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_OK;
+    bool same = tags->count == tree->count;
+    for (uint32_t i = 1; same && i < tags->count; i++) {
+        const char *tag = text + tags->list[i].open, *name = bat_svg_tree_name(tree, i);
+        const size_t length = bat_svg_tag_name(tag, tags->list[i].body - tags->list[i].open),
+                     local = strlen(name);
+        same = tags->list[i].parent == tree->elements[i].parent && length >= local &&
+               memcmp(tag + 1 + length - local, name, local) == 0;
+    }
+    *out = same;
+    return BAT_OK;
+}
+
+/* The elements of style sheets. */
+static bool list_styles(bat_svg_walk *w) {
+    uint32_t count = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (uint32_t i = 1; i < w->tree->count; i++) {
+            if (w->tree->elements[i].kind != BAT_SVG_STYLE) continue;
+            if (pass) w->styles[w->style_count++] = i;
+            count += !pass;
+        }
+        if (!pass && !(w->styles = malloc((count + 1) * sizeof *w->styles))) return false;
+    }
+    return true;
+}
+
+bool bat_svg_may_stand_alone(bat_svg_walk *w) {
+    if (w->scanned || !w->text) return w->text != NULL;
+    bool same = false;
+    bat_status status = bat_svg_match(w->text, w->text_size, w->tree, &w->tags, &same);
+    w->scanned = true;
+    if (status == BAT_OK && same) {
+        w->stamps = calloc(w->tree->count, sizeof *w->stamps);
+        if (!w->stamps || !list_styles(w)) status = BAT_MEMORY;
+    }
+    if (status == BAT_MEMORY) w->status = status;
+    if (status != BAT_OK || !same) w->text = NULL;
+    return w->text != NULL;
+}
+
+void bat_svg_stand_free(bat_svg_walk *w) {
+    bat_svg_tags_free(&w->tags);
+    free(w->stamps);
+    free(w->styles);
+}

@@ -119,14 +119,18 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
                         .document = document,
                         .report = report,
                         .keeps = reader->source || reader->drawn,
+                        .text = reader->source,
+                        .text_size = reader->source_size,
                         .digest = bat_digest_begin()};
     status = bat_svg_notes_begin(&w->notes, &reader->tree, &sheet, &report->lost);
     if (status == BAT_OK) bat_svg_draw_root(w);
     if (status == BAT_OK) status = w->status;
     if (reader->drawn) *reader->drawn = w->digest;
     if (status == BAT_OK) bat_svg_use_native(reader, w->digest, &w->pictures, &document, report);
-    if (status == BAT_OK && reader->source) status = bat_svg_keep(reader, w, report->native, document);
+    if (status == BAT_OK && reader->source && !reader->drawn)
+        status = bat_svg_keep(reader, w, report->native, document);
     free(w->places);
+    bat_svg_stand_free(w);
     bat_outline_free(&w->outline);
     bat_pictures_free(&w->pictures);
     bat_svg_notes_free(&w->notes);

@@ -14,6 +14,7 @@ bat_svg_style bat_svg_style_initial(void) {
                            .stroke_opacity = 1,
                            .width = 1,
                            .miter_limit = 4,
+                           .font_size = 16,
                            .cap = BAT_CAP_BUTT,
                            .join = BAT_JOIN_MITER,
                            .visible = true,
@@ -145,6 +146,25 @@ static bool set_word(bat_svg_style *style, bat_svg_name property, const char *va
     }
 }
 
+/* A font's size; in `font` the first length that is one. Words as sizes are not known. */
+static void set_font_size(bat_svg_style *style, const bat_svg_style *parent, bat_svg_name name,
+                          const char *value) {
+    while (name == BAT_SVG_FONT && *value && !(*value >= '0' && *value <= '9')) value++;
+    char word[24];
+    double number;
+    const size_t size = strcspn(value, " \t\r\n/,;");
+    if (size == 0 || size >= sizeof word) return;
+    memcpy(word, value, size);
+    word[size] = '\0';
+    const char *end = word + size, *unit = bat_number_scan(word, end, &number);
+    if (!unit || (name == BAT_SVG_FONT && unit == end)) return;
+    if (strcmp(unit, "em") == 0)
+        number *= parent->font_size;
+    else if (!bat_svg_length(word, parent->font_size, &number))
+        return;
+    if (number > 0 && number < 1e6) style->font_size = number;
+}
+
 bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double diagonal, bat_svg_name name,
                        const char *value, const char *source) {
     if (name > BAT_SVG_MARKER) return name == BAT_SVG_IDLE;
@@ -169,6 +189,11 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
     case BAT_SVG_RULE: return set_word(style, name, value);
     case BAT_SVG_VISIBILITY: style->visible = strcmp(value, "visible") == 0; return true;
     case BAT_SVG_DISPLAY: style->shown = strcmp(value, "none") != 0; return true;
+    case BAT_SVG_FONT:
+    case BAT_SVG_FONT_SIZE: set_font_size(style, parent, name, value); return true;
+    case BAT_SVG_ANCHOR: style->anchor = value[0] == 'm' ? 1 : value[0] == 'e' ? 2 : 0; return true;
+    case BAT_SVG_WRITING: style->vertical = value[0] == 't' || value[0] == 'v'; return true;
+    case BAT_SVG_BASELINE: style->base = strcmp(value, "auto") != 0; return true;
     case BAT_SVG_DASH_OFFSET: return set_length(&style->dash_offset, value, diagonal, -INFINITY);
     case BAT_SVG_DASHES:
         set_odd(style, name, value);

@@ -24,6 +24,9 @@ typedef struct bat_svg_style {
     double miter_limit;
     bat_cap cap;
     bat_join join;
+    double font_size;
+    int anchor;          /* of a text: 0 its start, 1 its middle, 2 its end */
+    bool vertical, base; /* it runs downwards; its lines do not stand on their base line */
     bool even_odd, visible;
     uint32_t odd; /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
     /* not inherited */

@@ -11,6 +11,7 @@
 #include "format/svg/notes.h"
 #include "format/svg/outline.h"
 #include "format/svg/style.h"
+#include "format/svg/tags.h"
 #include "format/svg/tree.h"
 
 #include <batten/format.h>
@@ -56,6 +57,14 @@ struct bat_svg_walk {
     int members;  /* members read into it so far */
     int groups;   /* nesting depth of that group */
     int unseen;   /* how many of the elements being drawn are not displayed */
+    /* The file's text, where foreign content can be taken from it (stand.c). */
+    const char *text; /* NULL: it cannot */
+    size_t text_size;
+    bool scanned;
+    bat_svg_tags tags;
+    uint32_t *stamps, stamp;       /* of each element: the last content that needed it */
+    uint32_t *styles, style_count; /* elements of style sheets */
+    double page[4];
     /* What each element became, when the file is kept (place.c). */
     bool keeps, copied; /* it is; what is drawn now is drawn from another place */
     bat_sourced *places;
@@ -81,7 +90,7 @@ bat_svg_way bat_svg_draw_children;
 void bat_svg_place(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, const double inner[6]);
 void bat_svg_place_object(bat_svg_walk *w, const bat_object *object);
 
-/* ---- cascade.c, paint.c: style ---- */
+/* ---- walk.c, paint.c: style ---- */
 /* outer: the scope around the element. */
 void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, bat_svg_style *style);
 /* The style of an element at its place in the file, from all its ancestors. */
@@ -122,6 +131,30 @@ void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
 const char *bat_svg_find_name(const bat_svg_walk *w, uint32_t element);
 /* Puts the object into the group being read, hidden and locked as the element says. Takes the object over. */
 void bat_svg_put_object(bat_svg_walk *w, uint32_t element, bool shown, bat_object *object);
+
+/* ---- place.c, draw_foreign.c: what is not edited ---- */
+/* Where the elements stand in the text. *out: whether they are those that the parser reported: a name declared in the
+ * document type may stand for elements, and then they are not. */
+bat_status bat_svg_match(const char *text, size_t size, const bat_svg_tree *tree, bat_svg_tags *tags,
+                         bool *out);
+/* Whether foreign content can be taken from the file. */
+bool bat_svg_may_stand_alone(bat_svg_walk *w);
+void bat_svg_stand_free(bat_svg_walk *w);
+/* False: it is not shown. */
+bool bat_svg_draw_text(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
+bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
+/* Whether only the whole of the element can be shown as it is: with a filter, a mask or a pattern. Then it is drawn as usual
+ * between these two calls, of which the second puts foreign content in the place of all that; false: it leaves it. */
+bool bat_svg_has_effect(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
+typedef struct bat_svg_before {
+    int objects, members, paths, curves, hidden;
+    long put;
+    uint64_t digest;
+    bat_losses lost;
+} bat_svg_before;
+bat_svg_before bat_svg_effect_begin(const bat_svg_walk *w);
+bool bat_svg_effect_end(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
+                        const bat_svg_before *before);
 
 /* ---- draw*.c: each kind ---- */
 bat_svg_way bat_svg_draw_group, bat_svg_draw_switch, bat_svg_draw_nested, bat_svg_draw_use,

@@ -316,12 +316,14 @@ static void counts_survive_as_json(void **state) {
 /* The table of names is searched by halves. */
 static void names_are_found(void **state) {
     (void)state;
-    assert_int_equal(bat_svg_name_of("alignment-baseline"), BAT_SVG_IDLE);
+    assert_int_equal(bat_svg_name_of("alignment-baseline"), BAT_SVG_BASELINE);
     assert_int_equal(bat_svg_name_of("zoomAndPan"), BAT_SVG_ATTRIBUTE);
     assert_int_equal(bat_svg_name_of("stroke"), BAT_SVG_STROKE);
     assert_int_equal(bat_svg_name_of("stroke-width"), BAT_SVG_WIDTH);
     assert_int_equal(bat_svg_name_of("xmlns"), BAT_SVG_ATTRIBUTE);
     assert_int_equal(bat_svg_name_of("text-rendering"), BAT_SVG_IDLE);
+    assert_int_equal(bat_svg_name_of("font-size"), BAT_SVG_FONT_SIZE);
+    assert_int_equal(bat_svg_name_of("font-family"), BAT_SVG_IDLE);
     assert_int_equal(bat_svg_name_of(""), BAT_SVG_NAMELESS);
     assert_int_equal(bat_svg_name_of("~"), BAT_SVG_NAMELESS);
 }

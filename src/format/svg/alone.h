@@ -1,0 +1,17 @@
+/* An element as a small SVG file of its own: with the elements around it, what it refers to, and the style sheets, so that it
+ * looks as in its place. Nothing in it leads outside: hosts show it as a picture, in which nothing is fetched or run. */
+#ifndef BATTEN_FORMAT_SVG_ALONE_H
+#define BATTEN_FORMAT_SVG_ALONE_H
+
+#include "format/svg/walk.h"
+
+/* box: what is shown, in units of the document. BAT_UNSUPPORTED: the file's text is not at hand, or the element cannot stand
+ * alone; BAT_COUNT: it would be too large. O(size of what is written). */
+bat_status bat_svg_alone(bat_svg_walk *w, uint32_t element, const double box[4], bat_picture **out);
+/* Where the picture lies as long as it is not moved: a matrix from its pixels. */
+bool bat_svg_alone_matrix(const bat_picture *picture, double m[6]);
+
+/* A generous box of a text element, in its own units: fonts are not at hand, so widths are guessed. False: it is empty. */
+bool bat_svg_text_box(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, double box[4]);
+
+#endif
