@@ -186,7 +186,7 @@ const bat_kind_type bat_kind_of_image = {.number = BAT_KIND_IMAGE,
                                          .read = read_image};
 const bat_kind_type bat_kind_of_foreign = {.number = BAT_KIND_FOREIGN,
                                            .name = "foreign",
-                                           .traits = BAT_DRAWN,
+                                           .traits = BAT_DRAWN | BAT_NEW,
                                            .size = sizeof(placed),
                                            .share = share,
                                            .end = end,

@@ -6,6 +6,8 @@
 
 #include <string.h>
 
+static const uint32_t EFFECTS = BAT_SVG_BIT(BAT_SVG_MASK) | BAT_SVG_BIT(BAT_SVG_FILTER);
+
 static void draw_kind(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     static bat_svg_way *const ways[BAT_SVG_NEVER] = {
         [BAT_SVG_GROUP] = bat_svg_draw_group, [BAT_SVG_SWITCH] = bat_svg_draw_switch,
@@ -22,14 +24,40 @@ static void draw_kind(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
     if (s->style.opacity < 1 && w->put > before + 1) bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
 }
 
+static bool has_pattern(const bat_svg_walk *w, const bat_svg_paint *paint) {
+    const uint32_t server = paint->server ? bat_svg_tree_refer(w->tree, paint->server) : 0;
+    return server && strcmp(bat_svg_tree_name(w->tree, server), "pattern") == 0;
+}
+
+/* Whether it has a filter, a mask or a pattern, which only the whole of it can show. */
+static bool has_effect(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
+    const char *mode = bat_svg_attribute_of(w, element, "inkscape:groupmode");
+    if (w->copied || (mode && !strcmp(mode, "layer"))) return false;
+    const bool pattern = kind == BAT_SVG_SHAPE && s->style.visible &&
+                         (has_pattern(w, &s->style.fill) || has_pattern(w, &s->style.stroke));
+    return (pattern || s->style.odd & EFFECTS) && bat_svg_may_stand_alone(w);
+}
+
+static bat_svg_before effect_begin(const bat_svg_walk *w) {
+    return (bat_svg_before){.objects = bat_document_count(w->document),
+                            .members = w->members,
+                            .put = w->put,
+                            .paths = w->report->paths,
+                            .curves = w->report->curves,
+                            .hidden = w->report->hidden,
+                            .digest = w->digest,
+                            .lost = *w->notes.lost};
+}
+
 /* With its own style's losses; what only the whole of it can show is foreign content. */
 static void draw_whole(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bool copied) {
     const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
     const bool noted = kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER, now = w->copied;
     w->copied = copied;
-    const bool whole = noted && bat_svg_has_effect(w, element, s);
+    const bool whole = noted && has_effect(w, element, s);
     w->copied = now;
-    const bat_svg_before before = bat_svg_effect_begin(w);
+    const bat_svg_before before = effect_begin(w);
     if (noted) bat_svg_note_own_style(w, element, &s->style);
     draw_kind(w, element, s);
     w->copied = copied;

@@ -10,8 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-static const uint32_t EFFECTS = BAT_SVG_BIT(BAT_SVG_MASK) | BAT_SVG_BIT(BAT_SVG_FILTER);
-
 static void box_through(const double m[6], const double own[4], double box[4]) {
     for (int i = 0; i < 2; i++) box[i] = INFINITY, box[i + 2] = -INFINITY;
     for (int i = 0; i < 4; i++) {
@@ -71,32 +69,6 @@ bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_s
 }
 
 /* ---- whatever has an effect ---- */
-
-static bool has_pattern(const bat_svg_walk *w, const bat_svg_paint *paint) {
-    const uint32_t server = paint->server ? bat_svg_tree_refer(w->tree, paint->server) : 0;
-    return server && strcmp(bat_svg_tree_name(w->tree, server), "pattern") == 0;
-}
-
-bool bat_svg_has_effect(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
-    const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
-    const char *mode = bat_svg_attribute_of(w, element, "inkscape:groupmode");
-    if (w->copied || (mode && !strcmp(mode, "layer"))) return false;
-    const bool pattern = kind == BAT_SVG_SHAPE && s->style.visible &&
-                         (has_pattern(w, &s->style.fill) || has_pattern(w, &s->style.stroke));
-    return (pattern || s->style.odd & EFFECTS) && bat_svg_may_stand_alone(w);
-}
-
-bat_svg_before bat_svg_effect_begin(const bat_svg_walk *w) {
-    return (bat_svg_before){.objects = bat_document_count(w->document),
-                            .members = w->members,
-
-                            .put = w->put,
-                            .paths = w->report->paths,
-                            .curves = w->report->curves,
-                            .hidden = w->report->hidden,
-                            .digest = w->digest,
-                            .lost = *w->notes.lost};
-}
 
 /* The region of a filter in parts of the box, as far as it is one. */
 static void filter_region(const bat_svg_walk *w, const char *value, double region[4]) {

@@ -26,8 +26,8 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
     double page[4], written[4];
     bat_document_page(*document, page);
     bat_svg_page(native, written);
-    if (memcmp(page, written, sizeof page) != 0 && !bat_seen_shown(native))
-        bat_document_set_page(native, page);
+    const bool seen = bat_seen_view(native) && bat_seen_shown(native); /* the second comes later */
+    if (memcmp(page, written, sizeof page) != 0 && !seen) bat_document_set_page(native, page);
     report->edited = false;
     report->native = true;
     report->lost.count[BAT_LOSS_NATIVE] = 0;

@@ -143,16 +143,14 @@ void bat_svg_stand_free(bat_svg_walk *w);
 /* False: it is not shown. */
 bool bat_svg_draw_text(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
-/* Whether only the whole of the element can be shown as it is: with a filter, a mask or a pattern. Then it is drawn as usual
- * between these two calls, of which the second puts foreign content in the place of all that; false: it leaves it. */
-bool bat_svg_has_effect(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
+/* The state of the walk before an element that can only be shown whole is drawn as usual. The call puts foreign content in the
+ * place of all that has been drawn since; false: it leaves it. */
 typedef struct bat_svg_before {
     int objects, members, paths, curves, hidden;
     long put;
     uint64_t digest;
     bat_losses lost;
 } bat_svg_before;
-bat_svg_before bat_svg_effect_begin(const bat_svg_walk *w);
 bool bat_svg_effect_end(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                         const bat_svg_before *before);
 
