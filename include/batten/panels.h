@@ -12,7 +12,8 @@ extern "C" {
 /* ---- layers and objects by id ---- */
 
 /* The layers, back to front, as JSON: {"layers":[{"id","name","hidden","locked","depth","members"}], "active":id,
- * "loose": objects in no layer, "pictures": images}. Owned by the editor, valid until the next call of it; NULL: out of
+ * "loose": objects in no layer, "pictures": images, "aids":[{"id","name","kind" in words,"hidden","locked"}]: planes, saved
+ * views and cameras, which have names and are in no picture}. Owned by the editor, valid until the next call of it; NULL: out of
  * memory. */
 BAT_API const char *bat_editor_layers(bat_editor *editor);
 /* The names of the commands that arrange or mend what is selected, as far as this selection makes them possible,

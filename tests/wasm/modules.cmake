@@ -13,4 +13,7 @@ target_link_libraries(units_module PRIVATE -lc-printscan-long-double)
 separate_arguments(features UNIX_COMMAND "${WASM_FEATURES}")
 add_custom_command(TARGET units_module POST_BUILD VERBATIM
   COMMAND ${WASM_OPT} -Oz --low-memory-unused -g ${features} $<TARGET_FILE:units_module> -o $<TARGET_FILE:units_module>)
-set_target_properties(parity_module units_module PROPERTIES EXCLUDE_FROM_ALL ON)
+# bench.wasm, the rows of the benchmarks on surfaces: bench/module.mjs times it.
+add_module(bench_module bench $<TARGET_OBJECTS:batten_objects> ${PROJECT_SOURCE_DIR}/bench/module.c
+  ${PROJECT_SOURCE_DIR}/bench/rows_surface.c)
+set_target_properties(parity_module units_module bench_module PROPERTIES EXCLUDE_FROM_ALL ON)

@@ -124,6 +124,11 @@ for (const [name, bytes] of [['jug', JUG], ['sheet', SHEET]]) {
         });
         assert.equal(now.error, 0);
         assert.equal(now.legend, look === 'gauss' || look === 'mean');
+        if (now.legend) {
+          const [low, high] = await page.locator('.looks .scale span').evaluateAll((all) => [0, 2].map((i) => all[i].textContent));
+          assert.equal(low.slice(1), high.slice(1), 'a symmetric range');
+          assert.match(high, /^\+\d(\.\d)?( · 10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?$|^\+0\.0{0,2}\d{1,2}$|^\+\d{2,4}$/);
+        }
         seen.add(now.said);
         await page.screenshot({ path: path.join(SCREENSHOTS, `look-${name}-${look}-${colorScheme}.png`) });
         await (look === 'zebra' ? page.locator('.looks button').click() : page.keyboard.press('x'));

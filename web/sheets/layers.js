@@ -21,6 +21,14 @@ import { tell, word } from '../page/words.js';
  * @property {number} active
  * @property {number} loose objects in no layer
  * @property {number} pictures how many there are to trace
+ * @property {Aid[]} aids
+ *
+ * @typedef {object} Aid a plane, a saved view, a camera
+ * @property {number} id
+ * @property {string} name
+ * @property {string} kind in words
+ * @property {boolean} hidden
+ * @property {boolean} locked
  */
 
 class LayersSheet {
@@ -36,6 +44,9 @@ class LayersSheet {
     this.shown = '';
     this.list = document.createElement('ul');
     this.list.className = 'layer-list';
+    this.aids = document.createElement('ul');
+    this.aids.className = 'layer-list';
+    this.aids.id = 'aids';
     const fill = () => void loadIcons('arrange').then(() => this.#fill());
     sheet.addEventListener('toggle', fill);
     fill();
@@ -53,11 +64,12 @@ class LayersSheet {
   }
 
   #fill() {
-    if (this.list.contains(document.activeElement) && document.activeElement instanceof HTMLInputElement &&
-      document.activeElement.type === 'text') {
+    if (document.activeElement instanceof HTMLInputElement && document.activeElement.type === 'text' &&
+      document.activeElement.closest('.layer-list')) {
       return; // a name is being typed
     }
-    const { layers, active, loose, pictures } = this.engine.layers();
+    const { layers, active, loose, pictures, aids } = this.engine.layers();
+    this.#fillAids(aids);
     /** @type {HTMLElement} */ (document.getElementById('pictures')).hidden = pictures === 0;
     const rows = layers.slice().reverse().map((layer) => this.#row(layer, layer.id === active));
     const none = { id: 0, name: word('shell.no-layer'), hidden: false, locked: false, depth: 0, members: loose };
@@ -72,6 +84,44 @@ class LayersSheet {
     if (again) {
       parts(again)[index]?.focus();
     }
+  }
+
+  /** What has a name and is in no picture. @param {Aid[]} aids */
+  #fillAids(aids) {
+    /** @type {HTMLElement} */ (this.aids.parentElement).hidden = aids.length === 0;
+    const held = document.activeElement?.closest('#aids li');
+    const again = held ? [...this.aids.children].indexOf(held) : -1;
+    this.aids.replaceChildren(...aids.map((aid) => {
+      const row = document.createElement('li');
+      row.className = 'layer-row';
+      row.dataset.id = String(aid.id);
+      row.append(this.#name(aid.id, aid.name, word('shell.aid-name', aid.kind), aid.kind),
+        this.#toggle(aid.hidden ? 'hidden' : 'shown', aid.hidden, word('shell.hide', aid.name || aid.kind),
+          () => this.engine.setState(aid.id, !aid.hidden, aid.locked)));
+      return row;
+    }));
+    if (again >= 0) {
+      this.aids.children[Math.min(again, aids.length - 1)]?.querySelector('button')?.focus();
+    }
+  }
+
+  /** A field for a name. @param {number} id @param {string} value @param {string} label @param {string} [empty] */
+  #name(id, value, label, empty = '') {
+    const name = document.createElement('input');
+    name.type = 'text';
+    name.className = 'layer-name';
+    name.value = value;
+    name.placeholder = empty;
+    name.setAttribute('aria-label', label);
+    name.addEventListener('change', () => this.engine.rename(id, name.value));
+    name.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter' || event.key === 'Escape') {
+        name.blur();
+      }
+      event.stopPropagation();
+    });
+    name.addEventListener('blur', () => this.#change(() => {}));
+    return name;
   }
 
   /** @param {() => void} change */
@@ -100,20 +150,7 @@ class LayersSheet {
       name.textContent = layer.name;
       row.append(name);
     } else {
-      const name = document.createElement('input');
-      name.type = 'text';
-      name.className = 'layer-name';
-      name.value = layer.name;
-      name.setAttribute('aria-label', word('shell.layer-name'));
-      name.addEventListener('change', () => this.engine.rename(layer.id, name.value));
-      name.addEventListener('keydown', (event) => {
-        if (event.key === 'Enter' || event.key === 'Escape') {
-          name.blur();
-        }
-        event.stopPropagation();
-      });
-      name.addEventListener('blur', () => this.#change(() => {}));
-      row.append(name);
+      row.append(this.#name(layer.id, layer.name, word('shell.layer-name')));
     }
     const members = document.createElement('span');
     members.className = 'layer-members';
@@ -206,6 +243,8 @@ export function fill({ engine, wake, tables, controls, buttons }, sheet) {
     ...tables.properties.filter(({ group }) => group === 'picture').map((property) => controls.control(property, 'setting')),
     row(({ name }) => name.startsWith('picture-') || name === 'tool-span'));
   const layers = new LayersSheet(engine, wake, sheet);
-  sheet.append(heading('layers'), layers.list, row(({ name }) => name.startsWith('layer-')), pictures);
+  const aids = document.createElement('div');
+  aids.append(heading('aids'), layers.aids);
+  sheet.append(heading('layers'), layers.list, row(({ name }) => name.startsWith('layer-')), aids, pictures);
   return layers;
 }

@@ -20,6 +20,15 @@ const THINNEST = 0.75; // view pixels: as on the still canvas
 const HIDDEN = { fainter: 0.4, thinner: 0.7 };
 const RIM = { wider: 2.5, colour: 0x20242bb0 }; // px of both sides together
 
+/** Two digits, and a power of ten where there would be many noughts. @param {number} value above 0 */
+function brief(value) {
+  const [digits, power] = value.toExponential(1).split('e');
+  if (Number(power) >= -3 && Number(power) < 4) {
+    return Number(value.toPrecision(2)).toString();
+  }
+  return `${Number(digits)} · 10${[...power.replace('+', '')].map((one) => (one === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(one)])).join('')}`;
+}
+
 export class Space {
   /** @param {import('../main.js').Shell} shell */
   constructor(shell) {
@@ -350,7 +359,7 @@ export class Space {
     this.button.textContent = name;
     this.button.title = word('command.look-next');
     this.scale.hidden = !curved;
-    const end = Number(range.toPrecision(2)).toString();
+    const end = brief(range);
     const [bar, ...marks] = /** @type {HTMLElement[]} */ ([...this.scale.children]);
     [`−${end}`, '0', `+${end}`].forEach((text, i) => {
       marks[i].textContent = text;

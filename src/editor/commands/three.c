@@ -3,7 +3,6 @@
 #include "editor/commands/ground.h"
 #include "editor/input/input.h"
 #include "editor/pick/pivot.h"
-#include "editor/pick/surface.h"
 #include "editor/scene/seen.h"
 #include "editor/session/notice.h"
 #include "editor/tables/commands.h"
@@ -28,12 +27,9 @@ bool bat_three_cancel(bat_context *c) {
 
 /* The point that is seen at the pixel. */
 static bool place(bat_context *c, const double pixel[2], double at[3]) {
-    bat_stage stage = *c->stage;
     bat_hit hit;
     if (bat_pivot_under(c, pixel, at)) return true;
-    const bat_object *surface = bat_pick_surface(c, pixel);
-    if (surface) bat_ground_of(surface, &stage.ground);
-    if (bat_stage_place(&stage, pixel, NULL, &hit) != BAT_OK) return false;
+    if (bat_stage_place(c->stage, pixel, NULL, &hit) != BAT_OK) return false;
     memcpy(at, hit.at, sizeof hit.at);
     return true;
 }

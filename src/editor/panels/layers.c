@@ -20,6 +20,28 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* What lies in space and is in no picture: planes, views, cameras. */
+static void list_aids(const bat_context *c, bat_text *text) {
+    const bat_document *document = c->session->document;
+    const char *between = "";
+    bat_text_string(text, ",\"aids\":[");
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        if (!bat_object_is(object, BAT_SPACE) || bat_object_is_painted(object)) continue;
+        bat_text_string(text, between);
+        bat_text_string(text, "{\"id\":");
+        bat_text_integer(text, bat_object_id(object));
+        bat_text_string(text, ",\"name\":");
+        bat_text_json_string(text, bat_object_name(object));
+        bat_text_string(text, ",\"kind\":");
+        bat_text_json_string(text, bat_word(c, bat_kind_word(bat_object_type(object))));
+        bat_text_string(text, bat_object_is_hidden(object) ? ",\"hidden\":true" : ",\"hidden\":false");
+        bat_text_string(text, bat_object_is_locked(object) ? ",\"locked\":true}" : ",\"locked\":false}");
+        between = ",";
+    }
+    bat_text_string(text, "]");
+}
+
 const char *bat_panel_layers(bat_context *c) {
     const bat_document *document = c->session->document;
     bat_text text = {0};
@@ -54,6 +76,7 @@ const char *bat_panel_layers(bat_context *c) {
     bat_text_integer(&text, (uint64_t)loose);
     bat_text_string(&text, ",\"pictures\":");
     bat_text_integer(&text, (uint64_t)bat_tracing_count(document));
+    list_aids(c, &text);
     bat_text_string(&text, "}");
     bat_text_add(&text, "", 1);
     if (text.failed) {

@@ -2,12 +2,26 @@
 #include "curve/curve.h"
 #include "document/kind.h"
 #include "editor/choice/choice.h"
+#include "editor/pick/surface.h"
 #include "editor/scene/seen.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
+#include "editor/view/stage.h"
 #include <math.h>
+#include <string.h>
 
 static const double REACH = 24; /* px */
+
+static bool on_surface(bat_context *c, const double pixel[2], double out[3]) {
+    const bat_object *surface = bat_pick_surface(c, pixel);
+    bat_stage stage = *c->stage;
+    bat_hit hit;
+    if (!surface || !bat_ground_of(surface, &stage.ground) ||
+        bat_stage_place(&stage, pixel, NULL, &hit) != BAT_OK)
+        return false;
+    memcpy(out, hit.at, sizeof hit.at);
+    return true;
+}
 
 bool bat_pivot_under(bat_context *c, const double pixel[2], double out[3]) {
     double at[2], within = REACH * bat_stage_pixel(c->stage), place[BAT_DIMENSION_MAX] = {0};
@@ -32,7 +46,7 @@ bool bat_pivot_under(bat_context *c, const double pixel[2], double out[3]) {
         }
     }
     for (int k = 0; k < 3 && found; k++) out[k] = place[k];
-    return found;
+    return found || on_surface(c, pixel, out);
 }
 
 static void hold(double low[3], double high[3], const double *point, int dimension) {

@@ -4,9 +4,9 @@
 
 #include "editor/session/context.h"
 
-/* The point in space of the nearest curve at the pixel; false: none is there. */
+/* The point in space of the nearest curve at the pixel, or else of the surface there; false: nothing is there. */
 bool bat_pivot_under(bat_context *c, const double pixel[2], double out[3]);
-/* Sets the view's pivot: the point of a curve at the pixel, if one is there (pixel may be NULL); else the middle of the
+/* Sets the view's pivot: what is at the pixel, if anything is (pixel may be NULL); else the middle of the
  * selection; else of all that is seen, the page included. */
 void bat_pivot_set(bat_context *c, const double *pixel);
 /* The view is in perspective, or not, as the setting says; lengths at the pivot, which is chosen anew, stay. */

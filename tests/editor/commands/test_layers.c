@@ -36,7 +36,7 @@ static void layers_hold_hide_and_lock(void **state) {
         bat_editor_layers(editor),
         "{\"layers\":[{\"id\":3,\"name\":\"T\xc3\xbcr\",\"hidden\":false,\"locked\":false,\"depth\":0,"
         "\"members\":2},{\"id\":5,\"name\":\"Layer 2\",\"hidden\":false,\"locked\":false,\"depth\":0,"
-        "\"members\":0}],\"active\":3,\"loose\":1,\"pictures\":0}");
+        "\"members\":0}],\"active\":3,\"loose\":1,\"pictures\":0,\"aids\":[]}");
     /* A layer's contents are taken one by one. */
     click(&p, 500, 200, 0);
     assert_true(selected(editor) == 1 && has(editor, 1));
@@ -118,10 +118,31 @@ static void layers_are_placed(void **state) {
     bat_editor_free(editor);
 }
 
+/* Planes, saved views and cameras are listed, and are named and hidden as layers are. */
+static void what_is_in_no_picture_has_a_name(void **state) {
+    (void)state;
+    bat_editor *editor = select_editor();
+    bat_editor_command(editor, "orbit-up");
+    assert_int_equal(bat_editor_command(editor, "view-save"), BAT_OK);    /* 3 */
+    assert_int_equal(bat_editor_command(editor, "plane-facing"), BAT_OK); /* 4 */
+    const uint64_t before = digest(editor);
+    assert_int_equal(bat_editor_rename(editor, 3, "from \"above\""), BAT_OK);
+    assert_int_equal(bat_editor_set_state(editor, 4, true, false), BAT_OK);
+    const char *list = strstr(bat_editor_layers(editor), "\"aids\"");
+    assert_string_equal(list, "\"aids\":[{\"id\":3,\"name\":\"from \\\"above\\\"\",\"kind\":\"view\","
+                              "\"hidden\":false,\"locked\":false},{\"id\":4,\"name\":\"\",\"kind\":\"plane\","
+                              "\"hidden\":true,\"locked\":false}]}");
+    bat_editor_command(editor, "undo");
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == before);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(layers_hold_hide_and_lock),
         cmocka_unit_test(layers_are_placed),
+        cmocka_unit_test(what_is_in_no_picture_has_a_name),
     };
     return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
 }

@@ -1,0 +1,63 @@
+// Saved views and planes in the layers sheet: each has a field for its name and an eye; the name is in the drawing, and undone.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { launch, open, quiet, SCREENSHOTS, state } from './page.mjs';
+import { serve } from './server.mjs';
+
+const JUG = fs.readFileSync(path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples/jug.batten'));
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const objects = (page, kind) => page.evaluate((name) =>
+  JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.filter((object) => object.kind === name), kind);
+
+for (const [locale, colorScheme, words] of [['en', 'light', /^Name \(/], ['ko-KR', 'dark', /^이름 \(/]]) {
+  test(`a view and a plane are named, ${locale}`, async (t) => {
+    const server = await serve({ name: 'jug.batten', bytes: JUG });
+    t.after(() => server.close());
+    const { page } = await open(browser, server.address, { locale, colorScheme });
+    await page.locator('#stage').focus();
+    await page.click('[data-name=layers]');
+    await page.waitForSelector('.layer-list li');
+    assert.equal(await page.locator('#aids').isVisible(), false, 'nothing to name');
+    await page.click('[data-name=layers]');
+    await page.locator('#stage').focus();
+    for (const key of ['Shift+Alt+ArrowUp', 'Shift+Alt+ArrowUp', 'Shift+Q', 'Shift+J']) {
+      await page.keyboard.press(key);
+    }
+    await quiet(page);
+    await page.click('[data-name=layers]');
+    const fields = page.locator('#aids input');
+    await fields.first().waitFor();
+    assert.equal(await fields.count(), 2);
+    assert.match(await fields.first().getAttribute('aria-label'), words);
+    const begun = await state(page);
+    await fields.first().fill('from the left');
+    await fields.first().press('Enter');
+    await fields.nth(1).fill('facing');
+    await fields.nth(1).press('Enter');
+    await quiet(page);
+    const names = async () => [...await objects(page, 'view'), ...await objects(page, 'plane')].map(({ name }) => name ?? '');
+    assert.deepEqual(await names(), ['from the left', 'facing']);
+    await page.locator('#aids button').first().click();
+    await quiet(page);
+    assert.equal((await objects(page, 'view'))[0].hidden, true);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `named-${locale}.png`) });
+    await page.click('[data-name=layers]');
+    await page.locator('#stage').focus();
+    for (let i = 0; i < 3; i++) {
+      await page.keyboard.press('Control+z');
+    }
+    await quiet(page);
+    const now = await state(page);
+    assert.equal(now.digest, begun.digest);
+    assert.equal(now.check, '');
+  });
+}
