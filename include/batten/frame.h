@@ -207,6 +207,10 @@ typedef struct bat_space {
  * NULL: the view is face-on and through no camera, or memory ran out; then the frame's static list is to be painted as it is. Owned by the
  * editor, valid until the next call that is not const. */
 BAT_API const bat_space *bat_editor_space(bat_editor *editor);
+/* What the camera of the move sees at the playhead (bat_editor_move), in a picture of that size in pixels; when the drawing is seen
+ * through it, the drawing as the view shows it. Called after bat_editor_space, it has the same buffers and no outlines; the
+ * items of the one are valid until the other is called. NULL: there is no camera, or memory ran out. */
+BAT_API const bat_space *bat_editor_lens(bat_editor *editor, const double size[2]);
 /* The constants of the looks in the language of OpenGL ES 3 shaders: a constant for each number and colour, and the
  * function `float matte(vec3 normal)`. */
 BAT_API const char *bat_space_constants(void);

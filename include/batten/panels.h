@@ -70,7 +70,7 @@ BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done
 
 /* Of the camera that is selected, else of the one before, else of the first in the drawing, as JSON: {"id" (0: there is no
  * camera),"name","cameras": in the drawing,"at": seconds of the playhead,"duration","length": of its path,"rate": frames a
- * second,"playing","through": the drawing is seen through it,"loop"; the last three are 0 or 1. "gaze":[{"gain","muted","solo","active"}],
+ * second,"playing","through": the drawing is seen through it,"loop","lens": what it sees is shown beside the drawing; the last four are 0 or 1. "gaze":[{"gain","muted","solo","active"}],
  * its levels, the base first; "path": the same of the curve that it follows, empty when that has no levels; "graph": the share
  * of the distance at 97 even times; empty for a path without length}. Owned by the editor, valid
  * until the next call of it; NULL: out of memory. */
@@ -99,6 +99,23 @@ BAT_API bat_status bat_editor_move_set(bat_editor *editor, bat_move_act act, boo
                                        double value, bool done);
 /* Redraws a stretch of the graph by a stroke, as bat_camera_retime; as bat_editor_move_set. */
 BAT_API bat_status bat_editor_retime(bat_editor *editor, size_t count, const double *points, bool done);
+
+typedef enum bat_correction {
+    BAT_CORRECT_TURN, /* what is seen at `from` goes to `to` */
+    BAT_CORRECT_ROLL, /* by the angle between them about the middle of the picture */
+    BAT_CORRECT_ORBIT, /* about the target, or else about what is seen at `from`: half a turn for the picture's height */
+    BAT_CORRECT_PAN, /* sideways, so that what is seen at `from` goes with the pen; the gaze keeps to its rule */
+    BAT_CORRECT_DOLLY /* towards what is seen at `from`: twice as near for 200 pixels upwards */
+} bat_correction;
+/*
+ * Corrects the move in a picture of that size in pixels that its camera sees: at the playhead the path, or the gaze, or both are
+ * changed at their active levels. Shown at once, from what was there before the first of these calls; one step of the history
+ * when `done` comes, command "cancel" takes it back. What plays stops. BAT_STATE: there is no camera, something else is under way, or
+ * the path is locked or hidden; BAT_ARGUMENT: the level is silent, or the size is not above 0; BAT_UNSUPPORTED: a camera that looks
+ * at something is turned at level 0; BAT_NUMBER.
+ */
+BAT_API bat_status bat_editor_correct(bat_editor *editor, bat_correction kind, const double size[2],
+                                      const double from[2], const double to[2], bool done);
 
 /* ---- levels of the chosen curve, for the level strip ---- */
 

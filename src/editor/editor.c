@@ -6,6 +6,7 @@
 #include "editor/edit/symmetry.h"
 #include "editor/input/pressure.h"
 #include "editor/tables/words.h"
+#include "editor/tools/gazes/correct.h"
 #include "editor/tools/gazes/fade.h"
 #include <stdlib.h>
 
@@ -230,6 +231,11 @@ bat_status bat_editor_move_set(bat_editor *editor, bat_move_act act, bool path, 
 
 bat_status bat_editor_retime(bat_editor *editor, size_t count, const double *points, bool done) {
     return settled(editor, bat_move_retime(&editor->context, count, points, done));
+}
+
+bat_status bat_editor_correct(bat_editor *editor, bat_correction kind, const double size[2],
+                              const double from[2], const double to[2], bool done) {
+    return settled(editor, bat_correct(&editor->context, kind, size, from, to, done));
 }
 
 const char *bat_editor_said(bat_editor *editor) { return bat_panel_said(&editor->context); }

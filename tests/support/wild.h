@@ -111,9 +111,14 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
                                   more == 254 ? (double)NAN : 0.5};
         if (more & 2) bat_editor_retime(editor, 2, stroke, more & 4);
         bat_editor_move_set(editor, (bat_move_act)(more % 9), more & 16, more % 3, more / 32 * 0.7, more & 8);
+        const double size[2] = {more == 253 ? (double)INFINITY : 320, 180},
+                     from[2] = {stroke[0] * 320, stroke[1] * 180};
+        const double to[2] = {stroke[2] * 320, more == 252 ? (double)NAN : 70};
+        if (more & 4) bat_editor_correct(editor, (bat_correction)(more / 8 % 6), size, from, to, more & 1);
         bat_editor_move(editor);
         bat_editor_frame(editor);
         bat_editor_space(editor);
+        bat_editor_lens(editor, size);
     }
 }
 

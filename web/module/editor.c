@@ -41,6 +41,9 @@ MODULE_EXPORT(editor_move_set)
 int editor_move_set(bat_editor *editor, int act, int path, int level, double value, int done);
 MODULE_EXPORT(editor_retime)
 int editor_retime(bat_editor *editor, const double *points, size_t count, int done);
+MODULE_EXPORT(editor_correct)
+int editor_correct(bat_editor *editor, int kind, double wide, double tall, double x, double y, double to_x,
+                   double to_y, int done);
 MODULE_EXPORT(editor_outline)
 const char *editor_outline(bat_editor *editor, int first, int count);
 MODULE_EXPORT(editor_outline_points) const char *editor_outline_points(bat_editor *editor, uint32_t id);
@@ -55,6 +58,7 @@ MODULE_EXPORT(editor_saved) void editor_saved(bat_editor *editor);
 MODULE_EXPORT(editor_read_only) void editor_read_only(bat_editor *editor, int on);
 MODULE_EXPORT(editor_frame) const bat_frame *editor_frame(bat_editor *editor);
 MODULE_EXPORT(editor_space) const bat_space *editor_space(bat_editor *editor);
+MODULE_EXPORT(editor_lens) const bat_space *editor_lens(bat_editor *editor, double wide, double tall);
 MODULE_EXPORT(space_constants) const char *space_constants(void);
 MODULE_EXPORT(editor_journal) const char *editor_journal(const bat_editor *editor, size_t *size);
 MODULE_EXPORT(editor_compact) int editor_compact(bat_editor *editor);
@@ -203,6 +207,13 @@ int editor_retime(bat_editor *editor, const double *points, size_t count, int do
     return (int)bat_editor_retime(editor, count, points, done != 0);
 }
 
+int editor_correct(bat_editor *editor, int kind, double wide, double tall, double x, double y, double to_x,
+                   double to_y, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_correct(editor, (bat_correction)kind, (double[]){wide, tall}, (double[]){x, y},
+                                   (double[]){to_x, to_y}, done != 0);
+}
+
 const char *editor_outline(bat_editor *editor, int first, int count) {
     MODULE_CHECK(editor);
     return bat_editor_outline(editor, first, count);
@@ -277,6 +288,11 @@ void editor_read_only(bat_editor *editor, int on) {
 const bat_frame *editor_frame(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_frame(editor);
+}
+
+const bat_space *editor_lens(bat_editor *editor, double wide, double tall) {
+    MODULE_CHECK(editor);
+    return bat_editor_lens(editor, (double[]){wide, tall});
 }
 
 const bat_space *editor_space(bat_editor *editor) {

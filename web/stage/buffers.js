@@ -27,10 +27,10 @@ export class Buffers {
     return this.kept.get(`${kind} ${id}`)?.array ?? null;
   }
 
-  /** Brings the buffers up to date. @param {NonNullable<Picture>} picture */
-  keep(picture) {
+  /** Brings the buffers up to date. @param {NonNullable<Picture>} picture @param {boolean} [more] those of the last picture stay */
+  keep(picture, more = false) {
     for (const one of this.kept.values()) {
-      one.used = false;
+      one.used = more;
     }
     for (const solid of picture.items) {
       const name = `${solid.kind} ${solid.id}`;

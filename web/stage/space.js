@@ -39,6 +39,8 @@ export class Space {
     this.canvas.ariaHidden = 'true';
     this.canvas.hidden = true;
     this.shown = '';
+    this.docked = '';
+    this.middle = [0, 0];
     this.time = new TimeStrip(shell);
     /** For tests and measurements: pictures painted, bytes sent. */
     this.counts = { painted: 0, sent: 0, whole: 0 };
@@ -69,6 +71,7 @@ export class Space {
     const constants = this.shell.engine.guard(() => this.shell.engine.string(this.shell.engine.wasm.space_constants()), '');
     this.buffers = new Buffers(gl, this.shell.engine, this.counts);
     this.shown = '';
+    this.docked = '';
     this.surfaces = this.#program(SURFACES.vertex, constants + SURFACES.fragment);
     this.lines = this.#program(LINES.vertex, LINES.fragment);
     gl.enable(gl.DEPTH_TEST);
@@ -173,9 +176,15 @@ export class Space {
     if (!this.gl || this.gl.isContextLost()) {
       return;
     }
+    if (this.canvas.width !== painter.still.width || this.canvas.height !== painter.still.height) {
+      this.canvas.width = painter.still.width;
+      this.canvas.height = painter.still.height;
+      this.shown = '';
+    }
     const picture = frame.tilt || this.time.move.through ? this.read() : null;
     if (!picture) {
       this.#leave();
+      this.#paintLens(false);
       return;
     }
     if (!painter.flat) {
@@ -183,17 +192,12 @@ export class Space {
       painter.retheme();
     }
     this.canvas.hidden = false;
-    if (this.canvas.width !== painter.still.width || this.canvas.height !== painter.still.height) {
-      this.canvas.width = painter.still.width;
-      this.canvas.height = painter.still.height;
-      this.shown = '';
-    }
     this.buffers?.keep(picture);
-    const shown = [picture.look, painter.ratio, this.shell.theme.dark, ...picture.clip,
-      ...picture.items.map(({ id, kind, version, colour, opacity, width, cap }) => [id, kind, version, colour, opacity, width, cap])].join();
+    this.#paintLens(true);
+    const shown = this.#look(picture);
     if (shown !== this.shown || picture.items.some(({ kind, moved }) => kind === 0 && moved[0] < moved[1])) {
       this.shown = shown;
-      this.#paint(picture);
+      this.#paint(picture, this.canvas);
     }
     this.#tell(picture);
     if (picture.waits) {
@@ -201,10 +205,42 @@ export class Space {
     }
   }
 
-  /** What the engine has to paint. Arrays are views into its memory, valid until the next call. */
-  read() {
+  /** What tells two pictures apart, but for what moved within surfaces. @param {NonNullable<Picture>} picture */
+  #look({ look, clip, items }) {
+    return [look, this.shell.painter.ratio, this.shell.theme.dark, ...clip,
+      ...items.map(({ id, kind, version, colour, opacity, width, cap }) => [id, kind, version, colour, opacity, width, cap])].join();
+  }
+
+  /**
+   * The docked view, if it is seen: painted before the room, in the same canvas, and taken from there.
+   * @param {boolean} more whether the buffers of another picture are to be kept
+   */
+  #paintLens(more) {
+    const { lens } = this.time;
+    const { width, height, wide, tall } = lens.size;
+    if (lens.box.hidden || !width || !height || height > this.canvas.height || width > this.canvas.width) {
+      this.docked = '';
+      return;
+    }
     const { engine } = this.shell;
-    const at = engine.guard(() => engine.wasm.editor_space(engine.editor), 0);
+    const picture = this.read(engine.guard(() => engine.wasm.editor_lens(engine.editor, wide, tall), 0));
+    if (!picture) {
+      return;
+    }
+    this.buffers?.keep(picture, more);
+    const docked = [width, height, this.#look(picture)].join();
+    if (docked === this.docked && !picture.items.some(({ kind, moved }) => kind === 0 && moved[0] < moved[1])) {
+      return;
+    }
+    this.docked = docked;
+    this.#paint(picture, lens.size);
+    lens.copy(this.canvas);
+    this.shown = ''; // the room is to be painted over it
+  }
+
+  /** What the engine has to paint. The vertices and indices of its items are in the engine's memory, valid until the next call. */
+  read(at = this.shell.engine.guard(() => this.shell.engine.wasm.editor_space(this.shell.engine.editor), 0)) {
+    const { engine } = this.shell;
     if (!at) {
       return null;
     }
@@ -216,9 +252,9 @@ export class Space {
     const single = (/** @type {number} */ base, /** @type {string} */ name) => view.getFloat32(place(base, name), true);
     const first = word32(at, 'space.items');
     return {
-      clip: new Float32Array(buffer, place(at, 'space.clip'), 16),
-      eye: new Float32Array(buffer, place(at, 'space.eye'), 16),
-      before: new Float32Array(buffer, place(at, 'space.before'), 2),
+      clip: new Float32Array(buffer, place(at, 'space.clip'), 16).slice(),
+      eye: new Float32Array(buffer, place(at, 'space.eye'), 16).slice(),
+      before: new Float32Array(buffer, place(at, 'space.before'), 2).slice(),
       scale: single(at, 'space.scale'),
       perspective: word32(at, 'space.perspective'),
       look: word32(at, 'space.look'),
@@ -238,6 +274,7 @@ export class Space {
           cap: get('cap'),
           rows: get('rows'),
           columns: get('columns'),
+          count: get('index_count'),
           indices: new Uint32Array(buffer, get('indices'), get('index_count')),
           vertices: get('vertices'),
           moved: [...new Uint32Array(buffer, place(item, 'solid.moved'), 4)],
@@ -246,10 +283,11 @@ export class Space {
     };
   }
 
-  /** @param {NonNullable<Picture>} picture */
-  #paint(picture) {
+  /** @param {NonNullable<Picture>} picture @param {{ width: number, height: number }} size in pixels of the canvas */
+  #paint(picture, size) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
-    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    this.middle = [size.width / 2, size.height / 2];
+    gl.viewport(0, 0, size.width, size.height);
     gl.depthMask(true);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -309,10 +347,10 @@ export class Space {
     gl.uniform1i(at.look, look);
     gl.uniform1f(at.range, range);
     for (const solid of solids) {
-      const { colour, opacity, indices } = solid;
+      const { colour, opacity, count } = solid;
       gl.uniform4fv(at.colour, colour ? this.#colour(colour, opacity) : [-1, 0, 0, opacity]);
       gl.bindVertexArray(this.buffers?.array(solid) ?? null);
-      gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_INT, 0);
+      gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
     }
   }
 
@@ -330,7 +368,7 @@ export class Space {
     gl.useProgram(program);
     gl.uniformMatrix4fv(at.clip, false, clip);
     gl.uniform2fv(at.before, before);
-    gl.uniform2f(at.middle, this.canvas.width / 2, this.canvas.height / 2);
+    gl.uniform2fv(at.middle, this.middle);
     gl.uniform1f(at.dash, hidden ? scale / 11 : 0);
     for (const line of lines) {
       const { colour, opacity, width, cap, rows } = line;

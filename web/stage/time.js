@@ -3,6 +3,7 @@
 
 import { dress } from '../page/build.js';
 import { word } from '../page/words.js';
+import { Lens } from './lens.js';
 import { Timing } from './timing.js';
 
 /** @typedef {import('../engine/types.js').Frame} Frame */
@@ -18,17 +19,19 @@ import { Timing } from './timing.js';
  * @property {number} playing 0 or 1, as the next ones
  * @property {number} through
  * @property {number} loop
+ * @property {number} lens
  * @property {import('./timing.js').Row[]} gaze its levels, the base first
  * @property {import('./timing.js').Row[]} path those of the curve that it follows
  * @property {number[]} graph the share of the distance at even times
  */
 
-const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0, gaze: [], path: [], graph: [] });
+const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0, lens: 0, gaze: [], path: [], graph: [] });
 const THUMB = 16; // px
 const PICTURES = {
   'move-play': '<path d="M7 4l13 8-13 8z" fill="currentColor"/><path class="on" d="M6 4h4v16H6zM14 4h4v16h-4z" fill="currentColor"/>',
   'move-loop': '<path d="M17 3l4 4-4 4M21 7H8a5 5 0 0 0-5 5M7 21l-4-4 4-4M3 17h13a5 5 0 0 0 5-5"/>',
   'move-more': '<path d="M4 20V4M4 20h16M4 20C9 20 9 8 20 7"/>',
+  lens: '<path d="M3 5h18v14H3z"/><path d="M13 12h6v5h-6z" fill="currentColor"/>',
   'look-through': '<path d="M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12z"/><circle cx="12" cy="12" r="3"/>',
 };
 
@@ -48,14 +51,16 @@ export class TimeStrip {
     this.slider.type = 'range';
     this.slider.min = '0';
     this.told = document.createElement('output');
-    this.timing = new Timing(shell, () => {
+    const changed = () => {
       this.version = 0; // what a control changes shows before the next change of the drawing
       shell.wake();
-    });
+    };
+    this.timing = new Timing(shell, changed);
+    this.lens = new Lens(shell, changed);
     this.timing.box.hidden = true;
     this.row = document.createElement('div');
     this.row.className = 'time-row';
-    this.row.append(this.#button('move-play'), this.slider, this.told, this.#button('move-loop'), this.#button('look-through'), this.#more());
+    this.row.append(this.#button('move-play'), this.slider, this.told, this.#button('move-loop'), this.#button('lens'), this.#button('look-through'), this.#more());
     this.box.append(this.timing.box, this.row);
     this.slider.addEventListener('input', () => this.#seek(this.slider.valueAsNumber));
     this.slider.addEventListener('pointerdown', (event) => this.#grasp(event));
@@ -85,7 +90,7 @@ export class TimeStrip {
     return button;
   }
 
-  /** @param {'move-play' | 'move-loop' | 'look-through'} command */
+  /** @param {'move-play' | 'move-loop' | 'lens' | 'look-through'} command */
   #button(command) {
     const button = document.createElement('button');
     button.type = 'button';
@@ -132,7 +137,7 @@ export class TimeStrip {
   /** @param {Frame} frame */
   show({ moves }) {
     const { engine, wake } = this.shell;
-    if (moves !== this.version) {
+    if (moves !== this.version || (moves && engine.get('lens') !== this.move.lens)) { // a setting changes no frame
       this.version = moves;
       this.move = moves ? engine.guard(() => JSON.parse(engine.string(engine.wasm.editor_move(engine.editor))), NONE) : NONE;
       this.#fill();
@@ -144,9 +149,10 @@ export class TimeStrip {
   }
 
   #fill() {
-    const { id, name, at, duration, rate, playing, through, loop } = this.move;
-    const states = { 'move-play': playing, 'move-loop': loop, 'look-through': through };
+    const { id, name, at, duration, rate, playing, through, loop, lens } = this.move;
+    const states = { 'move-play': playing, 'move-loop': loop, lens, 'look-through': through };
     this.box.hidden = !id;
+    this.lens.show(this.move);
     this.box.ariaLabel = name || word('moves.name');
     this.shell.stage.classList.toggle('through', through !== 0);
     this.slider.max = String(duration);

@@ -36,6 +36,7 @@ const char *bat_panel_move(bat_context *c) {
     number(&text, ",\"playing\":", m->playing);
     number(&text, ",\"through\":", m->through);
     number(&text, ",\"loop\":", c->settings->values[BAT_PROPERTY_MOVE_LOOP]);
+    number(&text, ",\"lens\":", c->settings->values[BAT_PROPERTY_LENS]);
     bat_move_rows(c, &text);
     bat_text_string(&text, "}");
     bat_text_add(&text, "", 1);

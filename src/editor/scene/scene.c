@@ -40,6 +40,7 @@ void bat_scene_free(bat_scene *scene) {
     free(scene->entries);
     free(scene->items);
     if (scene->space) bat_space_free(scene->space);
+    if (scene->lens) bat_space_free(scene->lens);
     bat_scene_init(scene);
 }
 

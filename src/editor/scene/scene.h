@@ -51,6 +51,7 @@ typedef struct bat_scene {
     bool surfaces;                  /* some are shown */
     bool stale;                     /* some path could not be made, or the origin has moved */
     struct bat_space_kept *space;   /* scene/space.h; NULL until requested */
+    struct bat_space_kept *lens;    /* a second picture of the same buffers */
 } bat_scene;
 
 void bat_scene_init(bat_scene *scene);

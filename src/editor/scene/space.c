@@ -256,20 +256,10 @@ static uint32_t legend_at(double share) {
     return rgb << 8 | 255;
 }
 
-const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const bat_viewpoint *through,
-                              bat_look look, int guises, const bat_guise *guise) {
-    if (!bat_stage_tilted(stage) && !through) return NULL;
-    if (!scene->space) scene->space = calloc(1, sizeof *scene->space);
-    bat_space_kept *kept = scene->space;
-    if (!kept) return NULL;
-    settle_origin(kept, stage, through);
-    bat_grain grain = {.scale = (int)ceil(bat_log(bat_stage_scale(stage)) / bat_log(2)), .look = look};
-    memcpy(grain.origin, kept->origin, sizeof grain.origin);
-    if (!update(scene, &grain, guises, guise) || look_at(scene, stage, through, kept) != BAT_OK ||
-        measure(scene, look, kept) != BAT_OK || rest(scene, kept) != BAT_OK)
-        return NULL;
+/* Fills the list of what is painted. aids: cameras and the like, too; kept: outlines, too, when it is of the stage. */
+static bool gather(const bat_scene *scene, bat_space_kept *kept, bat_look look, bool aids, bool outlines) {
     bat_space_item *items = realloc(kept->items, (size_t)(3 * scene->count + 1) * sizeof *items);
-    if (!items) return NULL;
+    if (!items) return false;
     bat_space *space = &kept->space;
     space->items = kept->items = items;
     space->count = 0;
@@ -278,11 +268,80 @@ const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const ba
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
         if (entry->hidden || !entry->solid || !bat_object_is_drawn(entry->object)) continue;
-        if (through && bat_object_is(entry->object, BAT_AID)) continue; /* a camera sees no cameras */
+        if (!aids && bat_object_is(entry->object, BAT_AID)) continue; /* a camera sees no cameras */
         if (entry->solid->mesh || entry->solid->facets.triangle_count)
             add_triangles(space, items + space->count, entry);
         add_lines(space, items + space->count, scene, entry);
-        add_outline(space, items + space->count, kept, scene, entry);
+        if (outlines) add_outline(space, items + space->count, kept, scene, entry);
     }
-    return space;
+    return true;
+}
+
+static bat_grain grain_of(const bat_space_kept *kept, const bat_stage *stage, bat_look look) {
+    bat_grain grain = {.scale = (int)ceil(bat_log(bat_stage_scale(stage)) / bat_log(2)), .look = look};
+    memcpy(grain.origin, kept->origin, sizeof grain.origin);
+    return grain;
+}
+
+/* A picture's memory, made when it is first asked for. */
+static bat_space_kept *kept_in(bat_space_kept **place) {
+    if (!*place) *place = calloc(1, sizeof **place);
+    return *place;
+}
+
+const bat_space *bat_space_of(bat_scene *scene, const bat_stage *stage, const bat_viewpoint *through,
+                              bat_look look, int guises, const bat_guise *guise) {
+    if (!bat_stage_tilted(stage) && !through) return NULL;
+    bat_space_kept *kept = kept_in(&scene->space);
+    if (!kept) return NULL;
+    settle_origin(kept, stage, through);
+    const bat_grain grain = grain_of(kept, stage, look);
+    if (!update(scene, &grain, guises, guise) || look_at(scene, stage, through, kept) != BAT_OK ||
+        measure(scene, look, kept) != BAT_OK || rest(scene, kept) != BAT_OK)
+        return NULL;
+    return gather(scene, kept, look, !through, true) ? &kept->space : NULL;
+}
+
+const bat_space *bat_space_lens(bat_scene *scene, const bat_stage *stage, const bat_viewpoint *view,
+                                bool room, bat_look look, int guises, const bat_guise *guise) {
+    bat_space_kept *first = kept_in(&scene->space), *kept = kept_in(&scene->lens);
+    if (!first || !kept) return NULL;
+    if (!bat_stage_tilted(stage) && !room) settle_origin(first, stage, view); /* nobody else has */
+    memcpy(kept->origin, first->origin, sizeof kept->origin);
+    const bat_grain grain = grain_of(kept, stage, look);
+    if (!update(scene, &grain, guises, guise) || look_at(scene, stage, view, kept) != BAT_OK ||
+        measure(scene, look, kept) != BAT_OK)
+        return NULL;
+    return gather(scene, kept, look, room, false) ? &kept->space : NULL;
+}
+
+/* Where a ray is within a box, as a share of its direction; false: nowhere before its start. */
+static bool within(const float low[3], const float high[3], const double from[3], const double along[3],
+                   double range[2]) {
+    range[0] = 0, range[1] = INFINITY;
+    for (int d = 0; d < 3; d++) {
+        if (along[d] == 0) {
+            if (from[d] < low[d] || from[d] > high[d]) return false;
+            continue;
+        }
+        const double a = (low[d] - from[d]) / along[d], b = (high[d] - from[d]) / along[d];
+        range[0] = fmax(range[0], fmin(a, b)), range[1] = fmin(range[1], fmax(a, b));
+    }
+    return range[0] <= range[1];
+}
+
+bool bat_space_reach(const bat_scene *scene, const double from[3], const double along[3], double *far) {
+    const bat_space_kept *kept = scene->space;
+    double nearest = INFINITY, range[2], start[3];
+    if (!kept) return false;
+    for (int d = 0; d < 3; d++) start[d] = from[d] - kept->origin[d];
+    for (int i = 0; i < scene->count; i++) {
+        const bat_scene_entry *entry = &scene->entries[i];
+        const bat_solid *s = entry->solid;
+        if (!s || entry->hidden || !(s->low[0] <= s->high[0]) || !(s->mesh || s->facets.triangle_count))
+            continue;
+        if (!within(s->low, s->high, start, along, range) || range[0] == 0 || range[0] >= nearest) continue;
+        nearest = range[0], *far = 0.5 * (range[0] + range[1]);
+    }
+    return nearest < INFINITY;
 }

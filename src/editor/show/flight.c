@@ -18,11 +18,15 @@ const bat_camera *bat_flight_camera(const bat_context *c) {
 }
 
 bool bat_flight_view(const bat_context *c, bat_viewpoint *out) {
+    double size[2];
+    bat_stage_window(c->stage, size);
+    return bat_flight_sees(c, size, out);
+}
+
+bool bat_flight_sees(const bat_context *c, const double size[2], bat_viewpoint *out) {
     const bat_camera *camera = bat_flight_camera(c);
     bat_camera_pose pose;
-    double size[2];
     if (!camera) return false;
-    bat_stage_window(c->stage, size);
     bat_camera_at_time(camera, c->moves->at, &pose);
     return bat_camera_view(&pose, 5 * bat_pyramid_depth(camera), size, out) == BAT_OK &&
            bat_viewpoint_check(out) == BAT_OK;

@@ -10,6 +10,8 @@
 const bat_camera *bat_flight_camera(const bat_context *c);
 /* What it sees at the playhead, in the window as it is. False: there is no camera, or nothing can be seen by it. */
 bool bat_flight_view(const bat_context *c, bat_viewpoint *out);
+/* The same in a window of that size. */
+bool bat_flight_sees(const bat_context *c, const double size[2], bat_viewpoint *out);
 /* Its pyramid at the playhead, and faint ones every half second. */
 void bat_flight_show(const bat_context *c, bat_overlay *overlay);
 

@@ -133,18 +133,27 @@ static bat_status apply(const change *what, const bat_object *from, bat_object *
     return status;
 }
 
-bool bat_move_let_go(bat_context *c) {
+void bat_move_forget(bat_context *c) {
     bat_gazing *g = bat_gazing_of(c);
-    if (!g->fading) return false;
     bat_object_release(g->fading);
-    g->fading = NULL;
+    bat_object_release(g->bending);
+    g->fading = g->bending = NULL;
+    g->correcting = false;
+}
+
+bool bat_move_let_go(bat_context *c) {
+    const bat_gazing *g = bat_gazing_of(c);
+    if (!g->fading) return false;
+    if (g->correcting) c->moves->at = g->time;
+    bat_move_forget(c);
     bat_transaction_cancel(c);
     return true;
 }
 
 static bat_status begin(bat_context *c, bool path) {
     bat_gazing *g = bat_gazing_of(c);
-    if (g->fading) return (bat_object_camera(g->fading) == NULL) == path ? BAT_OK : BAT_STATE;
+    if (g->fading)
+        return !g->correcting && (bat_object_camera(g->fading) == NULL) == path ? BAT_OK : BAT_STATE;
     bat_moves_sync(c);
     if (bat_toolbox_busy(c) || c->session->transaction.open) return BAT_STATE;
     if (bat_session_refuses(c)) return BAT_STATE;
@@ -178,8 +187,7 @@ static bat_status make(bat_context *c, const change *what, bool path, bool done)
         return status;
     }
     if (!done) return BAT_OK;
-    bat_object_release(g->fading);
-    g->fading = NULL;
+    bat_move_forget(c);
     return bat_transaction_commit(c, step_of(what), NULL);
 }
 

@@ -11,6 +11,8 @@ bat_status bat_move_set(bat_context *c, bat_move_act act, bool path, int level, 
 bat_status bat_move_retime(bat_context *c, size_t count, const double *points, bool done);
 /* The level that drags change, of the path or of the gaze; 0 when it has none. */
 int bat_move_level(const bat_context *c, bool path);
+/* Forgets what such a change began from. */
+void bat_move_forget(bat_context *c);
 /* Ends such a change and reverts it; false: there was none. */
 bool bat_move_let_go(bat_context *c);
 /* The levels and the graph as members of the time strip's text. */

@@ -265,6 +265,7 @@ static void begin(void *state) { ((bat_gazing *)state)->chosen = -1; }
 static void end(void *state) {
     bat_object_release(((bat_gazing *)state)->before);
     bat_object_release(((bat_gazing *)state)->fading);
+    bat_object_release(((bat_gazing *)state)->bending);
 }
 
 static bool held_by_panel(const void *state) { return ((const bat_gazing *)state)->fading != NULL; }

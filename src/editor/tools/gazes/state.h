@@ -26,7 +26,10 @@ typedef struct bat_gazing {
     double base[3];         /* the handle when it was taken */
     bat_object *before;     /* NULL: the drag has not begun */
     bat_pointer pressed;
-    bat_object *fading; /* what a panel's control changes, as it was; owned. NULL: nothing */
+    bat_object *fading;  /* what a panel's control changes, as it was; owned. NULL: nothing */
+    bool correcting;     /* it is corrected in the picture that it sees, with: */
+    bat_object *bending; /* what it follows, as it was; owned. NULL: nothing, or what is out of reach */
+    double time, far;    /* of the playhead then; how far away is what was taken hold of, 0: not yet known */
 } bat_gazing;
 
 /* The state of the mode. */
