@@ -16,7 +16,7 @@ const DOUBLE = 350;     // ms between the taps of a double tap
 const WHEEL_ENDS = 300; // ms after its last step a wheel's correction is whole
 const NEAR = 24;        // px between a pen that draws and the view
 const STEP = 12;        // px, of an arrow key
-const CORNERS = ['right', 'left', 'top'];
+const CORNERS = ['right', 'top', 'left'];
 const NAVIGATING = 2 | 4; // buttons: what orbits and what pans
 
 /**
@@ -86,6 +86,9 @@ export class Lens {
     this.canvas.ariaLabel = this.box.ariaLabel;
     this.canvas.title = word('lens.help');
     this.grip.title = this.grip.ariaLabel = word('lens.size');
+    const { offsetLeft, offsetTop } = this.shell.stage;
+    this.box.style.setProperty('--beside', `${offsetLeft}px`);
+    this.box.style.setProperty('--below', `${offsetTop}px`);
     if (this.width) {
       this.box.style.width = `${this.width}px`;
     }
