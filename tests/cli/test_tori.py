@@ -55,6 +55,21 @@ class Tori(ProgramTest):
             way = there - after["positions"][i]
             self.assertGreater(gaze @ way / numpy.linalg.norm(way), numpy.cos(numpy.radians(1)))
 
+    def test_journal(self):
+        """The session leads from the one drawing to the other, digest by digest; undone, it is the first again."""
+        journal = self.made / "tori.journal"
+        made = self.json("replay", str(journal), "--check")
+        lines = journal.read_text().splitlines()
+        opened = lambda name: self.json("replay", self.file("opened.journal", {
+            "journal": "batten", "version": 1, "document": json.loads((self.made / name).read_text())}))["digest"]
+        self.assertEqual(made["digest"], opened("after.batten"))
+        self.assertNotEqual(made["digest"], opened("before.batten"))
+        back = self.made / "back.journal"
+        back.write_text("\n".join(lines[:-1] + 2 * ['{"do":"undo"}']) + "\n")
+        self.assertEqual(self.json("replay", str(back), "--check")["digest"], opened("before.batten"))
+        kept = TORI.parent / "tori.journal"
+        self.assertEqual(self.json("replay", str(kept), "--check")["digest"], json.loads(kept.read_text().splitlines()[-1])["digest"])
+
     def test_pictures(self):
         for name in "abcd":
             self.assertEqual((self.made / f"camera-{name}.png").read_bytes()[:4], b"\x89PNG")

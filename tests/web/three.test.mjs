@@ -88,3 +88,24 @@ for (const [name, move] of Object.entries(moves)) {
     assert.ok(angle < 0.1, `${angle}`);
   });
 }
+
+// Where a move is made of cubics in time, without levels, a player's spans are those of the move: 1e-6, as far as floats go. Its
+// parameter is even in time on a straight path whose control points lie evenly, and on a tripod. Rotations are of one span: only at
+// its ends are the quaternions of the spline of length 1.
+const straight = [0, 1, 2, 3].map((i) => [50 * i, 27 * i, -20 * i]);
+const bezier = (points) => ({ degree: 3, closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1], points });
+const unit = (q) => q.map((x) => x / Math.hypot(...q));
+const turns = bezier([[0.1, 0.2, 0, 1], [0.2, 0.1, 0.3, 0.9], [-0.1, 0.3, 0.2, 0.9], [0.1, -0.2, 0.4, 0.8]].map(unit));
+const exact = {
+  'on a straight path': { path: bezier(straight), timing: { duration: 4 }, orientation: { mode: 'free', base: turns } },
+  'on a tripod': { path: bezier(straight.map(() => [3, 1, 2])), timing: { duration: 4 }, orientation: { mode: 'free', base: turns } },
+};
+
+for (const [name, move] of Object.entries(exact)) {
+  test(`three.js shows cubics ${name} as they are`, async () => {
+    const { place, angle } = await played(move);
+    console.log(`      ${place.toExponential(1)}, ${angle.toExponential(1)} degrees`);
+    assert.ok(place < 1e-6 * 180, `${place}`);
+    assert.ok((angle * Math.PI) / 180 < 1e-6, `${angle}`);
+  });
+}

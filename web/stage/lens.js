@@ -84,7 +84,7 @@ export class Lens {
     this.box.dataset.corner = this.corner;
     this.box.ariaLabel = word(move.through ? 'lens.room' : 'lens.name', move.name);
     this.canvas.ariaLabel = this.box.ariaLabel;
-    this.canvas.title = word('lens.help');
+    this.canvas.title = word('lens.how');
     this.grip.title = this.grip.ariaLabel = word('lens.size');
     const { offsetLeft, offsetTop } = this.shell.stage;
     this.box.style.setProperty('--beside', `${offsetLeft}px`);

@@ -23,6 +23,7 @@ typedef struct span {
     bat_camera_key a, b;
 } span;
 
+static const double even = 0x1p-24; /* keys of players are floats */
 static const double degree = BAT_PI / 180;
 
 /* ---- one span ---- */
@@ -39,6 +40,22 @@ static double hermite(double a, double leave, double b, double arrive, double le
            arrive * length * x * x * y;
 }
 
+/* A free base without levels is a cubic in time where the parameter is even, and so is a player's span before it is made unit: where
+ * the spline is as long at both ends, its own values are the exact ones. It is divided by that length. */
+static void take_spline(const bat_camera *camera, const bat_camera_pose *pose, double values[8][4]) {
+    quat q[4];
+    if (camera->options.mode != BAT_CAMERA_FREE || camera->levels > 0) return;
+    for (int i = 0; i < 4; i++)
+        q[i] = bat_rotation_spline(&camera->base, bat_camera_share(camera, pose[i].u));
+    const double length = quat_norm(q[0]);
+    if (!(fabs(quat_norm(q[3]) - length) <= even * length)) return;
+    for (int i = 0; i < 4; i++) {
+        double v[4];
+        quat_store(quat_near(quat_scale(q[i], 1 / length), quat_load(pose[i].rotation)), v);
+        for (int c = 0; c < 4; c++) values[3 + c][i] = v[c];
+    }
+}
+
 /* The span through the move at its ends and at its thirds. Its first rotation is on the side of `near`. */
 static void make_span(const bat_camera *camera, double from, double to, quat near, span *out) {
     bat_camera_pose pose[4];
@@ -51,6 +68,7 @@ static void make_span(const bat_camera *camera, double from, double to, quat nea
         for (int c = 0; c < 4; c++) values[3 + c][i] = pose[i].rotation[c];
         values[7][i] = pose[i].fov;
     }
+    take_spline(camera, pose, values);
     *out = (span){.from = from, .to = to, .a = {.time = from}, .b = {.time = to}};
     for (int c = 0; c < 8; c++) {
         out->a.value[c] = values[c][0], out->b.value[c] = values[c][3];

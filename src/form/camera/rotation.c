@@ -177,9 +177,11 @@ bat_status bat_rotation_copy(const bat_rotation *from, bat_rotation *out) {
     return status == BAT_OK ? bat_curve_copy(from->w, &out->w) : status;
 }
 
-quat bat_rotation_at(const bat_rotation *r, double share) {
+quat bat_rotation_spline(const bat_rotation *r, double share) {
     double v[3], w[2];
     const double u = r->domain[0] + (r->domain[1] - r->domain[0]) * share;
     bat_curve_eval(r->xyz, u, 0, v), bat_curve_eval(r->w, u, 0, w);
-    return quat_unit((quat){v[0], v[1], v[2], w[0]});
+    return (quat){v[0], v[1], v[2], w[0]};
 }
+
+quat bat_rotation_at(const bat_rotation *r, double share) { return quat_unit(bat_rotation_spline(r, share)); }

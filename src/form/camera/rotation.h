@@ -25,6 +25,8 @@ bat_status bat_rotation_copy(const bat_rotation *from, bat_rotation *out);
 void bat_rotation_clear(bat_rotation *rotation);
 /* The unit quaternion at a share of the domain, 0 to 1. */
 quat bat_rotation_at(const bat_rotation *rotation, double share);
+/* The same before it is made unit. */
+quat bat_rotation_spline(const bat_rotation *rotation, double share);
 /* Makes the spline again after keys have changed (their signs still aligned). */
 bat_status bat_rotation_remake(bat_rotation *rotation);
 
