@@ -41,7 +41,7 @@ const bat_space *bat_editor_lens(bat_editor *editor, const double size[2]) {
     bat_moves_sync(&editor->context);
     const bool room = c->moves->through;
     for (int k = 0; k < 2; k++)
-        if (!(size[k] >= 1 && size[k] <= BAT_PIXELS_MAX)) return NULL;
+        if (!size || !(size[k] >= 1 && size[k] <= BAT_PIXELS_MAX)) return NULL;
     if (room ? !bat_flight_camera(c) || !room_view(c, size, &view) : !bat_flight_sees(c, size, &view))
         return NULL;
     const int count = guises_of(c, guises);

@@ -245,6 +245,7 @@ static void taken_back_and_refused(void **state) {
     bat_editor_command(editor, "cancel");
     assert_true(digest(editor) == first && fabs(playhead(editor) - 1.7) < 1e-12);
     assert_int_equal(bat_editor_correct(editor, (bat_correction)9, SIZE, FROM, TO, true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_correct(editor, BAT_CORRECT_PAN, NULL, FROM, TO, true), BAT_ARGUMENT);
     assert_int_equal(bat_editor_correct(editor, BAT_CORRECT_PAN, (double[]){0, 180}, FROM, TO, true),
                      BAT_ARGUMENT);
     for (int k = 0; k < 3; k++) {
@@ -277,6 +278,7 @@ static void the_docked_picture(void **state) {
     assert_int_equal(bat_editor_command(editor, "camera-along"), BAT_OK);
     assert_null(bat_editor_lens(editor, (double[]){0, 180}));
     assert_null(bat_editor_lens(editor, (double[]){NAN, 180}));
+    assert_null(bat_editor_lens(editor, NULL));
     bat_editor_frame(editor);
     assert_null(bat_editor_space(editor));
     const bat_space *lens = bat_editor_lens(editor, SIZE);

@@ -208,7 +208,7 @@ static void tell(bat_context *c, bat_status status) {
 bat_status bat_correct(bat_context *c, bat_correction kind, const double size[2], const double from[2],
                        const double to[2], bool done) {
     picture p = {.size = size, .from = from, .to = to};
-    if ((unsigned)kind > BAT_CORRECT_DOLLY) return BAT_ARGUMENT;
+    if (!size || !from || !to || (unsigned)kind > BAT_CORRECT_DOLLY) return BAT_ARGUMENT;
     for (int k = 0; k < 2; k++) {
         if (!isfinite(size[k]) || !(fabs(from[k]) <= BAT_PIXELS_MAX) || !(fabs(to[k]) <= BAT_PIXELS_MAX))
             return BAT_NUMBER;
