@@ -17,6 +17,22 @@ static int output_format(const cli_arguments *arguments, const bat_format **out)
     return fail_usage(arguments->command, "%s: expected a name that ends in %s", name, words);
 }
 
+/* With --arcs the curves become arcs and lines, which only DXF holds. */
+static int print(const cli_arguments *arguments, const bat_document *document, const bat_format *format,
+                 char **text, size_t *size) {
+    const char *in = arguments->operands[0];
+    double arcs = 0;
+    if (!arguments_value(arguments, "--arcs")) return drawing_print(document, format, in, text, size);
+    const int failed = arguments_number(arguments, "--arcs", 1e-9, 1e30, &arcs);
+    if (failed) return failed;
+    if (strcmp(format->name, "dxf") != 0)
+        return fail_usage(arguments->command, "--arcs is for .dxf, not for .%s", format->name);
+    const bat_status status = bat_dxf_write(document, arcs, text, size);
+    if (status == BAT_OK) return EXIT_DONE;
+    return fail_data(in, "",
+                     status == BAT_COUNT ? "expected a curve, found none" : bat_status_message(status));
+}
+
 static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     const bat_format *format;
@@ -33,7 +49,7 @@ static int run(const cli_arguments *arguments) {
     char *text;
     size_t size;
     failed = drawing_may_replace(arguments, &drawing, in, out, false);
-    if (!failed) failed = drawing_print(drawing.document, format, in, &text, &size);
+    if (!failed) failed = print(arguments, drawing.document, format, &text, &size);
     if (!failed) {
         failed = io_write(out, text, size);
         bat_free(text);
@@ -45,7 +61,7 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_convert = {
     .name = "convert",
-    .usage = "IN OUT [--to FORMAT] [--tolerance T] [--lossy]",
+    .usage = "IN OUT [--to FORMAT] [--tolerance T] [--arcs T] [--lossy]",
     .summary = "Converts between the native format, SVG, the JSON of one curve and others.",
     .details =
         "Formats go by the names' endings: .batten, .svg, .json (one CURVE) and others. Standard input is "
@@ -59,6 +75,7 @@ const cli_command command_convert = {
     .options = {{"--to", "FORMAT", "the format of OUT, whatever its name: batten, svg, json ..."},
                 {"--tolerance", "T",
                  "knots of imported paths are removed within T units; 0: only where nothing changes"},
+                {"--arcs", "T", "to .dxf: curves as arcs and lines within T units, for cutters"},
                 OPTION_LOSSY},
     .run = run,
 };

@@ -63,6 +63,11 @@ BAT_API bat_status bat_iges_read(const char *text, size_t size, bat_model *out, 
 BAT_API bat_status bat_iges_write(const bat_model *model, char **bytes, size_t *size);
 BAT_API bat_status bat_step_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
 BAT_API bat_status bat_step_write(const bat_model *model, char **bytes, size_t *size);
+/* The curves of a drawing as DXF of release 2007, one unit a millimetre, y upwards: lines, polylines and splines, bit for bit
+ * but for the knots that clamp ends and open what is closed, on the layers that they are on, with the colours and widths of their strokes. arcs: a tolerance in document units, above 0
+ * planar curves are written as polylines of arcs and lines (bat_curve_arcs), for cutters; 0: as splines. BAT_COUNT: there
+ * is no curve. Whatever has no curves is left out, as are fills. */
+BAT_API bat_status bat_dxf_write(const bat_document *document, double arcs, char **text, size_t *size);
 /*
  * Triangles within the tolerance of the surfaces (document units; 0: 1e-4 of the model's size), as binary STL, and as
  * binary glTF 2.0 with unit normals, curves as line strips and clouds as points. Both hold floats of 32 bits, without

@@ -73,6 +73,7 @@ static bat_status as_format(const char *name, const file *from, bat_problem *sai
     return status;
 }
 static bat_status as_obj(const file *from, bat_problem *said) { return as_format("obj", from, said); }
+static bat_status as_dxf(const file *from, bat_problem *said) { return as_format("dxf", from, said); }
 static bat_status as_native(const file *from, bat_problem *said) { return as_format("batten", from, said); }
 
 static bat_status as_curve(const file *from, bat_problem *said) {
@@ -200,6 +201,7 @@ static void drawings(void **state) {
     each("web/icons/*.svg", as_svg);
     each("fuzz/corpus/svg/*", as_svg);
     each("fuzz/corpus/obj/*", as_obj);
+    each("fuzz/corpus/dxf/*", as_dxf);
     each("fuzz/corpus/json/*", as_native);
 }
 
