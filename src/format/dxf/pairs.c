@@ -47,14 +47,13 @@ static bool code_of(const char *text, size_t size, int *out) {
 }
 
 bat_status bat_dxf_next(bat_dxf_scan *scan, bat_dxf_pair *out, bat_problem *problem) {
-    const char *text;
-    size_t size;
     do {
+        const char *text = NULL;
+        size_t size = 0;
+        while (size == 0 && next_line(scan, &text, &size)) {
+        } /* past empty lines */
         *out = (bat_dxf_pair){0, "EOF", 3, scan->line};
-        while (scan->at < scan->end && next_line(scan, &text, &size) && size == 0) {
-            if (scan->at >= scan->end) return BAT_OK; /* an empty line at the end */
-        }
-        if (scan->line == out->line) return BAT_OK;
+        if (size == 0) return BAT_OK;
         if (!code_of(text, size, &out->code))
             return bat_dxf_wrong(scan->line, BAT_SYNTAX, "expected a group code, found something else",
                                  problem);
