@@ -29,7 +29,7 @@ static int print(const cli_arguments *arguments, const bat_document *document, c
         return fail_usage(arguments->command, "--arcs is for .dxf, not for .%s", format->name);
     const bat_status status = bat_dxf_write(document, arcs, text, size);
     if (status == BAT_OK) return EXIT_DONE;
-    return fail_data(in, "",
+    return fail_data(in, "", "%s",
                      status == BAT_COUNT ? "expected a curve, found none" : bat_status_message(status));
 }
 

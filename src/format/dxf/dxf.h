@@ -45,6 +45,8 @@ typedef struct bat_dxf_place {
 bat_dxf_place bat_dxf_within(const bat_dxf_place *outer, const bat_dxf_place *inner);
 /* The axes that an entity with this extrusion is drawn in (the "arbitrary axis algorithm"). */
 bat_dxf_place bat_dxf_axes(const double extrusion[3]);
+/* The unit vector across two, or 0 where they are parallel. */
+void bat_dxf_across(const double a[3], const double b[3], double out[3]);
 void bat_dxf_put(const bat_dxf_place *place, const double point[3], double out[3]);
 
 /* The curve of an entity. vertices: of a POLYLINE. *out NULL with BAT_OK: it is no curve, or one that cannot be held. */

@@ -20,9 +20,11 @@ void bat_dxf_integer(bat_text *to, int code, int value) {
 }
 
 void bat_dxf_handle(bat_text *to, int code, unsigned handle) {
-    char line[16];
-    snprintf(line, sizeof line, "%X", handle);
-    bat_dxf_text(to, code, line);
+    char line[9], *at = line + 8;
+    *at = '\0';
+    do *--at = "0123456789ABCDEF"[handle % 16];
+    while (handle /= 16);
+    bat_dxf_text(to, code, at);
 }
 
 void bat_dxf_real(bat_text *to, int code, double value) {

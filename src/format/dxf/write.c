@@ -1,5 +1,6 @@
 /* Writes DXF of release 2007: splines, polylines and lines; or polylines of arcs and lines, for cutters. */
 #include "base/real.h"
+#include "document/kind.h"
 #include "format/dxf/dxf.h"
 #include "format/dxf/frame.h"
 
@@ -36,7 +37,7 @@ static void put_name(bat_text *to, int code, const char *name) {
     bat_text_free(&value);
 }
 
-static bool is_layer(const bat_object *object) { return bat_object_kind(object) == BAT_KIND_LAYER; }
+static bool is_layer(const bat_object *object) { return bat_object_is(object, BAT_LAYER); }
 
 /* The layer that the object is in; NULL: none. */
 static const bat_object *layer_of(const bat_document *document, const bat_object *object) {
