@@ -284,6 +284,10 @@ static void ask(const bat_object *object) {
     const int sources = bat_object_sources(object, &from);
     demand((recipe != NULL || bound > 0) == (sources > 0) && (!recipe || kind == BAT_KIND_SURFACE));
     demand(!recipe || bound == 0);
+    double folds[2 * BAT_RECIPE_FOLDS];
+    const size_t folded = bat_object_folds(object, folds);
+    demand(folded == 0 || (recipe && recipe->kind == BAT_RECIPE_SWEEP));
+    for (size_t i = 0; i < folded && i < BAT_RECIPE_FOLDS; i++) demand(folds[2 * i] <= folds[2 * i + 1]);
     demand(!recipe || bat_recipe_check(recipe, (size_t)sources) == BAT_OK);
     for (int i = 0; i < sources; i++) demand(from[i] > 0 && from[i] != bat_object_id(object));
     bat_object_bounds(object, box);

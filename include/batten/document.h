@@ -225,6 +225,9 @@ BAT_API const bat_polymesh *bat_object_mesh(const bat_object *object);
 BAT_API const bat_relief *bat_object_relief(const bat_object *object);
 /* How it is made, owned by the object; NULL when it is not a surface, or is free. */
 BAT_API const bat_recipe *bat_object_recipe(const bat_object *object);
+/* Where it is folded over: stretches in u, ascending, at most BAT_RECIPE_FOLDS of them are written, 2 numbers each; returns how
+ * many there are. 0 when it is no sweep that follows its curves. out may be NULL. */
+BAT_API size_t bat_object_folds(const bat_object *object, double *out);
 /* What it is made from: how many objects; *ids (may be NULL): theirs, owned by the object. 0 when it is free. */
 BAT_API int bat_object_sources(const bat_object *object, const bat_id **ids);
 /* Owned by the object; NULL when it is not a camera. */

@@ -30,6 +30,7 @@ typedef enum bat_recipe_stand {
 } bat_recipe_stand;
 
 enum { BAT_RECIPE_CURVES = 64 }; /* of a recipe, at most */
+enum { BAT_RECIPE_FOLDS = 16 };  /* that are told where they lie */
 #define BAT_RECIPE_TWIST 36000.0 /* degrees, at most */
 #define BAT_RECIPE_SCALE 1000.0  /* at most */
 
@@ -54,6 +55,9 @@ BAT_API bat_recipe_stand bat_recipe_stands(const bat_curve *path, const bat_curv
 typedef struct bat_recipe_report {
     double apart; /* of a Coons patch: the greatest distance of two ends that meet in a corner */
     size_t folds; /* of a sweep: the stretches of the path along which the surface is folded over */
+    double
+        folded[2 *
+               BAT_RECIPE_FOLDS]; /* the first of them: from where to where, in the surface's u, ascending */
 } bat_recipe_report;
 
 /*

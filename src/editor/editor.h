@@ -21,7 +21,7 @@
 #include "editor/view/stage.h"
 #include "editor/view/views.h"
 
-enum { BAT_HINT_ROOM = 320 };
+enum { BAT_HINT_ROOM = 512 };
 
 struct bat_editor {
     bat_context context; /* points to all the members that follow */

@@ -3,6 +3,7 @@
 #include "editor/show/axis.h"
 #include "editor/show/disc.h"
 #include "editor/show/flight.h"
+#include "editor/show/followers.h"
 #include "editor/show/snapped.h"
 #include "editor/panels/first_hints.h"
 #include "editor/commands/three.h"
@@ -75,6 +76,25 @@ static const char *whole_hint(bat_editor *editor) {
     return editor->hint;
 }
 
+/* Behind the hint, while a curve is being drawn: what follows it, in numbers. */
+static const char *hint_with_numbers(bat_editor *editor, const bat_readout *made) {
+    const char *text = whole_hint(editor);
+    const bat_context *c = &editor->context;
+    char written[BAT_FOLLOWERS_ROOM];
+    bat_follow_numbers numbers;
+    if (!bat_document_has_followers(c->session->document) ||
+        !(made->followers || c->session->transaction.open))
+        return text;
+    if (!made->followers) bat_follow_numbers_now(c, &numbers);
+    bat_follow_numbers_write(c, made->followers ? &made->followers->numbers : &numbers, written);
+    if (!written[0]) return text;
+    size_t used = strlen(text);
+    if (used >= sizeof editor->hint) return text;
+    if (text != editor->hint) memcpy(editor->hint, text, used);
+    snprintf(editor->hint + used, sizeof editor->hint - used, " \xc2\xb7 %s", written);
+    return editor->hint;
+}
+
 static void drawing(const bat_readout *made, bat_frame *frame) {
     frame->pending = made->waits ? 1 : made->goes_on ? 2 : 0;
     if (!made->report) return;
@@ -122,7 +142,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     if (c->settings->values[BAT_PROPERTY_SYMMETRY] != 0) bat_axis_show(c, overlay);
     if (bat_toolbox_has(c, BAT_LANDS)) bat_plane_show(c->stage, overlay);
     if (c->choice->selection.count && bat_document_has_followers(c->session->document))
-        bat_reach_show(c, overlay);
+        bat_reach_show(c, overlay), bat_folds_show_chosen(c, overlay);
     show_selection(c, overlay);
     if (!bat_stage_tilted(c->stage)) bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);
@@ -183,7 +203,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .can_redo = bat_history_can_redo(&c->session->history),
         .tool = (uint32_t)c->choice->tool,
         .tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_stage_pixel(c->stage),
-        .hint = whole_hint(editor),
+        .hint = hint_with_numbers(editor, &made),
         .notice = c->notices->notice == BAT_STRING_COUNT ? "" : c->notices->notice_text,
         .notice_version = c->notices->notice_version,
         .offer = c->notices->offer == BAT_COMMAND_COUNT ? "" : bat_command_at(c->notices->offer)->name,

@@ -35,6 +35,7 @@ typedef struct kept_recipe {
     int count;
     bat_id ids[BAT_RECIPE_CURVES];
     uint64_t digests[BAT_RECIPE_CURVES];
+    bat_recipe_report report; /* when it is known */
 } kept_recipe;
 
 typedef struct own_part {
@@ -213,7 +214,7 @@ static bat_status cook(kept_recipe *made, const bat_object *const *from, bat_sur
         made->digests[i] = bat_object_curve_digest(from[i], 0);
     }
     made->known = true;
-    return bat_recipe_surface(&made->recipe, (size_t)made->count, curves, out, NULL);
+    return bat_recipe_surface(&made->recipe, (size_t)made->count, curves, out, &made->report);
 }
 
 static bat_status take_ids(bat_id id, size_t count, const bat_object *const *sources, bat_id *ids) {
@@ -260,6 +261,15 @@ bat_status bat_object_with_recipe(const bat_object *object, const bat_recipe *re
 const bat_recipe *bat_object_recipe(const bat_object *object) {
     const void *own = bat_object_own(object, &bat_kind_of_surface);
     return own && made_of(own) ? &made_of(own)->recipe : NULL;
+}
+
+size_t bat_object_folds(const bat_object *object, double *out) {
+    const void *own = bat_object_own(object, &bat_kind_of_surface);
+    const kept_recipe *made = own ? made_of(own) : NULL;
+    if (!made || !made->known) return 0;
+    const size_t count = made->report.folds;
+    for (size_t i = 0; out && i < 2 * count && i < 2 * BAT_RECIPE_FOLDS; i++) out[i] = made->report.folded[i];
+    return count;
 }
 
 static const bat_id *sources(const bat_object *object, int *count) {

@@ -105,6 +105,8 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     const bat_id *ids = NULL;
     d = add(add(d, bat_object_followed(object)), (uint64_t)bat_object_sources(object, &ids));
     if (bat_object_recipe(object)) d = add(d, (uint64_t)bat_object_recipe(object)->kind + ids[0]);
+    double folds[2 * BAT_RECIPE_FOLDS];
+    d = add(d, bat_object_folds(object, folds));
     const bat_wire *wires = NULL;
     if (bat_object_wires(object, &wires, NULL)) d = bat_digest_double(d, wires[0].radius.constant);
     const bat_polymesh *mesh = bat_object_mesh(object);

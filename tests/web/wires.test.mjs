@@ -30,7 +30,7 @@ for (const colorScheme of ['light', 'dark']) {
   test(`a sheet is bound to a wire and follows it, ${colorScheme}`, async (t) => {
     const server = await serve({ name: 'bound.batten', bytes });
     t.after(() => server.close());
-    const { page, context } = await open(browser, server.address, { colorScheme });
+    const { page, context, hand } = await open(browser, server.address, { colorScheme });
     const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `wires-${name}-${colorScheme}.png`) });
     const button = (name) => page.locator('#actions button', { has: page.locator(`use[href$="icon-${name}"]`) });
     const fresh = await state(page);
@@ -54,6 +54,21 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('Control+z');
     await quiet(page);
     assert.equal((await state(page)).digest, bound.digest);
+    await page.keyboard.press('s'); // redrawn with a pen: the sheet is shown where it will be, with numbers
+    const over = Array.from({ length: 30 }, (_, i) => [440 + 1.1 * i + 60 * Math.sin((Math.PI * i) / 29) ** 2, 200 + 10 * i]);
+    let during;
+    await hand.stroke(over, { pointerType: 'pen', during: async () => {
+      during = await state(page);
+      await shot('redrawing');
+    } });
+    await quiet(page);
+    assert.match(during.hint, /\d+ points move, by up to [\d.]+ px/);
+    const redrawn = await state(page);
+    assert.notEqual(redrawn.digest, bound.digest);
+    await page.keyboard.press('Control+z');
+    await quiet(page);
+    assert.equal((await state(page)).digest, bound.digest);
+    await page.keyboard.press('v');
     for (let i = 0; i < 4; i++) await page.keyboard.press('Shift+Alt+ArrowUp');
     await page.keyboard.press('Shift+Alt+ArrowLeft');
     await quiet(page);

@@ -158,8 +158,9 @@ static size_t edges_of(const bat_object *object, int *out) {
 }
 
 /* Edges whose ends feel different stretches of a wire: what lies between them is torn when the wire moves. */
-static void show_torn(const bat_context *c, const bat_object *object, bat_overlay *overlay) {
+size_t bat_torn_show(const bat_context *c, const bat_object *object, bat_overlay *overlay) {
     const bat_hold *hold = bat_object_hold(object);
+    if (!hold) return 0;
     const size_t edges = edges_of(object, NULL);
     int *all = malloc((2 * edges + 1) * sizeof *all), torn[2 * TORN];
     double *points = malloc((3 * hold->bound->point_count + 1) * sizeof *points);
@@ -168,6 +169,7 @@ static void show_torn(const bat_context *c, const bat_object *object, bat_overla
         edges_of(object, all);
         if (bat_binding_torn(hold->bound->binding, edges, all, TORN, torn, &count) != BAT_OK) count = 0;
     }
+    const size_t found = count;
     if (count > TORN) count = TORN;
     if (count > 0) {
         bat_object_type(object)->points(object, points);
@@ -180,6 +182,7 @@ static void show_torn(const bat_context *c, const bat_object *object, bat_overla
             bat_overlay_polyline(overlay, 2, ends);
     }
     free(all), free(points);
+    return found;
 }
 
 static void show_all_torn(const bat_context *c, const bat_tube *tubes, int count, bat_overlay *overlay) {
@@ -191,7 +194,7 @@ static void show_all_torn(const bat_context *c, const bat_tube *tubes, int count
         if (bat_object_wires(object, NULL, NULL) == 0) continue;
         const int n = bat_object_sources(object, &ids);
         for (int k = 0; k < n && !shown; k++) shown = has(tubes, count, ids[k]);
-        if (shown) show_torn(c, object, overlay);
+        if (shown) bat_torn_show(c, object, overlay);
     }
 }
 

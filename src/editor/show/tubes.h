@@ -23,6 +23,8 @@ typedef struct bat_tube_place {
 } bat_tube_place;
 bool bat_tube_look(const bat_context *c, const bat_tube *tube, double at, bat_tube_place *out);
 double bat_tube_radius(const bat_tube *tube, double at);
+/* Adds the object's torn edges, where it now is, in red; returns how many there are. */
+size_t bat_torn_show(const bat_context *c, const bat_object *object, bat_overlay *overlay);
 /* Shows them: translucent, their walls, handles at their stops, torn edges in red. held: the wire whose stop is dragged (its
  * radius is then shown), or 0. */
 void bat_tubes_show(const bat_context *c, bat_id held, int stop, bat_overlay *overlay);

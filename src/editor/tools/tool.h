@@ -16,10 +16,11 @@
 
 /* What a tool is making, for those parts that display it. */
 typedef struct bat_readout {
-    const bat_curve *curve;          /* preview; NULL: nothing to show */
-    const bat_sketch_report *report; /* of the curve's fit; NULL: none */
-    bool waits;                      /* it awaits confirmation */
-    bool goes_on;                    /* it is made piece by piece until it is confirmed */
+    const bat_curve *curve;                /* preview; NULL: nothing to show */
+    const bat_sketch_report *report;       /* of the curve's fit; NULL: none */
+    const struct bat_followers *followers; /* what follows it, as it will be; NULL: none */
+    bool waits;                            /* it awaits confirmation */
+    bool goes_on;                          /* it is made piece by piece until it is confirmed */
 } bat_readout;
 
 /* A stretch of a curve; closed curves: u[1] may lie in the next period. */

@@ -90,7 +90,7 @@ static bool is_small(bat_recipe_kind kind, size_t count, const bat_curve *const 
 
 bat_status bat_recipe_surface(const bat_recipe *recipe, size_t count, const bat_curve *const *curves,
                               bat_surface **out, bat_recipe_report *report) {
-    bat_recipe_report told = {0, 0};
+    bat_recipe_report told = {.folds = 0};
     bat_surface *made = NULL;
     bat_status status = bat_recipe_check(recipe, count);
     if (status != BAT_OK) return status;

@@ -146,7 +146,7 @@ static bat_status make(const bat_recipe *recipe, const bat_curve *path, const ba
         status = bat_sweep_surface_within(sweep, fineness * (bat_curve_size(path) + bat_curve_size(profile)),
                                           bat_curve_count(path) * EACH + LEAST, out, NULL);
     if (status == BAT_OK && report) {
-        status = bat_sweep_folds(sweep, 0, NULL, &report->folds);
+        status = bat_sweep_folds(sweep, BAT_RECIPE_FOLDS, report->folded, &report->folds);
         if (status != BAT_OK) bat_surface_free(*out);
     }
     bat_sweep_free(sweep);

@@ -1,5 +1,6 @@
 #include "format/json/bound.h"
 #include "document/kind.h"
+#include "format/json/blend.h"
 #include "format/json/curve.h"
 #include "format/json/function.h"
 #include "format/json/word.h"
@@ -7,8 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const char *const BLENDS[] = {"cross", "magnitude", "local", NULL};
 
 /* What is read: the wires own their curves. */
 typedef struct reading {
@@ -69,19 +68,6 @@ static bat_status read_wires(const bat_fields *f, uint32_t node, reading *r) {
     return status;
 }
 
-static bat_status read_blend(const bat_fields *f, uint32_t object, bat_wire_options *out) {
-    const uint32_t node = bat_json_member(f->json, object, "blend");
-    int kind = BAT_BLEND_CROSS;
-    *out = bat_wire_defaults();
-    if (!node) return BAT_OK;
-    bat_status status = bat_word_from_json(f->json, node, "kind", BLENDS,
-                                           "\"cross\", \"magnitude\" or \"local\"", &kind, f->problem);
-    out->blend = (bat_blend)kind;
-    if (status == BAT_OK)
-        status = bat_fields_number(f, node, "exponent", 1e-300, 1e300, "a number above 0", &out->exponent);
-    return status;
-}
-
 /* Four numbers: which point, and where it was. */
 static bat_status read_place(const bat_fields *f, uint32_t node, size_t count, double *rest) {
     static const char expected[] = "lists of four numbers: a point, x, y, z";
@@ -119,7 +105,7 @@ static bat_status read_bound(const bat_fields *f, uint32_t node, size_t count, c
     if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
         return bat_fields_complain(f, node, "bound", "an object");
     bat_status status = read_wires(f, node, &r);
-    if (status == BAT_OK) status = read_blend(f, node, &r.options);
+    if (status == BAT_OK) status = bat_blend_read(f, node, &r.options);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "flat", &r.flat);
     if (status == BAT_OK) status = read_rest(f, node, count, points, &r);
     if (status == BAT_OK) {
@@ -172,11 +158,8 @@ static void write_bound(const bat_bound *bound, const double *points, bat_text *
         if (i > 0) bat_text_string(text, ",\n  ");
         write_wire(&bound->wires[i], bound->ids[i], text);
     }
-    bat_text_string(text, "],\n  \"blend\":{\"kind\":\"");
-    bat_text_string(text, BLENDS[bound->options.blend]);
-    bat_text_string(text, "\",\"exponent\":");
-    bat_text_number(text, bound->options.exponent);
-    bat_text_string(text, "}");
+    bat_text_string(text, "],\n  \"blend\":");
+    bat_blend_write(&bound->options, text);
     if (bound->flat) bat_text_string(text, ",\"flat\":true");
     write_rest(bound, points, text);
     bat_text_string(text, "}");

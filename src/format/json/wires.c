@@ -1,5 +1,6 @@
 /* WIRES as JSON: {"wires":[{"reference":CURVE, "curve":CURVE, "radius":FUNCTION, "scale":FUNCTION, "domain":CURVE}, ...],
  * "blend":{"kind":"cross", "exponent":1}}. */
+#include "format/json/blend.h"
 #include "format/json/curve.h"
 #include "format/json/function.h"
 #include "format/json/word.h"
@@ -9,7 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const char *const BLENDS[] = {"cross", "magnitude", "local", NULL};
 static const char *const CURVES[BAT_WIRE_CURVES] = {"reference", "curve", "domain"};
 
 void bat_wires_source_clear(bat_wires_source *source) {
@@ -85,19 +85,6 @@ static bat_status read_wires(const bat_fields *f, bat_wires_source *out) {
     return status;
 }
 
-static bat_status read_blend(const bat_fields *f, bat_wire_options *out) {
-    const uint32_t node = bat_json_member(f->json, 1, "blend");
-    int kind = BAT_BLEND_CROSS;
-    bat_wire_options_init(out, sizeof *out);
-    if (!node) return BAT_OK;
-    bat_status status = bat_word_from_json(f->json, node, "kind", BLENDS,
-                                           "\"cross\", \"magnitude\" or \"local\"", &kind, f->problem);
-    out->blend = (bat_blend)kind;
-    if (status == BAT_OK)
-        status = bat_fields_number(f, node, "exponent", 1e-300, 1e300, "a number above 0", &out->exponent);
-    return status;
-}
-
 bat_status bat_wires_read(const char *text, size_t size, bat_wires_source *out, bat_problem *problem) {
     if (!text || !out) return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
     bat_json json;
@@ -109,7 +96,7 @@ bat_status bat_wires_read(const char *text, size_t size, bat_wires_source *out, 
                  ? BAT_OK
                  : bat_json_complain(&json, 1, BAT_SYNTAX, "wires", "an object", problem);
     if (status == BAT_OK) status = read_wires(&f, &source);
-    if (status == BAT_OK) status = read_blend(&f, &source.options);
+    if (status == BAT_OK) status = bat_blend_read(&f, 1, &source.options);
     bat_json_free(&json);
     if (status == BAT_OK)
         *out = source;

@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -234,6 +235,190 @@ static void follows_the_sketch_hand(void **state) {
     }
 }
 
+static size_t items_of(const bat_frame *frame, bat_role role) {
+    size_t found = 0;
+    for (uint32_t i = 0; i < frame->live_count; i++) found += frame->live[i].role == (uint32_t)role;
+    return found;
+}
+
+/* While the pen is down: what is bound is shown where it will be, with its numbers behind the hint, and they are those of what
+ * is kept, within half a pixel: the sketch hand fits a little closer when the pen is lifted. The document waits. */
+static void follows_while_the_pen_is_down(void **state) {
+    (void)state;
+    for (int thing = A_SHEET; thing <= A_CURVE; thing++) {
+        bat_editor *editor = open((what)thing, 1);
+        double *rest = rest_of(editor), now[3], farthest_now = 0;
+        bat_editor_command(editor, "wire-bind");
+        const uint64_t bound = digest(editor);
+        bat_editor_command(editor, "tool-sketch");
+        pen p = pen_for(editor);
+        p.time += 1000;
+        pen_event(&p, BAT_POINTER_HOVER, 400, 290);
+        const size_t quiet = items_of(bat_editor_frame(editor), BAT_ROLE_PREDICTED);
+        pen_event(&p, BAT_POINTER_DOWN, 400, 290);
+        for (int i = 1; i <= 40; i++) {
+            const double t = i / 40.0;
+            pen_event(&p, BAT_POINTER_MOVE, 400 + 28 * 16 * t * t * (1 - t) * (1 - t), 290 + 220 * t);
+            bat_editor_frame(editor);
+            check(editor);
+        }
+        const bat_frame *frame = bat_editor_frame(editor);
+        char said[256];
+        snprintf(said, sizeof said, "%s", frame->hint);
+        assert_true(items_of(frame, BAT_ROLE_PREDICTED) > quiet);
+        assert_true(digest(editor) == bound);
+        pen_event(&p, BAT_POINTER_UP, 400, 510);
+        bat_editor_frame(editor);
+        size_t moved = 0;
+        for (size_t i = 0; i < points_of(editor); i++) {
+            point_at(editor, (int)i, now);
+            const double far = hypot(hypot(now[0] - rest[3 * i], now[1] - rest[3 * i + 1]),
+                                     now[2] - rest[3 * i + 2]);
+            moved += far > 0, farthest_now = fmax(farthest_now, far);
+        }
+        const char *behind = strstr(said, " \xc2\xb7 ");
+        if (!behind) fail_msg("no numbers in '%s'", said);
+        size_t told;
+        double far;
+        assert_int_equal(sscanf(behind + 4, "%zu points move, by up to %lf px", &told, &far), 2);
+        assert_true(moved > 2);
+        if (!(fabs((double)told - (double)moved) <= fmax(1, 0.1 * (double)moved)))
+            fail_msg("%zu, %zu", told, moved);
+        if (!(fabs(far - farthest_now) < 0.5)) fail_msg("told %g, moved by %g", far, farthest_now);
+        assert_null(strstr(bat_editor_frame(editor)->hint, "points move"));
+        free(rest);
+        bat_editor_free(editor);
+    }
+}
+
+/* A drag of the whole wire: numbers stand there, too. */
+static void numbers_while_the_wire_is_dragged(void **state) {
+    (void)state;
+    bat_editor *editor = open(A_MESH, 1);
+    bat_editor_command(editor, "wire-bind");
+    bat_editor_command(editor, "tool-select");
+    bat_editor_select(editor, WIRE, false);
+    pen p = mouse(editor);
+    bat_editor_frame(editor);
+    drag_to(&p, 400, 330, 412, 330);
+    double far = 0;
+    const char *told = strstr(bat_editor_frame(editor)->hint, "points move, by up to ");
+    assert_true(told && sscanf(told + 22, "%lf", &far) == 1);
+    assert_true(far > 10 && far < 12); /* no vertex lies on the wire, which goes 12 */
+    bat_editor_command(editor, "cancel");
+    assert_null(strstr(bat_editor_frame(editor)->hint, "points move"));
+    bat_editor_free(editor);
+}
+
+/* A wire like a hairpin, with arms at x = 350 and 450: between them the closest point jumps at x = 400. The edges across are red
+ * before the pen is lifted, and counted; a narrow radius tears nothing. */
+static void torn_edges_are_red(void **state) {
+    (void)state;
+    for (int narrow = 0; narrow < 2; narrow++) {
+        const bat_style style = bat_style_defaults();
+        bat_editor *editor = open(A_MESH, 0);
+        bat_document *document = NULL;
+        bat_curve *pin = NULL;
+        bat_object *object = NULL;
+        const double points[] = {350, 230, 350, 330, 350, 430, 350, 530, 360, 560, 400,
+                                 575, 440, 560, 450, 530, 450, 430, 450, 330, 450, 230};
+        assert_int_equal(bat_document_copy(bat_editor_document(editor), &document), BAT_OK);
+        bat_editor_free(editor);
+        assert_int_equal(bat_curve_create_clamped(2, 3, 11, points, &pin), BAT_OK);
+        assert_int_equal(bat_object_create_path(WIRE, "", &style, 1, &pin, &object), BAT_OK);
+        add(document, object);
+        editor = editor_of(document);
+        bat_editor_command(editor, "tool-select");
+        bat_editor_command(editor, "select-all");
+        bat_editor_frame(editor);
+        assert_int_equal(bat_editor_command(editor, "wire-bind"), BAT_OK);
+        bat_editor_enter(editor, "wire-radius", narrow ? "20" : "90");
+        bat_editor_enter(editor, "wire-radius-end", narrow ? "20" : "90");
+        const bat_frame *frame = bat_editor_frame(editor);
+        uint32_t edges = 0;
+        for (uint32_t i = 0; i < frame->live_count; i++) {
+            const bat_item *item = &frame->live[i];
+            if (item->role != BAT_ROLE_ERASED) continue;
+            for (uint32_t k = 0; k + 5 < item->path_count; k += 6) { /* a move and a line each */
+                const double x[2] = {item->path[k + 1] + frame->origin[0],
+                                     item->path[k + 4] + frame->origin[0]};
+                assert_true(fmin(x[0], x[1]) < 400 && fmax(x[0], x[1]) > 400);
+            }
+            edges += item->path_count / 6;
+        }
+        if (narrow ? edges != 0 : edges < 8 || edges > SIDE) fail_msg("%u edges are torn", edges);
+        bat_editor_command(editor, "tool-sketch");
+        pen p = pen_for(editor);
+        p.time += 1000;
+        pen_event(&p, BAT_POINTER_HOVER, 350, 290);
+        pen_event(&p, BAT_POINTER_DOWN, 350, 290);
+        for (int i = 1; i <= 30; i++) {
+            const double t = i / 30.0;
+            pen_event(&p, BAT_POINTER_MOVE, 350 - 15 * 16 * t * t * (1 - t) * (1 - t), 290 + 180 * t);
+            bat_editor_frame(editor);
+        }
+        frame = bat_editor_frame(editor);
+        assert_true((items_of(frame, BAT_ROLE_ERASED) > 0) == !narrow);
+        assert_true((strstr(frame->hint, " torn edges") != NULL) == !narrow);
+        pen_event(&p, BAT_POINTER_UP, 350, 470);
+        check(editor);
+        bat_editor_free(editor);
+    }
+}
+
+/* A closed wire, and one that crosses itself. */
+static void closed_and_crossing_wires(void **state) {
+    (void)state;
+    for (int crossing = 0; crossing < 2; crossing++) {
+        const bat_style style = bat_style_defaults();
+        bat_editor *editor = open(A_MESH, 0);
+        bat_document *document = NULL;
+        bat_curve *loop = NULL;
+        bat_object *object = NULL;
+        double points[32], knots[17];
+        for (int i = 0; i < 16; i++) {
+            const double a = 6.283185307179586 * i / 16;
+            points[2 * i] = 400 + 130 * cos(a);
+            points[2 * i + 1] = 400 + (crossing ? 100 * sin(2 * a) : 130 * sin(a));
+        }
+        for (int k = 0; k <= 16; k++) knots[k] = k;
+        assert_int_equal(bat_document_copy(bat_editor_document(editor), &document), BAT_OK);
+        bat_editor_free(editor);
+        assert_int_equal(bat_curve_create(2, 3, true, 16, points, 17, knots, &loop), BAT_OK);
+        assert_int_equal(bat_object_create_path(WIRE, "", &style, 1, &loop, &object), BAT_OK);
+        add(document, object);
+        editor = editor_of(document);
+        bat_editor_command(editor, "tool-select");
+        bat_editor_command(editor, "select-all");
+        bat_editor_frame(editor);
+        const uint64_t first = digest(editor);
+        assert_int_equal(bat_editor_command(editor, "wire-bind"), BAT_OK);
+        double *rest = rest_of(editor);
+        assert_true(farthest(editor, rest) == 0);
+        bat_editor_command(editor, "tool-sketch");
+        pen p = pen_for(editor);
+        double on[3];
+        const bat_curve *wire = bat_object_curve(found(editor, WIRE), 0);
+        p.time += 1000;
+        for (int i = 0; i <= 40; i++) { /* over the right of it, outwards */
+            const double u = 14.6 + 2.8 * i / 40, t = i / 40.0, out = 16 * t * t * (1 - t) * (1 - t);
+            bat_curve_eval(wire, u >= 16 ? u - 16 : u, 0, on);
+            if (i == 0) pen_event(&p, BAT_POINTER_HOVER, on[0], on[1]), bat_editor_frame(editor);
+            pen_event(&p, i == 0 ? BAT_POINTER_DOWN : BAT_POINTER_MOVE, on[0] + 22 * out, on[1]);
+            bat_editor_frame(editor);
+            check(editor);
+        }
+        pen_event(&p, BAT_POINTER_UP, on[0], on[1]);
+        bat_editor_frame(editor);
+        check(editor);
+        is_fresh(editor, rest);
+        assert_true(farthest(editor, rest) > 5);
+        assert_int_equal(round_trip(editor, first), 2);
+        free(rest);
+        bat_editor_free(editor);
+    }
+}
+
 static void unbinds_as_it_is_or_as_it_was(void **state) {
     (void)state;
     for (int way = 0; way < 6; way++) {
@@ -275,7 +460,8 @@ static void two_wires_are_both_met(void **state) {
     assert_int_equal(bat_editor_select(editor, WIRE + 1, false), BAT_OK);
     pen p = mouse(editor);
     bat_editor_frame(editor);
-    drag(&p, 500, 400, 520, 400);
+    drag(&p, 500, 330, 520, 330);
+    assert_true(bat_curve_points(bat_object_curve(found(editor, WIRE + 1), 0))[0] > 515);
     is_fresh(editor, rest);
     replays(editor, 1);
     free(rest);
@@ -505,6 +691,10 @@ static void surfaces_meet(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(follows_the_sketch_hand),
+        cmocka_unit_test(follows_while_the_pen_is_down),
+        cmocka_unit_test(numbers_while_the_wire_is_dragged),
+        cmocka_unit_test(torn_edges_are_red),
+        cmocka_unit_test(closed_and_crossing_wires),
         cmocka_unit_test(unbinds_as_it_is_or_as_it_was),
         cmocka_unit_test(two_wires_are_both_met),
         cmocka_unit_test(a_deleted_wire_lets_go),

@@ -362,6 +362,14 @@ static void folds_are_told(void **state) {
     assert_int_equal(bat_editor_command(editor, "surface-sweep"), BAT_OK);
     const char *notice = bat_editor_frame(editor)->notice;
     assert_true(strncmp(notice, "The surface folds over itself in ", 33) == 0 && atoi(notice + 33) > 0);
+    for (int chosen = 0; chosen < 2;
+         chosen++) { /* hatched while the surface or one of its curves is selected */
+        bat_editor_command(editor, chosen ? "select-all" : "deselect");
+        const bat_frame *frame = bat_editor_frame(editor);
+        int hatched = 0;
+        for (uint32_t i = 0; i < frame->live_count; i++) hatched += frame->live[i].role == BAT_ROLE_ERASED;
+        assert_int_equal(hatched, chosen);
+    }
     bat_editor_free(editor);
 }
 

@@ -124,7 +124,7 @@ static void a_ring_along_a_line_is_a_tube(void **state) {
                                         BAT_STAND_IN_PLACE};
     for (int i = 0; i < 4; i++) {
         bat_recipe recipe = bat_recipe_of(BAT_RECIPE_SWEEP);
-        bat_recipe_report report = {-1, 77};
+        bat_recipe_report report = {.apart = -1, .folds = 77};
         double p[3], radius;
         recipe.stand = bat_recipe_stands(path, profiles[i]);
         assert_int_equal(recipe.stand, wanted[i]);
@@ -164,6 +164,19 @@ static void a_profile_in_place_stays(void **state) {
     bat_curve_free(path), bat_curve_free(profile);
 }
 
+/* Whether somewhere on that line across, the surface runs against its path. */
+static bool runs_back(const bat_curve *path, const bat_surface *surface, double u) {
+    double domain[2], v[2], along[4], jet[9], least = INFINITY;
+    bat_curve_domain(path, domain);
+    bat_surface_domain(surface, BAT_V, v);
+    bat_curve_eval(path, domain[0] + u * (domain[1] - domain[0]), 1, along);
+    for (int k = 0; k < 64; k++) {
+        bat_surface_eval(surface, u, v[0] + (v[1] - v[0]) * k / 64, 1, jet);
+        least = fmin(least, jet[3] * along[2] + jet[4] * along[3]);
+    }
+    return least < 0;
+}
+
 /* A path whose profile reaches beyond its centre of curvature folds over; a narrow one does not. */
 static void folds_are_counted(void **state) {
     (void)state;
@@ -174,9 +187,20 @@ static void folds_are_counted(void **state) {
         bat_curve *curves[2] = {path,
                                 ring(2, (double[]){0, 0, 0}, (double[]){r, 0, 0}, (double[]){0, r, 0}, 0, 0)};
         const bat_recipe recipe = bat_recipe_of(BAT_RECIPE_SWEEP);
-        bat_recipe_report report = {0, 0};
-        bat_surface_free(made_of(&recipe, 2, curves, &report));
-        assert_true(wide ? report.folds > 0 : report.folds == 0);
+        bat_recipe_report report = {.folds = 0};
+        bat_surface *surface = made_of(&recipe, 2, curves, &report);
+        assert_true(wide ? report.folds > 0 && report.folds <= BAT_RECIPE_FOLDS : report.folds == 0);
+        for (int i = 0; i <= 400; i++) { /* where it lies: there, and only there, u runs against the path */
+            const double u = i / 400.0;
+            bool folded = false, beside = false;
+            for (size_t k = 0; k < report.folds; k++) {
+                folded = folded || (u > report.folded[2 * k] && u < report.folded[2 * k + 1]);
+                for (int end = 0; end < 2; end++)
+                    beside = beside || fabs(u - report.folded[2 * k + (size_t)end]) < 0.01;
+            }
+            assert_true(beside || runs_back(path, surface, u) == folded);
+        }
+        bat_surface_free(surface);
         bat_curve_free(curves[1]);
     }
     bat_curve_free(path);
@@ -223,7 +247,7 @@ static void directions_do_not_matter(void **state) {
         }
         const bat_recipe recipe = bat_recipe_of(coons ? BAT_RECIPE_COONS : BAT_RECIPE_LOFT);
         for (int turns = 0; turns < 8; turns++) {
-            bat_recipe_report report = {-1, 0};
+            bat_recipe_report report = {.apart = -1};
             bat_surface *surface = made_of(&recipe, 4, curves, &report);
             if (coons) assert_true(report.apart < 1e-9);
             if (!first)
@@ -302,7 +326,7 @@ static void corners_apart_are_told(void **state) {
     bat_curve *curves[4] = {
         polyline(2, 2, (double[]){0, 0, 100, 0}), polyline(2, 2, (double[]){100, 3, 100, 100}),
         polyline(2, 2, (double[]){100, 100, 0, 100}), polyline(2, 2, (double[]){0, 100, 4, 0})};
-    bat_recipe_report report = {0, 0};
+    bat_recipe_report report = {.folds = 0};
     double p[3];
     bat_surface *surface = made_of(&recipe, 4, curves, &report);
     assert_true(fabs(report.apart - 4) < 1e-12);

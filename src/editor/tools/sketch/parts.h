@@ -70,7 +70,7 @@ bat_status bat_sketching_trace(bat_context *c, void *state, const bat_traced *st
 bat_status bat_sketching_lift(bat_context *c, void *state, const bat_traced *stroke);
 
 /* ---- show.c: the overlay ---- */
-void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overlay *overlay);
+void bat_sketching_show_stroke(bat_context *c, bat_sketching *s, bat_overlay *overlay);
 void bat_sketching_show_pending(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);
 /* The last stroke with the new amount, over its present state; with symmetry, on both sides. */
 void bat_sketching_show_refit(bat_context *c, const bat_sketching *s, bat_overlay *overlay);

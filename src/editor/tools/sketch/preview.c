@@ -71,9 +71,7 @@ static bool preview_converged(const bat_context *c, bat_sketching *s) {
     return preview->converges;
 }
 
-void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s) {
-    s->preview_due = false;
-    bat_sketching_drop_preview(s);
+static void fit(bat_context *c, bat_sketching *s) {
     if (preview_converged(c, s)) return;
     bat_sketch_live_info info = {0};
     bat_curve *curve = NULL;
@@ -89,4 +87,12 @@ void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s) {
     s->preview.curve = curve;
     s->preview.report = info.report;
     if (curve && bat_sketching_one_changes(&s->edit)) keep_blends(&s->preview, &s->edit.stage, &info);
+}
+
+void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s) {
+    s->preview_due = false;
+    bat_sketching_drop_preview(s);
+    fit(c, s);
+    if (s->preview.curve && s->edit.curve == 0 && bat_sketching_one_changes(&s->edit))
+        bat_followers_of(c, s->edit.object, s->preview.curve, &s->preview.followers);
 }

@@ -90,7 +90,7 @@ static void show_other_side(bat_context *c, const bat_edit *edit, const bat_curv
     bat_curve_free(ghost);
 }
 
-void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overlay *overlay) {
+void bat_sketching_show_stroke(bat_context *c, bat_sketching *s, bat_overlay *overlay) {
     const bat_sketching_preview *preview = &s->preview;
     const bat_samples *samples = &s->edit.samples;
     const bat_curve *target = NULL;
@@ -105,6 +105,7 @@ void bat_sketching_show_stroke(bat_context *c, const bat_sketching *s, bat_overl
         bat_sketching_highlight(c, overlay, dimension, s->edit.part[i].object, s->edit.part[i].curve);
     if (preview->curve && target && sure(s)) show_stretch(c, overlay, &s->edit, &preview->report);
     bat_sketching_show_ground(c, &s->edit.stage, overlay);
+    bat_followers_show(c, &s->preview.followers, overlay);
     bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
     bat_overlay_polyline(overlay, samples->count, samples->points);
     if (preview->blends) {

@@ -107,6 +107,7 @@ static void readout(const bat_context *c, const void *state, bat_readout *out) {
     bool drawn = s->state == BAT_SKETCHING_DRAWING && s->preview.curve;
     out->curve = drawn ? s->preview.curve : NULL;
     out->report = drawn ? &s->preview.report : s->has_pending ? &s->pending_report : NULL;
+    out->followers = drawn ? &s->preview.followers : NULL;
     out->waits = s->has_pending;
 }
 

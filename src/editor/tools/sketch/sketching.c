@@ -6,6 +6,7 @@
 void bat_sketching_drop_preview(bat_sketching *s) {
     bat_curve_free(s->preview.curve);
     free(s->preview.blends);
+    bat_followers_clear(&s->preview.followers);
     s->preview = (bat_sketching_preview){0};
 }
 

@@ -6,6 +6,7 @@
 #include "editor/edit/stroke.h"
 #include "editor/pick/pick.h"
 #include "editor/input/stabiliser.h"
+#include "editor/show/followers.h"
 #include "editor/tools/sketch/again.h"
 #include "editor/tools/sketch/hairs.h"
 #include "editor/tools/sketch/hold.h"
@@ -26,6 +27,7 @@ typedef struct bat_sketching_preview {
     bat_sketch_report report;
     double *blends; /* points of the two transitions, x y, owned */
     size_t blend_counts[2];
+    bat_followers followers; /* of the curve */
 } bat_sketching_preview;
 
 typedef struct bat_sketching {
