@@ -106,7 +106,7 @@ BAT_API bat_status bat_surface_coons(const bat_curve *const sides[4], double wit
  * so that each is the line at its v exactly (up to rounding); v (may be NULL): room for count numbers, the parameters of
  * the sections, by mean length of chord. Across, the surface is a spline of degree 3 with its knots at the
  * sections, without one at the second and the last but one; of degree 2 with three sections; ruled with two. BAT_COUNT:
- * fewer than two sections, or the knots of all have 4 times as many points as the largest section has; BAT_ARGUMENT: some
+ * fewer than two sections, or the knots of all have over 4 times as many points as the largest section has; BAT_ARGUMENT: some
  * sections are closed and others open; BAT_SINGULAR: two neighbouring sections are the same; else as bat_curve_refine.
  * O(points of the result).
  */

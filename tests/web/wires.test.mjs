@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, launch, open, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const SIDE = 12;
@@ -54,8 +54,9 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('Control+z');
     await quiet(page);
     assert.equal((await state(page)).digest, bound.digest);
-    await page.keyboard.press('s'); // redrawn with a pen: the sheet is shown where it will be, with numbers
-    const over = Array.from({ length: 30 }, (_, i) => [440 + 1.1 * i + 60 * Math.sin((Math.PI * i) / 29) ** 2, 200 + 10 * i]);
+    await page.keyboard.press('n'); // redrawn with a pen: the sheet is shown where it will be, with numbers
+    const line = bezier([440, 180], [500, 280], [440, 400], [480, 520], 40).slice(6, 35);
+    const over = await Promise.all(line.map(([x, y], i) => place(page, x + 60 * Math.sin((Math.PI * i) / 28) ** 2, y)));
     let during;
     await hand.stroke(over, { pointerType: 'pen', during: async () => {
       during = await state(page);

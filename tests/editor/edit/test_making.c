@@ -354,6 +354,71 @@ static void corners(void **state) {
     }
 }
 
+/* Four splines of the tangents tool that meet make a Coons patch, as the paper of 1994 ends; the arrow of one of them turns its
+ * direction, and the patch follows. */
+static void splines_make_a_patch(void **state) {
+    (void)state;
+    const double points[4][6] = {{200, 200, 350, 170, 500, 200},
+                                 {500, 200, 530, 350, 500, 500},
+                                 {500, 500, 350, 470, 200, 500},
+                                 {200, 500, 230, 350, 200, 200}};
+    const bat_style style = bat_style_defaults();
+    bat_document *document = NULL;
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    for (int i = 0; i < 4; i++) {
+        const bat_spline spline = {.dimension = 2, .count = 3, .points = points[i]};
+        bat_object *object = NULL;
+        assert_int_equal(bat_object_create_spline((bat_id)(i + 1), "", &style, &spline, NULL, &object),
+                         BAT_OK);
+        assert_int_equal(bat_document_insert(document, i, object), BAT_OK);
+        bat_object_release(object);
+    }
+    bat_editor *editor = editor_of(document);
+    bat_editor_command(editor, "tool-select");
+    bat_editor_command(editor, "select-all");
+    bat_editor_frame(editor);
+    const uint64_t first = digest(editor);
+    assert_true(offers(editor, "surface-coons"));
+    assert_int_equal(bat_editor_command(editor, "surface-coons"), BAT_OK);
+    is_fresh(editor);
+    double before[3], after[3];
+    bat_surface *kept = NULL;
+    assert_int_equal(bat_surface_copy(bat_object_surface(surface_in(editor)), &kept), BAT_OK);
+    for (int k = 0; k < 4; k++) { /* each corner is that of the splines */
+        bat_surface_eval(kept, k & 1, k >> 1, 0, before);
+        bool met = false;
+        for (int i = 0; i < 4; i++)
+            met = met || (fabs(before[0] - points[i][0]) < 1e-9 && fabs(before[1] - points[i][1]) < 1e-9);
+        assert_true(met);
+    }
+    bat_editor_command(editor, "tool-tangents");
+    pen p = pen_for(editor);
+    tap(&p, 350, 170);
+    p.modifiers = BAT_CTRL; /* no snapping */
+    drag(&p, 350 + 44, 170, 350 + 44 * cos(0.5), 170 + 44 * sin(0.5));
+    const bat_document *now = bat_editor_document(editor);
+    const bat_spline *turned = bat_object_spline(bat_document_at(now, bat_document_find(now, 1)));
+    assert_non_null(turned); /* still a spline */
+    assert_non_null(turned->tangents);
+    assert_true(fabs(turned->tangents[3] / turned->tangents[2] - tan(0.5)) < 0.02);
+    is_fresh(editor);
+    double most = 0;
+    for (int k = 0; k <= 20; k++)
+        for (int j = 0; j < 4; j++) { /* the side that was turned moves, its ends stay */
+            const double t = k / 20.0, u = j < 2 ? t : j - 2, v = j < 2 ? j : t;
+            bat_surface_eval(kept, u, v, 0, before);
+            bat_surface_eval(bat_object_surface(surface_in(editor)), u, v, 0, after);
+            const double far = hypot(after[0] - before[0], after[1] - before[1]);
+            assert_true((k > 0 && k < 20) || far < 1e-9);
+            most = fmax(most, far);
+        }
+    assert_true(most > 3);
+    assert_int_equal(round_trip(editor, first), 2);
+    bat_surface_free(kept);
+    bat_editor_free(editor);
+}
+
 static void folds_are_told(void **state) {
     (void)state;
     scene s = {
@@ -398,6 +463,7 @@ int main(void) {
                                        cmocka_unit_test(copies),
                                        cmocka_unit_test(numbers),
                                        cmocka_unit_test(corners),
+                                       cmocka_unit_test(splines_make_a_patch),
                                        cmocka_unit_test(folds_are_told),
                                        cmocka_unit_test(corners_in_a_path)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -276,6 +276,40 @@ static void a_loft_reproduces_a_cubic(void **state) {
     for (int k = 0; k < SECTIONS; k++) bat_curve_free(sections[k]);
 }
 
+/* Sections whose knots all differ: the knots of all give 4 times as many points as the largest section has, never more. */
+static void knots_of_sections_stay_within_bounds(void **state) {
+    (void)state;
+    enum { MOST = 9, INNER = 4 };
+    for (int closed = 0; closed < 2; closed++)
+        for (int count = 2; count <= MOST; count++) {
+            bat_curve *sections[MOST];
+            const bat_curve *given[MOST];
+            bat_surface *s = NULL;
+            const int n = closed ? 2 * INNER : INNER + 4,
+                      all = closed ? 1 + count * (n - 1) : 4 + count * INNER;
+            for (int k = 0; k < count; k++) {
+                double points[3 * (INNER + 4)], knots[INNER + 8];
+                for (int i = 0; i < n; i++) {
+                    points[3 * i] = closed ? cos(i * 6.283185307179586 / n) : i;
+                    points[3 * i + 1] = closed ? sin(i * 6.283185307179586 / n) : (i * i + k) % 3;
+                    points[3 * i + 2] = 2 * k;
+                }
+                const int inner = closed ? n - 1 : INNER, before = closed ? 1 : 4;
+                for (int i = 0; i < before; i++) knots[i] = 0, knots[before + inner + i] = 1;
+                for (int i = 0; i < inner; i++) knots[before + i] = (i + (k + 1.0) / (MOST + 1)) / inner;
+                assert_int_equal(bat_curve_create(3, 3, closed, (size_t)n, points, 2 * before + inner, knots,
+                                                  &sections[k]),
+                                 BAT_OK);
+                given[k] = sections[k];
+            }
+            const bat_status status = bat_surface_loft((size_t)count, given, &s, NULL);
+            assert_int_equal(status, all <= 4 * n ? BAT_OK : BAT_COUNT);
+            if (s) assert_int_equal(bat_surface_count(s, BAT_U), all);
+            bat_surface_free(s);
+            for (int k = 0; k < count; k++) bat_curve_free(sections[k]);
+        }
+}
+
 static void what_cannot_be_lofted(void **state) {
     (void)state;
     random_source r = {9};
@@ -302,6 +336,7 @@ int main(void) {
         cmocka_unit_test(corners_that_are_apart),
         cmocka_unit_test(a_loft_passes_through_its_sections),
         cmocka_unit_test(a_loft_reproduces_a_cubic),
+        cmocka_unit_test(knots_of_sections_stay_within_bounds),
         cmocka_unit_test(what_cannot_be_lofted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
