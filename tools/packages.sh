@@ -35,6 +35,7 @@ need_to_build() {
     need pkg-config pkg-config
     need libexpat1-dev /usr/include/expat.h
     need libcairo2-dev /usr/include/cairo/cairo.h
+    need zlib1g-dev /usr/include/zlib.h
     need libmicrohttpd-dev /usr/include/microhttpd.h
     need clang-16 clang-16
     need lld-16 wasm-ld-16

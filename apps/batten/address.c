@@ -151,7 +151,7 @@ static int put_in_place(const bat_curve *curve) {
 int address_write(const bat_curve *curve, const char *file) {
     if (!first.file)
         return fail_data(file, NULL, "expected the curve to come from a drawing, FILE#NAME, found another");
-    const bat_format *format = bat_format_called(file);
+    const bat_format *format = drawing_format(file);
     if (!format) format = first.drawing.format;
     char *text;
     size_t size;

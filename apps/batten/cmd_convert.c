@@ -9,27 +9,31 @@
 static int output_format(const cli_arguments *arguments, const bat_format **out) {
     const char *to = arguments_value(arguments, "--to"), *name = arguments->operands[1];
     char words[BAT_FORMATS_WORDS];
-    *out = to ? bat_format_named(to) : bat_format_called(name);
+    *out = to ? bat_format_named(to) : drawing_format(name);
     if (to && !*out) return fail_usage(arguments->command, "--to: no such format: %s", to);
+    if (*out && arguments_value(arguments, "--plain") && strcmp((*out)->name, "svg") != 0)
+        return fail_usage(arguments->command, "--plain: for SVG alone, found %s", (*out)->name);
     if (*out) return EXIT_DONE;
     if (strcmp(name, "-") == 0) return fail_usage(arguments->command, "for standard output, --to is needed");
     bat_formats_words(".", false, words);
     return fail_usage(arguments->command, "%s: expected a name that ends in %s", name, words);
 }
 
-/* With --arcs the curves become arcs and lines, which only DXF holds. */
+/* With --arcs the curves become arcs and lines, which only DXF holds; with --plain SVG is written without our data. */
 static int print(const cli_arguments *arguments, const bat_document *document, const bat_format *format,
                  char **text, size_t *size) {
     const char *in = arguments->operands[0];
+    const bool plain = arguments_value(arguments, "--plain"), to_arcs = arguments_value(arguments, "--arcs");
     double arcs = 0;
-    if (!arguments_value(arguments, "--arcs")) return drawing_print(document, format, in, text, size);
+    if (!plain && !to_arcs) return drawing_print(document, format, in, text, size);
     const int failed = arguments_number(arguments, "--arcs", 1e-9, 1e30, &arcs);
     if (failed) return failed;
-    if (strcmp(format->name, "dxf") != 0)
+    if (to_arcs && strcmp(format->name, "dxf") != 0)
         return fail_usage(arguments->command, "--arcs is for .dxf, not for .%s", format->name);
-    const bat_status status = bat_dxf_write(document, arcs, text, size);
+    const bat_status status = to_arcs ? bat_dxf_write(document, arcs, text, size)
+                                      : bat_svg_write(document, false, text, size);
     if (status == BAT_OK) return EXIT_DONE;
-    return fail_data(in, "", "%s",
+    return fail_data(in, NULL, "%s",
                      status == BAT_COUNT ? "expected a curve, found none" : bat_status_message(status));
 }
 
@@ -61,10 +65,11 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_convert = {
     .name = "convert",
-    .usage = "IN OUT [--to FORMAT] [--tolerance T] [--arcs T] [--lossy]",
+    .usage = "IN OUT [--to FORMAT] [--tolerance T] [--arcs T] [--plain] [--lossy]",
     .summary = "Converts between the native format, SVG, the JSON of one curve and others.",
     .details =
-        "Formats go by the names' endings: .batten, .svg, .json (one CURVE) and others. Standard input is "
+        "Formats go by the names' endings: .batten, .svg, .svgz, .json (one CURVE) and others. Standard "
+        "input is "
         "recognised. "
         "One\n"
         "line on standard error counts what an SVG held that was left out: texts, gradients, clips and the "
@@ -76,6 +81,7 @@ const cli_command command_convert = {
                 {"--tolerance", "T",
                  "knots of imported paths are removed within T units; 0: only where nothing changes"},
                 {"--arcs", "T", "to .dxf: curves as arcs and lines within T units, for cutters"},
+                {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
                 OPTION_LOSSY},
     .run = run,
 };

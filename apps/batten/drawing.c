@@ -1,5 +1,6 @@
 #include "drawing.h"
 
+#include "gzip.h"
 #include "io.h"
 #include "program.h"
 #include <batten/svg_read.h>
@@ -24,13 +25,17 @@ bat_status drawing_parse(const char *text, size_t size, const bat_format *format
     return status;
 }
 
+const bat_format *drawing_format(const char *name) {
+    return gzip_is_called(name) ? bat_format_named("svg") : bat_format_called(name);
+}
+
 int drawing_read(const char *name, const bat_svg_options *options, drawing_file *out) {
     char *text;
     size_t size;
     int failed = io_read(name, &text, &size);
     if (failed) return failed;
     bat_problem problem;
-    bat_status status = drawing_parse(text, size, bat_format_called(name), options, out, &problem);
+    bat_status status = drawing_parse(text, size, drawing_format(name), options, out, &problem);
     free(text);
     return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
 }

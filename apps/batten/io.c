@@ -1,5 +1,6 @@
 #include "io.h"
 
+#include "gzip.h"
 #include "program.h"
 #include "progress.h"
 #include "replace.h"
@@ -119,6 +120,15 @@ static int read_stand_in(char **data, size_t *size) {
     return EXIT_DONE;
 }
 
+/* What is packed gives way to what is in it. */
+static int unpack(const char *name, char **data, size_t *size) {
+    if (!gzip_is_packed(*data, *size)) return EXIT_DONE;
+    char *packed = *data;
+    const char *wrong = gzip_unpack(packed, *size, data, size);
+    free(packed);
+    return wrong ? fail_data(name, NULL, "%s", wrong) : EXIT_DONE;
+}
+
 int io_read(const char *name, char **data, size_t *size) {
     bool standard = strcmp(name, "-") == 0;
     if (standard && stand_in.data) return read_stand_in(data, size);
@@ -126,7 +136,7 @@ int io_read(const char *name, char **data, size_t *size) {
     struct stat status;
     bool done = file >= 0 && fstat(file, &status) == 0 && read_whole(file, &status, data, size);
     if (file >= 0 && !standard) close_quietly(file);
-    return done ? EXIT_DONE : fail_data(name, NULL, "cannot be read: %s", strerror(errno));
+    return done ? unpack(name, data, size) : fail_data(name, NULL, "cannot be read: %s", strerror(errno));
 }
 
 bool io_read_only(const char *path) {
@@ -167,16 +177,27 @@ static int write_standard(const void *data, size_t size) {
     return fail_output("standard output");
 }
 
-int io_write(const char *name, const void *data, size_t size) {
-    if (strcmp(name, "-") == 0 && stand_in.output) {
-        bat_text_add(stand_in.output, data, size);
-        return EXIT_DONE;
-    }
-    if (strcmp(name, "-") == 0) return write_standard(data, size);
+static int write_file(const char *name, const void *data, size_t size) {
     io_place place;
     if (!io_place_open(&place, name)) return fail_output(name);
     io_result result = io_replace(&place, data, size, NULL);
     io_place_close(&place);
     if (result == IO_DONE) return EXIT_DONE;
     return result == IO_FAILED ? fail_output(name) : fail_data(name, NULL, "%s", io_message(result));
+}
+
+int io_write(const char *name, const void *data, size_t size) {
+    if (strcmp(name, "-") == 0 && stand_in.output) {
+        bat_text_add(stand_in.output, data, size);
+        return EXIT_DONE;
+    }
+    if (strcmp(name, "-") == 0) return write_standard(data, size);
+    char *packed = NULL;
+    if (gzip_is_called(name)) {
+        if (!gzip_pack(data, size, &packed, &size)) return fail_memory();
+        data = packed;
+    }
+    const int failed = write_file(name, data, size);
+    free(packed);
+    return failed;
 }

@@ -45,10 +45,10 @@ size_t io_put(int file, const void *data, size_t size);
 /* While one input of many is at work: standard input is `data`, and what goes to standard output is added to
  * *output. data NULL: the real streams again. */
 void io_stand_in(const char *data, size_t size, bat_text *output);
-/* Reads a whole file of any type, or standard input ("-"): malloc'ed, zero-terminated. Returns 0, or an exit
- * status after reporting the failure. */
+/* Reads a whole file of any type, or standard input ("-"): malloc'ed, zero-terminated; what gzip has packed is unpacked.
+ * Returns 0, or an exit status after reporting the failure. */
 int io_read(const char *name, char **data, size_t *size);
-/* Writes to a file (replace.h) or to standard output ("-"). Returns 0, or an exit status after reporting the
+/* Writes to a file (replace.h), which is packed when its name ends in ".svgz", or to standard output ("-"). Returns 0, or an exit status after reporting the
  * failure. */
 int io_write(const char *name, const void *data, size_t size);
 

@@ -50,6 +50,7 @@ class Usage(ProgramTest):
             ["sketch", curve, curve, "--pins", "2.5"],
             ["convert", curve], ["convert", curve, "out.doc"], ["convert", curve, "-"], ["convert", curve, "out"],
             ["convert", curve, "x.svg", "--to", "png"],
+            ["convert", curve, "x.batten", "--plain"], ["convert", curve, "x.svg", "--to", "json", "--plain"],
             ["render", curve, "out.gif"], ["render", curve, "-"], ["render", curve, "o.png", "--size", "10"],
             ["render", curve, "o.png", "--size", "0x10"], ["render", curve, "o.png", "--size", "10x10x"],
             ["render", curve, "o.png", "--size", "99999x10"], ["render", curve, "o.png", "--background", "redd"],

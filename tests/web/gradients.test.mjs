@@ -18,7 +18,8 @@ const FILE = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300">
 <path d="M210 150H370" stroke="url(#c)" stroke-width="20" fill="none"/>
 <ellipse cx="290" cy="230" rx="80" ry="40" fill="none" stroke="url(#d)" stroke-width="20"/>
 <path d="M20 220H180" stroke="#008000" stroke-width="12" stroke-dasharray="30 10" stroke-dashoffset="5"/>
-<g transform="scale(4,1)"><path d="M10 250V290M20 270H40" stroke="#804000" stroke-width="4"/></g></svg>`;
+<g transform="scale(4,1)"><path d="M10 250V290M20 270H40" stroke="#804000" stroke-width="4"/></g>
+<rect x="280" y="100" width="80" height="24" fill="#ff0000" stroke="#0000ff" stroke-width="8" opacity=".5"/></svg>`;
 
 /** The colour at t between the stops. */
 const mix = (t) => [255 * (1 - t), 0, 255 * t];
@@ -32,6 +33,7 @@ const POINTS = [
   [210, 230, mix(1)], [290, 190, mix(1)], [218, 230, mix(0.9)], // a stroke of uniform width
   [22, 220, [0, 128, 0]], [50, 220, PAPER], [60, 224, [0, 128, 0]], [90, 220, PAPER], [130, 220, PAPER],
   [33, 270, [128, 64, 0]], [47, 270, [128, 64, 0]], [120, 271, [128, 64, 0]], [120, 275, PAPER], // a pen four times as wide as high
+  [320, 112, [255, 128, 128]], [320, 102, [128, 128, 255]], [320, 98, [128, 128, 255]], // translucent as a whole
 ];
 
 let browser;

@@ -1,4 +1,5 @@
-// Painting objects with gradients, dashes and uneven pens. Fetched with a drawing's first such object.
+// Painting objects with gradients, dashes and uneven pens, and those that are translucent as a whole. Fetched with a drawing's first
+// such object.
 
 import { Cap, Flag, Join, names } from '../engine/codes.js';
 
@@ -101,7 +102,7 @@ function mapped(shape, matrix) {
 
 /**
  * Strokes a gradient that only a matrix makes, which must not change the pen: in a layer of its own.
- * @param {CanvasRenderingContext2D} context @param {Path2D} shape @param {Gradient} gradient @param {DOMMatrix} matrix
+ * @param {Context} context @param {Path2D} shape @param {Gradient} gradient @param {DOMMatrix} matrix
  * @param {Item} item @param {Theme} theme
  */
 function strokeLayer(context, shape, gradient, matrix, item, theme) {
@@ -127,18 +128,29 @@ function strokeLayer(context, shape, gradient, matrix, item, theme) {
   context.drawImage(layer, 0, 0);
 }
 
-/**
- * @param {CanvasRenderingContext2D} context @param {Item} item @param {Path2D} shape @param {number} zoom
- * @param {Theme} theme @param {boolean} flat without its stroke
- */
-export function drawPainted(context, item, shape, zoom, theme, flat) {
-  const floats = /** @type {Float32Array} */ (item.paint);
+/** @type {Paint} */
+const PLAIN = { pen: null, offset: 0, dashes: [], gradients: [] };
+
+/** @param {Item} item @returns {Paint} */
+function paintOf({ paint: floats }) {
+  if (!floats) {
+    return PLAIN;
+  }
   const paint = known.get(floats) ?? parse(floats);
   known.set(floats, paint);
+  return paint;
+}
+
+/**
+ * @param {Context} context @param {Item} item @param {Path2D} shape @param {number} zoom @param {Theme} theme
+ * @param {boolean} flat without its stroke @param {number} opacity
+ */
+function drawAll(context, item, shape, zoom, theme, flat, opacity) {
+  const paint = paintOf(item);
   const { pen, gradients: [fill, stroke] } = paint;
   const rule = item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero';
   context.save();
-  context.globalAlpha = item.opacity;
+  context.globalAlpha = opacity;
   if (item.flags & Flag.FILLED && fill) {
     context.save();
     context.transform(...components(fill.matrix));
@@ -152,11 +164,11 @@ export function drawPainted(context, item, shape, zoom, theme, flat) {
   if (item.flags & Flag.STROKED && !flat) {
     const own = pen ?? new DOMMatrix();
     context.transform(...components(own));
-    context.lineWidth = Math.max(item.width, HAIRLINE / zoom);
+    context.lineWidth = Math.max(item.flags & Flag.SCREEN_WIDTH ? item.width / zoom : item.width, HAIRLINE / zoom);
     context.lineCap = CAPS[item.cap] ?? 'round';
     context.lineJoin = JOINS[item.join] ?? 'round';
     context.miterLimit = item.miterLimit > 0 ? item.miterLimit : 4;
-    context.setLineDash(paint.dashes);
+    context.setLineDash(item.flags & Flag.DASHED ? [6 / zoom, 5 / zoom] : paint.dashes);
     context.lineDashOffset = paint.offset;
     const line = pen ? mapped(shape, own.inverse()) : shape;
     const matrix = stroke && own.inverse().multiply(stroke.matrix);
@@ -168,6 +180,37 @@ export function drawPainted(context, item, shape, zoom, theme, flat) {
       context.stroke(line);
     }
   }
+  context.restore();
+}
+
+/**
+ * An object whose fill must not be seen through its stroke is painted in a layer, which then is translucent as a whole.
+ * @param {CanvasRenderingContext2D} context @param {Item} item @param {Path2D} shape @param {number} zoom
+ * @param {Theme} theme @param {boolean} flat without its stroke
+ */
+export function drawPainted(context, item, shape, zoom, theme, flat) {
+  if (flat || !(item.opacity < 1 && item.flags & Flag.FILLED && item.flags & Flag.STROKED)) {
+    drawAll(context, item, shape, zoom, theme, flat, item.opacity);
+    return;
+  }
+  const matrix = context.getTransform();
+  const corners = [[item.x0, item.y0], [item.x1, item.y0], [item.x1, item.y1], [item.x0, item.y1]]
+    .map(([x, y]) => matrix.transformPoint({ x, y }));
+  const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
+  const [left, top] = [Math.max(0, Math.floor(Math.min(...xs)) - 1), Math.max(0, Math.floor(Math.min(...ys)) - 1)];
+  const width = Math.min(context.canvas.width, Math.ceil(Math.max(...xs)) + 1) - left;
+  const height = Math.min(context.canvas.height, Math.ceil(Math.max(...ys)) + 1) - top;
+  if (!(width > 0 && height > 0)) {
+    return;
+  }
+  const layer = new OffscreenCanvas(width, height);
+  const to = /** @type {OffscreenCanvasRenderingContext2D} */ (layer.getContext('2d'));
+  to.setTransform(new DOMMatrix().translate(-left, -top).multiply(matrix));
+  drawAll(to, item, shape, zoom, theme, flat, 1);
+  context.save();
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.globalAlpha = item.opacity;
+  context.drawImage(layer, left, top);
   context.restore();
 }
 

@@ -75,6 +75,9 @@ function around(matrix, [x0, y0, x1, y1]) {
 /** @param {Item | undefined} item */
 const isPage = (item) => item?.role === Role.PAGE || item?.role === Role.PAGE_BACK;
 
+/** Whether its fill lies under its stroke. @param {Item} item */
+const isWhole = ({ role, flags }) => role === Role.OBJECT && flags & Flag.FILLED && flags & Flag.STROKED;
+
 export class Painter {
   /**
    * @param {HTMLCanvasElement} still
@@ -248,7 +251,7 @@ export class Painter {
       }
       if (item.role === Role.IMAGE) {
         this.#drawPicture(context, item, corners, frame.zoom);
-      } else if (item.paint && this.#fetched()) {
+      } else if ((item.paint || (item.opacity < 1 && isWhole(item))) && this.#fetched()) {
         this.paints?.(context, item, shape, frame.zoom, this.theme, this.flat);
       } else {
         this.#draw(context, item, shape, frame.zoom);

@@ -353,6 +353,12 @@ bat_status bat_svg_patch_write(const bat_document *document, bool with_native, b
     if (!out.marks || !p.kept || !p.fresh) p.status = BAT_MEMORY;
     if (p.status == BAT_OK) collect(&p, with_native);
     if (p.status == BAT_OK) apply(&p, &out);
+    if (p.status == BAT_OK && bat_svg_patch_sweep(&p, &out.text) > 0) {
+        bat_text_free(&out.text);
+        out.text = (bat_text){0};
+        out.count = 0;
+        apply(&p, &out);
+    }
     if (p.status == BAT_OK) p.status = finish(document, &out, with_native, text);
     status = p.status;
     free(out.marks);

@@ -35,6 +35,9 @@ typedef struct bat_svg_patch {
 /* What has been added to p->made since it had `from` bytes takes the place of `cut` bytes of the file at `at`. */
 void bat_svg_patch_edit(bat_svg_patch *p, size_t from, size_t at, size_t cut);
 void bat_svg_patch_mark(bat_svg_patch *p, bat_id id); /* the next thing written into p->made is this object */
+/* Cuts what was written for shapes that have other gradients now: nothing in the new text refers to it. Returns how many;
+ * O(size + n log n). */
+int bat_svg_patch_sweep(bat_svg_patch *p, const bat_text *made);
 /* ---- patch_tags.c: elements that stay ---- */
 /* Writes the start tag of an object's element as it is now; `apart`: in another place than it was;
  * `hides`: a group without an element hides it; `anonymous`: without its id. False: it is as it

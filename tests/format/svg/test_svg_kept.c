@@ -584,6 +584,38 @@ static void gradients_stay_where_they_are(void **state) {
     bat_free(text);
 }
 
+/* A gradient of ours goes when its shape has another, however often the file is saved and opened; what is not ours, or is
+ * referred to, stays. */
+static void gradients_do_not_gather(void **state) {
+    (void)state;
+    static const char file[] =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 90 90'>"
+        "<linearGradient id='b'><stop stop-color='red'/><stop offset='1'/></linearGradient>"
+        "<radialGradient id=\"batten-paint-own\"><stop stop-color='blue'/><stop offset='1'/></radialGradient>"
+        "<path fill='url(#b)' d='M0 0H20V10Z'/><path fill='url(#b)' stroke='url(#b)' d='M0 40H20V50Z'/>"
+        "<path fill='url(#batten-paint-own)' d='M40 40H60V50Z'/></svg>";
+    bat_document *document = opened(file);
+    for (int round = 0; round < 6; round++) {
+        bat_document *back = NULL;
+        shift(document, find_drawn(document, round % 2), 3, 2);
+        char *text = written(document, round % 3 == 0);
+        /* of the first shape one gradient, of the second two when it has been moved, and the file's own */
+        assert_int_equal(count_of(text, "Gradient id=\"batten-paint-"), round == 0 ? 2 : 4);
+        assert_int_equal(count_of(text, "url(#batten-paint-"), round == 0 ? 2 : 4);
+        assert_int_equal(count_of(text, "id='b'"), 1);
+        assert_int_equal(read_file(text, strlen(text), &back, NULL), BAT_OK);
+        expect_same_picture(document, back);
+        bat_document_free(document);
+        bat_free(text);
+        document = back;
+    }
+    for (int i = 0; i < 2; i++) bat_document_remove(document, find_drawn(document, 0));
+    char *text = written(document, false);
+    assert_int_equal(count_of(text, "Gradient id=\"batten-paint-"), 1);
+    bat_free(text);
+    bat_document_free(document);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(untouched_files_are_the_same),
@@ -596,6 +628,7 @@ int main(void) {
         cmocka_unit_test(what_cannot_be_kept_is_not),
         cmocka_unit_test(a_tolerance_asks_for_other_data),
         cmocka_unit_test(gradients_stay_where_they_are),
+        cmocka_unit_test(gradients_do_not_gather),
         cmocka_unit_test(running_out_of_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
