@@ -20,21 +20,13 @@ static int64_t bits_of(double x) {
 }
 
 /* A unit vector along S_u x S_v, of which a to c and d to f are the coordinates. Negative when the square of its length is
- * not between the bounds, which are given as their bits: positive numbers have the order of their bits.
- *
- * 1 / sqrt(square) to two or three units in the last place: the divider and the root of a processor take as long as the rest
- * does. Half of the exponent, taken as an integer, is a first guess within 3.5 %; each step of Newton's method squares the
- * error. The same bits everywhere. */
+ * not between the bounds, which are given as their bits: positive numbers have the order of their bits. */
 BAT_INLINE int64_t unit(double a, double b, double c, double d, double e, double f, int64_t low, int64_t high,
                         double *out) {
     const double x = b * f - c * e, y = c * d - a * f, z = a * e - b * d;
-    const double square = x * x + y * y + z * z, half = 0.5 * square;
-    int64_t bits, guess;
-    double scale;
+    const double square = x * x + y * y + z * z, scale = 1 / sqrt(square);
+    int64_t bits;
     memcpy(&bits, &square, sizeof bits);
-    guess = 0x5fe6eb50c7b537a9 - (int64_t)((uint64_t)bits >> 1);
-    memcpy(&scale, &guess, sizeof scale);
-    for (int k = 0; k < 4; k++) scale *= 1.5 - half * scale * scale;
     out[0] = x * scale, out[1] = y * scale, out[2] = z * scale;
     return (bits - low) | (high - bits);
 }
