@@ -66,14 +66,13 @@ static int run(const cli_arguments *arguments) {
 const cli_command command_convert = {
     .name = "convert",
     .usage = "IN OUT [--to FORMAT] [--tolerance T] [--arcs T] [--plain] [--lossy]",
-    .summary = "Converts between the native format, SVG, the JSON of one curve and others.",
-    .details =
-        "Formats go by the names' endings: .batten, .svg, .svgz, .json (one CURVE) and others. Standard "
-        "input is "
-        "recognised. "
-        "One\n"
-        "line on standard error counts what an SVG held that was left out: texts, gradients, clips and the "
-        "like.\nAs SVG or .batten it is kept: from SVG to SVG the file stays as it is.",
+    .summary = "Converts between the native format, SVG, DXF, curves as JSON and others.",
+    .details = "Formats go by the names' endings: .batten, .svg, .svgz, .json (a CURVE or a list), .jsonl, "
+               ".dxf and .obj.\n"
+               "Standard input is recognised. One line on standard error counts what an SVG held that was "
+               "left out: texts,\n"
+               "gradients, clips and the like. As SVG or .batten it is kept: from SVG to SVG the file stays "
+               "as it is.",
     .example = "batten convert drawing.svg drawing.batten\n"
                "batten fit stroke.csv | batten convert - stroke.svg",
     .operands = 2,

@@ -53,10 +53,30 @@ class Convert(ProgramTest):
         self.assertEqual(first, again)
         self.assertGreater(len(json.loads(first)["objects"]), 20)
 
-    def test_many_curves_are_no_curve(self):
-        line = self.refused(1, "convert", CAR, self.folder / "car.json")
-        self.assertRegex(line, r"expected 1, found \d+$")
-        self.assertFalse((self.folder / "car.json").exists())
+    def test_many_curves_are_a_list(self):
+        native = self.json("convert", CAR, "-", "--to", "batten")
+        curves = [curve for thing in native["objects"] for curve in thing.get("curves", [])]
+        self.done("convert", CAR, "car.json")
+        self.assertEqual(json.loads((self.folder / "car.json").read_text()), curves)
+        self.done("convert", "car.json", "car.jsonl")
+        rows = (self.folder / "car.jsonl").read_text().splitlines()
+        self.assertEqual([json.loads(row) for row in rows], curves)
+        for words in (("car.jsonl",), ("car.json",), ("-",)):
+            back = self.json("convert", *words, "-", "--to", "batten", stdin="\n\n".join(rows))
+            self.assertEqual([curve for thing in back["objects"] for curve in thing["curves"]], curves)
+        self.done("render", "car.jsonl", "car.png")
+        self.assertEqual((self.folder / "car.png").read_bytes()[:4], b"\x89PNG")
+
+    def test_lists_that_are_none(self):
+        for name, text, said in (("a.json", "[]", "expected a curve, found none"),
+                                 ("a.jsonl", "\n \n", "expected a curve, found none"),
+                                 ("a.jsonl", json.dumps(CURVE) + "\n\n{]", "line 3, column 2"),
+                                 ("a.json", "[3]", "line 1, column 2")):
+            self.assertIn(said, self.refused(1, "convert", self.file(name, text), "b.svg"))
+        self.file("none.batten", '{"batten":1,"page":[0,0,1,1],"next":1,"objects":[]}')
+        for name in ("out.json", "out.jsonl"):
+            self.assertIn("expected 1 at least, found none", self.refused(1, "convert", "none.batten", name))
+            self.assertFalse((self.folder / name).exists())
 
     def test_what_is_left_out_is_counted(self):
         name = self.file("m.svg", MIXED)

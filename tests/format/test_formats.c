@@ -13,6 +13,8 @@ static const char *const good[][2] = {
     {"batten", "{\"batten\":1,\"page\":[0,0,1,1],\"next\":1,\"objects\":[]}"},
     {"svg", "<svg xmlns='http://www.w3.org/2000/svg'/>"},
     {"json", "{\"degree\":1,\"closed\":false,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]}"},
+    {"jsonl", "{\"degree\":1,\"closed\":false,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]}\n"
+              "{\"degree\":1,\"closed\":false,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]}\n"},
     {"dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n"},
     {"obj", "v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n"},
 };
