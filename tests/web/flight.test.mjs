@@ -7,7 +7,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, move, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { PROGRAM, serve } from './server.mjs';
 import { SCENE } from './tori.mjs';
 
@@ -17,10 +17,6 @@ before(async () => {
 });
 after(() => browser.close());
 
-const move = (page) => page.evaluate(() => {
-  const { engine } = globalThis.batten;
-  return JSON.parse(engine.string(engine.wasm.editor_move(engine.editor)));
-});
 
 test('from a stroke to a flight, and back', async (t) => {
   const server = await serve({ name: 'tori.batten', bytes: SCENE });

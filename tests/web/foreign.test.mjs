@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, place, quiet, SCREENSHOTS, state } from './page.mjs';
+import { launch, open, place, quiet, SCREENSHOTS, state, stillColours } from './page.mjs';
 import { serve } from './server.mjs';
 
 const FILE = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 400 300">
@@ -26,17 +26,6 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-/** Colours of the still canvas at places of the drawing. */
-async function colours(page, points) {
-  const places = await Promise.all(points.map(([x, y]) => place(page, x, y)));
-  return page.evaluate((all) => all.map(([x, y]) => {
-    const still = document.getElementById('still');
-    const box = still.getBoundingClientRect();
-    const ratio = still.width / box.width;
-    return [...still.getContext('2d').getImageData((x - box.left) * ratio, (y - box.top) * ratio, 1, 1).data].slice(0, 3);
-  }), places);
-}
-
 const shown = (page) => page.waitForFunction(() => {
   const all = [...globalThis.batten.painter.pictures.values()];
   return all.length >= 5 && all.every(Boolean);
@@ -44,8 +33,8 @@ const shown = (page) => page.waitForFunction(() => {
 
 async function expect(page, points) {
   await quiet(page);
-  const found = await colours(page, points);
-  points.forEach(([x, y, colour], i) => assert.ok(found[i].every((value, k) => Math.abs(value - colour[k]) < 12), `at ${x},${y}: ${found[i]}`));
+  const found = await stillColours(page, points);
+  points.forEach(([x, y, colour], i) => assert.ok(colour.every((value, k) => Math.abs(value - found[i][k]) < 12), `at ${x},${y}: ${found[i]}`));
 }
 
 test('it is seen in its order, chosen, moved, deleted, and saved as the element that it was', async (t) => {

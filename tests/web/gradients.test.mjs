@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, place, quiet, SCREENSHOTS } from './page.mjs';
+import { launch, open, place, quiet, SCREENSHOTS, stillColours } from './page.mjs';
 import { serve } from './server.mjs';
 
 const STOPS = '<stop stop-color="#ff0000"/><stop offset="1" stop-color="#0000ff"/>';
@@ -40,17 +40,6 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-/** Colours of the still canvas at places of the drawing. */
-async function colours(page, points) {
-  const places = await Promise.all(points.map(([x, y]) => place(page, x, y)));
-  return page.evaluate((all) => all.map(([x, y]) => {
-    const still = document.getElementById('still');
-    const box = still.getBoundingClientRect();
-    const ratio = still.width / box.width;
-    return [...still.getContext('2d').getImageData((x - box.left) * ratio, (y - box.top) * ratio, 1, 1).data];
-  }), places);
-}
-
 test('curves are painted with what the file says', async (t) => {
   const server = await serve({ name: 'paint.svg', bytes: Buffer.from(FILE) });
   t.after(() => server.close());
@@ -58,7 +47,7 @@ test('curves are painted with what the file says', async (t) => {
   await page.waitForFunction(() => globalThis.batten.painter.paints);
   await quiet(page);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'gradients.png') });
-  const found = await colours(page, POINTS);
+  const found = await stillColours(page, POINTS);
   POINTS.forEach(([x, y, expected], i) => {
     const far = Math.max(...expected.map((value, k) => Math.abs(value - found[i][k])));
     assert.ok(far <= 16, `${x} ${y}: expected ${expected}, found ${found[i]}`);
@@ -78,7 +67,7 @@ test('a gradient is moved with its curve, and undone', async (t) => {
   await quiet(page);
   const after = await page.evaluate(() => globalThis.batten.engine.digest());
   assert.notEqual(after, before);
-  const [[red, , blue]] = await colours(page, [[30, 50]]);
+  const [[red, , blue]] = await stillColours(page, [[30, 50]]);
   assert.ok(Math.abs(red - 229) <= 16 && Math.abs(blue - 26) <= 16, `${red} ${blue}`);
   await page.keyboard.press('Control+z');
   await quiet(page);

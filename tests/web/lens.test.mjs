@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, move, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 import { SCENE } from './tori.mjs';
 
@@ -13,10 +13,6 @@ before(async () => {
 });
 after(() => browser.close());
 
-const move = (page) => page.evaluate(() => {
-  const { engine } = globalThis.batten;
-  return JSON.parse(engine.string(engine.wasm.editor_move(engine.editor)));
-});
 const box = (page) => page.locator('.lens canvas').boundingBox();
 /** Different colours in the docked picture. */
 const colours = (page) => page.evaluate(() => {

@@ -310,3 +310,20 @@ export function bezier(p0, p1, p2, p3, count = 40) {
     return [0, 1].map((k) => s * s * s * p0[k] + 3 * s * s * t * p1[k] + 3 * s * t * t * p2[k] + t * t * t * p3[k]);
   });
 }
+
+/** The camera move that the time strip shows. */
+export const move = (page) => page.evaluate(() => {
+  const { engine } = globalThis.batten;
+  return JSON.parse(engine.string(engine.wasm.editor_move(engine.editor)));
+});
+
+/** Colours of the still canvas at places of the drawing: red, green, blue, opacity. */
+export async function stillColours(page, points) {
+  const places = await Promise.all(points.map(([x, y]) => place(page, x, y)));
+  return page.evaluate((all) => all.map(([x, y]) => {
+    const still = document.getElementById('still');
+    const box = still.getBoundingClientRect();
+    const ratio = still.width / box.width;
+    return [...still.getContext('2d').getImageData((x - box.left) * ratio, (y - box.top) * ratio, 1, 1).data];
+  }), places);
+}

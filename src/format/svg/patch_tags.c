@@ -226,6 +226,16 @@ static bat_status set_path(bat_svg_retag *r, const bat_object *object, const bat
     return status;
 }
 
+static bat_status set_matrix(bat_svg_retag *r, const double m[6]) {
+    bat_text text = {0};
+    bat_svg_write_matrix(m, &text);
+    bat_text_add(&text, "", 1);
+    if (text.data) bat_svg_retag_set(r, "transform", text.data);
+    const bool failed = text.failed;
+    bat_text_free(&text);
+    return failed ? BAT_MEMORY : BAT_OK;
+}
+
 /* The picture's own pixels are the units, and the transform places them. */
 static bat_status set_image(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
     double out[6], m[6], sides[2];
@@ -233,12 +243,7 @@ static bat_status set_image(bat_svg_retag *r, const bat_object *object, const ba
     if (!bat_svg_inverse(entry->outer, out)) return BAT_UNSUPPORTED;
     bat_matrix_compose(out, bat_object_matrix(object), m);
     bat_picture_sides(bat_object_picture(object), sides);
-    bat_text text = {0};
-    bat_svg_write_matrix(m, &text);
-    bat_text_add(&text, "", 1);
-    if (text.data) bat_svg_retag_set(r, "transform", text.data);
-    const bool failed = text.failed;
-    bat_text_free(&text);
+    const bat_status status = set_matrix(r, m);
     print(value, sides[0]);
     bat_svg_retag_set(r, "width", value);
     print(value, sides[1]);
@@ -246,7 +251,7 @@ static bat_status set_image(bat_svg_retag *r, const bat_object *object, const ba
     bat_svg_retag_set(r, "x", NULL);
     bat_svg_retag_set(r, "y", NULL);
     bat_svg_retag_set(r, "preserveAspectRatio", "none");
-    return failed ? BAT_MEMORY : BAT_OK;
+    return status;
 }
 
 /* Whether it was written as a picture of an SVG file that stands alone, and not as the element that is in that file. */
@@ -267,13 +272,7 @@ static bat_status set_foreign(bat_svg_retag *r, const bat_object *object, const 
     bat_matrix_compose(bat_object_matrix(object), back, moved);
     bat_matrix_compose(moved, entry->inner, own);
     bat_matrix_compose(to, own, m);
-    bat_text text = {0};
-    bat_svg_write_matrix(m, &text);
-    bat_text_add(&text, "", 1);
-    if (text.data) bat_svg_retag_set(r, "transform", text.data);
-    const bool failed = text.failed;
-    bat_text_free(&text);
-    return failed ? BAT_MEMORY : BAT_OK;
+    return set_matrix(r, m);
 }
 
 static bat_status set_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
