@@ -1,7 +1,8 @@
-/* Any bytes as a document, a curve and a stroke. What can be read is written, and reads back the same, bit for
+/* Any bytes as a document, a curve, a list of curves and a stroke. What can be read is written, and reads back the same, bit for
  * bit. */
+#include "format/formats.h"
+
 #include <batten/bezier.h>
-#include <batten/format.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -102,7 +103,32 @@ static void check_curve(const char *text, size_t size) {
     bat_curve_free(curve);
 }
 
+/* As a list of curves, and as a curve a line: what was written is read and written again, the same. */
+static void as_curves(const char *name, const char *data, size_t size) {
+    const bat_reading how = {.xml = NULL};
+    const bat_format *format = bat_format_named(name);
+    bat_document *document = NULL, *back = NULL;
+    bat_svg_report report = {0};
+    bat_problem problem = {"", ""};
+    char *text = NULL, *again = NULL;
+    size_t length = 0, other = 0;
+    if (size > 0) (void)format->sniff(data, size);
+    if (format->read(&how, data, size, &document, &report, &problem) != BAT_OK) {
+        if (document || !problem.message[0]) abort();
+        return;
+    }
+    if (bat_document_check(document)) abort();
+    if (format->write(document, &text, &length, &problem) != BAT_OK) abort();
+    if (format->read(&how, text, length, &back, &report, &problem) != BAT_OK) abort();
+    if (format->write(back, &again, &other, &problem) != BAT_OK) abort();
+    if (length != other || memcmp(text, again, length)) abort();
+    bat_free(text), bat_free(again);
+    bat_document_free(document), bat_document_free(back);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    as_curves("json", (const char *)data, size);
+    as_curves("jsonl", (const char *)data, size);
     const char *text = (const char *)data;
     bat_stroke stroke;
     void *block;
