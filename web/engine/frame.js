@@ -1,5 +1,7 @@
 // Reads what the engine hands over: structs in the module's memory, by the layout that the module itself reports.
 
+import { Flag, Role } from './codes.js';
+
 /** @typedef {import('./types.js').Frame} Frame */
 /** @typedef {import('./types.js').Item} Item */
 /** @typedef {import('./types.js').Label} Label */
@@ -140,3 +142,9 @@ function readLabels(memory, place, first, count) {
     };
   });
 }
+
+/** @param {Item | undefined} item */
+export const isPage = (item) => item?.role === Role.PAGE || item?.role === Role.PAGE_BACK;
+
+/** Whether an object's fill lies under its stroke. @param {Item} item */
+export const isWhole = ({ role, flags }) => role === Role.OBJECT && flags & Flag.FILLED && flags & Flag.STROKED;

@@ -3,6 +3,7 @@
 // once and repainted when the hand rests.
 
 import { Cap, Flag, Join, Path, Role, names } from '../engine/codes.js';
+import { isPage, isWhole } from '../engine/frame.js';
 
 /** @typedef {import('../engine/types.js').Frame} Frame */
 /** @typedef {import('../engine/types.js').Item} Item */
@@ -71,12 +72,6 @@ function around(matrix, [x0, y0, x1, y1]) {
   const ys = corners.map((corner) => corner.y);
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
-
-/** @param {Item | undefined} item */
-const isPage = (item) => item?.role === Role.PAGE || item?.role === Role.PAGE_BACK;
-
-/** Whether its fill lies under its stroke. @param {Item} item */
-const isWhole = ({ role, flags }) => role === Role.OBJECT && flags & Flag.FILLED && flags & Flag.STROKED;
 
 export class Painter {
   /**

@@ -5,6 +5,7 @@
 import { dress } from '../page/build.js';
 import { word } from '../page/words.js';
 import { Buffers } from './buffers.js';
+import { Legend } from './legend.js';
 import { LINES, SURFACES } from './shaders.js';
 import { TimeStrip } from './time.js';
 import { warp } from './warp.js';
@@ -15,19 +16,9 @@ import { warp } from './warp.js';
 
 const LINE_LOOK = 4;
 const OBJECT = 0x7fffffff; // of an id: without what says that the lines are the outline of a surface
-const CURVATURES = [2, 3];
 const THINNEST = 0.75; // view pixels: as on the still canvas
 const HIDDEN = { fainter: 0.4, thinner: 0.7 };
 const RIM = { wider: 2.5, colour: 0x20242bb0 }; // px of both sides together
-
-/** Two digits, and a power of ten where there would be many noughts. @param {number} value above 0 */
-function brief(value) {
-  const [digits, power] = value.toExponential(1).split('e');
-  if (Number(power) >= -3 && Number(power) < 4) {
-    return Number(value.toPrecision(2)).toString();
-  }
-  return `${Number(digits)} · 10${[...power.replace('+', '')].map((one) => (one === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(one)])).join('')}`;
-}
 
 export class Space {
   /** @param {import('../main.js').Shell} shell */
@@ -62,7 +53,7 @@ export class Space {
     });
     this.#prepare();
     shell.painter.still.after(this.canvas);
-    this.#legend();
+    this.legend = new Legend(shell);
   }
 
   /** Programs and buffers, for a new context. */
@@ -130,33 +121,12 @@ export class Space {
     }
   }
 
-  /** The button that changes the look, and the colours of curvature. */
-  #legend() {
-    const { engine, stage, wake } = this.shell;
-    this.box = document.createElement('div');
-    this.box.className = 'looks';
-    this.box.hidden = true;
-    this.button = document.createElement('button');
-    this.button.type = 'button';
-    this.button.addEventListener('click', () => {
-      engine.command('look-next');
-      wake();
-    });
-    this.scale = document.createElement('div');
-    this.scale.className = 'scale';
-    this.scale.append(document.createElement('i'), ...['', '', ''].map(() => document.createElement('span')));
-    this.box.append(this.button, this.scale);
-    void dress('styles/space.css').then(() => stage.after(/** @type {HTMLElement} */ (this.box)));
-  }
-
   /** The drawing is painted as lines, on the still canvas. */
   #leave() {
     const { painter } = this.shell;
     this.shown = '';
     this.canvas.hidden = true;
-    if (this.box) {
-      this.box.hidden = true;
-    }
+    this.legend?.hide();
     if (painter.flat) {
       painter.flat = false;
       painter.retheme();
@@ -199,7 +169,7 @@ export class Space {
       this.shown = shown;
       this.#paint(picture, this.canvas);
     }
-    this.#tell(picture);
+    this.legend?.show(picture);
     if (picture.waits) {
       this.shell.wake();
     }
@@ -379,29 +349,5 @@ export class Space {
       gl.bindVertexArray(this.buffers?.array(line) ?? null);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, rows - 3);
     }
-  }
-
-  /** The look's name on its button, and the range of curvature. @param {NonNullable<Picture>} picture */
-  #tell({ look, range, legend, items }) {
-    if (!this.box || !this.button || !this.scale) {
-      return;
-    }
-    const name = word(`look.${['matte', 'zebra', 'gauss', 'mean', 'lines'][look]}`);
-    this.box.hidden = !items.some(({ kind }) => kind === 0);
-    const curved = CURVATURES.includes(look);
-    const told = [name, range, word('command.look-next')].join('\n');
-    if (told === this.box.dataset.told) {
-      return;
-    }
-    this.box.dataset.told = told;
-    this.button.textContent = name;
-    this.button.title = word('command.look-next');
-    this.scale.hidden = !curved;
-    const end = brief(range);
-    const [bar, ...marks] = /** @type {HTMLElement[]} */ ([...this.scale.children]);
-    [`−${end}`, '0', `+${end}`].forEach((text, i) => {
-      marks[i].textContent = text;
-    });
-    bar.style.background = `linear-gradient(to right, ${legend.map((rgba) => `#${rgba.toString(16).padStart(8, '0')}`).join()})`;
   }
 }
