@@ -16,7 +16,7 @@ const DOUBLE = 350;     // ms between the taps of a double tap
 const WHEEL_ENDS = 300; // ms after its last step a wheel's correction is whole
 const NEAR = 24;        // px between a pen that draws and the view
 const STEP = 12;        // px, of an arrow key
-const CORNERS = ['right', 'top', 'left'];
+const CORNERS = ['end', 'top', 'start']; // as lines of text run
 const NAVIGATING = 2 | 4; // buttons: what orbits and what pans
 
 /**
@@ -86,8 +86,9 @@ export class Lens {
     this.canvas.ariaLabel = this.box.ariaLabel;
     this.canvas.title = word('lens.how');
     this.grip.title = this.grip.ariaLabel = word('lens.size');
-    const { offsetLeft, offsetTop } = this.shell.stage;
-    this.box.style.setProperty('--beside', `${offsetLeft}px`);
+    const { offsetLeft, offsetTop, offsetWidth } = this.shell.stage;
+    const beside = document.dir === 'rtl' ? document.body.clientWidth - offsetLeft - offsetWidth : offsetLeft;
+    this.box.style.setProperty('--beside', `${beside}px`);
     this.box.style.setProperty('--below', `${offsetTop}px`);
     if (this.width) {
       this.box.style.width = `${this.width}px`;
@@ -323,7 +324,7 @@ export class Lens {
     grip.addEventListener('pointermove', ({ pointerId, clientX }) => {
       if (grip.hasPointerCapture(pointerId)) {
         const { left, right } = this.box.getBoundingClientRect();
-        resize(this.corner === 'right' ? right - clientX : clientX - left);
+        resize((this.corner === 'end') === (document.dir !== 'rtl') ? right - clientX : clientX - left);
       }
     });
     grip.addEventListener('keydown', (event) => {
