@@ -70,6 +70,29 @@ bat_status bat_object_with_each(const bat_object *object, bat_curve_maker *make,
     return status;
 }
 
+bat_status bat_object_keep_levels(const bat_object *from, int dimension, bat_object **made) {
+    bat_status status = BAT_OK;
+    for (int i = 0; i < bat_object_curve_count(from) && status == BAT_OK; i++) {
+        bat_shape *shape = NULL;
+        bat_object *more = NULL;
+        if (!bat_object_shape(from, i)) continue;
+        status = bat_shape_to_dimension(bat_object_shape(from, i), dimension, &shape);
+        if (status == BAT_SINGULAR) {
+            status = BAT_OK;
+            continue;
+        }
+        if (status == BAT_OK) status = bat_object_with_shape(*made, i, shape, &more);
+        if (status != BAT_OK) break;
+        bat_object_release(*made);
+        *made = more;
+    }
+    if (status != BAT_OK) {
+        bat_object_release(*made);
+        *made = NULL;
+    }
+    return status;
+}
+
 static bat_status copied(void *none, const bat_curve *curve, bat_curve **out) {
     (void)none;
     return bat_curve_copy(curve, out);

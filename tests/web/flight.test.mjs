@@ -17,7 +17,6 @@ before(async () => {
 });
 after(() => browser.close());
 
-
 test('from a stroke to a flight, and back', async (t) => {
   const server = await serve({ name: 'tori.batten', bytes: SCENE });
   t.after(() => server.close());

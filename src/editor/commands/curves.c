@@ -114,26 +114,8 @@ static bat_status made_over(const bat_object *object, curve_maker *make, bat_obj
 
 /* The same with the curves seen from straight above; those with levels keep them. */
 static bat_status flattened_over(const bat_object *object, curve_maker *make, bat_object **out) {
-    bat_status status = made_over(object, make, out);
-    for (int i = 0; status == BAT_OK && i < bat_object_curve_count(object); i++) {
-        bat_shape *flat = NULL;
-        bat_object *made = NULL;
-        if (!bat_object_shape(object, i)) continue;
-        status = bat_shape_to_dimension(bat_object_shape(object, i), 2, &flat);
-        if (status == BAT_SINGULAR) { /* a point has no frames, and keeps no levels */
-            status = BAT_OK;
-            continue;
-        }
-        if (status == BAT_OK) status = bat_object_with_shape(*out, i, flat, &made);
-        if (status != BAT_OK) break;
-        bat_object_release(*out);
-        *out = made;
-    }
-    if (status != BAT_OK && status != BAT_STATE) {
-        bat_object_release(*out);
-        *out = NULL;
-    }
-    return status;
+    const bat_status status = made_over(object, make, out);
+    return status == BAT_OK ? bat_object_keep_levels(object, 2, out) : status;
 }
 
 static bat_status finish(bat_context *c, bat_status status, bool changed, bat_string label,

@@ -1,44 +1,25 @@
 /* Files that hold curves and nothing else: one CURVE, or a list of them, as JSON; and JSON Lines, a CURVE a line. */
 #include "document/format.h"
 #include "format/json/curve.h"
+#include "format/model/model.h"
 #include "kinds/kinds.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- what both share ---- */
 
-typedef struct gathered {
-    bat_curve **list;
-    size_t count, room;
-} gathered;
-
-static bat_status gather(gathered *to, bat_curve *curve) {
-    if (to->count == to->room) {
-        const size_t room = 2 * to->room + 8;
-        bat_curve **list = room < BAT_POINTS_MAX ? realloc(to->list, room * sizeof(bat_curve *)) : NULL;
-        if (!list) {
-            bat_curve_free(curve);
-            return BAT_MEMORY;
-        }
-        to->list = list, to->room = room;
-    }
-    to->list[to->count++] = curve;
-    return BAT_OK;
-}
-
-/* Makes the drawing, if all went well, and frees the list. */
-static bat_status finish(gathered *from, bat_status status, bat_document **out, bat_problem *problem) {
-    if (status == BAT_OK && from->count == 0)
+/* Makes the drawing, if all went well, and releases what was read. */
+static bat_status finish(bat_model *from, bat_status status, bat_document **out, bat_problem *problem) {
+    if (status == BAT_OK && from->curve_count == 0)
         status = bat_problem_set(problem, BAT_COUNT, "", "expected a curve, found none");
     if (status == BAT_OK) {
-        status = bat_document_of_curves((int)from->count, from->list, NULL, out);
+        const int count = (int)from->curve_count;
+        from->curve_count = 0; /* the call takes the curves over */
+        status = bat_document_of_curves(count, from->curves, NULL, out);
         if (status != BAT_OK) bat_problem_set(problem, status, "", bat_status_message(status));
-    } else {
-        for (size_t i = 0; i < from->count; i++) bat_curve_free(from->list[i]);
     }
-    free(from->list);
+    bat_model_clear(from);
     return status;
 }
 
@@ -82,7 +63,7 @@ static int sniff(const char *text, size_t size) {
 static bat_status read(const bat_reading *how, const char *text, size_t size, bat_document **out,
                        bat_svg_report *report, bat_problem *problem) {
     bat_json json;
-    gathered curves = {.list = NULL};
+    bat_model model = {.mesh = NULL};
     (void)how;
     (void)report;
     bat_status status = bat_json_parse(text, size, &json, problem);
@@ -92,10 +73,10 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
          at = list ? json.nodes[at].next : 0) {
         bat_curve *curve = NULL;
         status = bat_curve_from_json(&json, at, &curve, problem);
-        if (status == BAT_OK) status = gather(&curves, curve);
+        if (status == BAT_OK) status = bat_model_add_curve(&model, curve);
     }
     bat_json_free(&json);
-    return finish(&curves, status, out, problem);
+    return finish(&model, status, out, problem);
 }
 
 static bat_status write(const bat_document *document, char **text, size_t *size, bat_problem *problem) {
@@ -154,7 +135,7 @@ static void move_place(long number, bat_problem *problem) {
 
 static bat_status read_rows(const bat_reading *how, const char *text, size_t size, bat_document **out,
                             bat_svg_report *report, bat_problem *problem) {
-    gathered curves = {.list = NULL};
+    bat_model model = {.mesh = NULL};
     bat_status status = BAT_OK;
     (void)how;
     (void)report;
@@ -162,11 +143,11 @@ static bat_status read_rows(const bat_reading *how, const char *text, size_t siz
         bat_curve *curve = NULL;
         status = bat_curve_read(at.text, at.size, &curve, problem);
         if (status == BAT_OK)
-            status = gather(&curves, curve);
+            status = bat_model_add_curve(&model, curve);
         else
             move_place(at.number, problem);
     }
-    return finish(&curves, status, out, problem);
+    return finish(&model, status, out, problem);
 }
 
 static bat_status write_rows(const bat_document *document, char **text, size_t *size, bat_problem *problem) {

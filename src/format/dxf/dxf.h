@@ -47,6 +47,7 @@ bat_dxf_place bat_dxf_within(const bat_dxf_place *outer, const bat_dxf_place *in
 bat_dxf_place bat_dxf_axes(const double extrusion[3]);
 /* The unit vector across two, or 0 where they are parallel. */
 void bat_dxf_across(const double a[3], const double b[3], double out[3]);
+/* out may be the point itself. */
 void bat_dxf_put(const bat_dxf_place *place, const double point[3], double out[3]);
 
 /* The curve of an entity. vertices: of a POLYLINE. *out NULL with BAT_OK: it is no curve, or one that cannot be held. */

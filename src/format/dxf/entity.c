@@ -8,7 +8,6 @@
 #include <batten/interpolate.h>
 #include <batten/refine.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct reading {
@@ -229,11 +228,8 @@ static bat_status read_lists(const reading *r, spline *s) {
 }
 
 static void settle(const reading *r, bat_numbers *points) {
-    for (size_t i = 0; i + 2 < points->count; i += 3) {
-        double at[3];
-        bat_dxf_put(&r->place, points->list + i, at);
-        memcpy(points->list + i, at, sizeof at);
-    }
+    for (size_t i = 0; i + 2 < points->count; i += 3)
+        bat_dxf_put(&r->place, points->list + i, points->list + i);
 }
 
 /* Clamped and even, where a file leaves them out. */
@@ -258,26 +254,18 @@ static bat_status from_control_points(const reading *r, int degree, spline *s) {
     if (bat_weights_are_equal(s->weights.count, s->weights.list)) {
         status = bat_full_curve(degree, count, s->points.list, s->knots.list, r->out);
     } else {
-        double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, size = 0;
-        for (size_t i = 0; i < s->points.count; i++) {
-            low[i % 3] = fmin(low[i % 3], s->points.list[i]);
-            high[i % 3] = fmax(high[i % 3], s->points.list[i]);
-        }
-        for (int k = 0; k < 3; k++) size = fmax(size, high[k] - low[k]);
+        const double side = bat_full_side(count, s->points.list);
         status = bat_rational_curve(degree, count, s->points.list, s->weights.list, s->knots.list,
-                                    fmax(1e-6 * size, 1e-300), r->out);
+                                    fmax(1e-6 * side, 1e-300), r->out);
     }
     return status == BAT_OK ? status : wrong(r, status, bat_status_message(status));
 }
 
 static bat_status through_points(const reading *r, bool closed, spline *s) {
-    double *p = s->fit.list;
     const size_t count = s->fit.count / 3;
-    bool planar = true;
     settle(r, &s->fit);
-    for (size_t i = 0; i < count; i++) planar = planar && p[3 * i + 2] == 0;
-    for (size_t i = 0; i < count && planar; i++) p[2 * i] = p[3 * i], p[2 * i + 1] = p[3 * i + 1];
-    const bat_status status = bat_interpolate(planar ? 2 : 3, closed, count, p, NULL, r->out);
+    const int dimension = bat_full_pack(count, s->fit.list);
+    const bat_status status = bat_interpolate(dimension, closed, count, s->fit.list, NULL, r->out);
     return status == BAT_OK ? status : wrong(r, status, bat_status_message(status));
 }
 

@@ -99,20 +99,6 @@ static bat_status polyline(const bat_dxf_path *path, bool closed, int dimension,
     return status;
 }
 
-/* Puts the points in their place; the dimension is 2 where all lie in z = 0. */
-static int settle(bat_numbers *points, const bat_dxf_place *place) {
-    bool planar = true;
-    double *p = points->list;
-    for (size_t i = 0; i + 2 < points->count; i += 3) {
-        double at[3];
-        bat_dxf_put(place, p + i, at);
-        memcpy(p + i, at, sizeof at);
-        planar = planar && at[2] == 0;
-    }
-    for (size_t i = 0; 3 * i < points->count && planar; i++) p[2 * i] = p[3 * i], p[2 * i + 1] = p[3 * i + 1];
-    return planar ? 2 : 3;
-}
-
 bat_status bat_dxf_path_curve(bat_dxf_path *path, bool closed, const bat_dxf_place *place,
                               const bat_svg_options *how, bat_curve **out) {
     bat_status status = path->failed ? BAT_MEMORY : BAT_OK;
@@ -122,18 +108,13 @@ bat_status bat_dxf_path_curve(bat_dxf_path *path, bool closed, const bat_dxf_pla
         memcpy(path->points.list + path->points.count - 3, path->points.list, 3 * sizeof(double));
     if (status == BAT_OK && segments >= BAT_POINTS_MAX / 3) status = BAT_COUNT;
     if (status == BAT_OK && segments > 0) {
-        const int dimension = settle(&path->points, place);
-        const double *points = path->points.list;
+        const size_t count = 3 * segments + 1;
+        double *points = path->points.list;
+        for (size_t i = 0; i < count; i++) bat_dxf_put(place, points + 3 * i, points + 3 * i);
+        const double side = bat_full_side(count, points);
+        const int dimension = bat_full_pack(count, points);
         if (path->curved) {
-            double low[3], high[3], size = 0;
-            for (int k = 0; k < dimension; k++) low[k] = INFINITY, high[k] = -INFINITY;
-            for (size_t i = 0; i <= 3 * segments; i++)
-                for (int k = 0; k < dimension; k++) {
-                    low[k] = fmin(low[k], points[i * (size_t)dimension + (size_t)k]);
-                    high[k] = fmax(high[k], points[i * (size_t)dimension + (size_t)k]);
-                }
-            for (int k = 0; k < dimension; k++) size = fmax(size, high[k] - low[k]);
-            const double tolerance = how->share > 0 ? fmin(how->tolerance, how->share * size)
+            const double tolerance = how->share > 0 ? fmin(how->tolerance, how->share * side)
                                                     : how->tolerance;
             status = bat_curve_from_bezier(dimension, 3, closed, (int)segments, points,
                                            how->corner > 0 ? how->corner : CORNER, tolerance, out, NULL);

@@ -7,11 +7,12 @@
 static const bat_dxf_place DOCUMENT = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
 
 void bat_dxf_put(const bat_dxf_place *place, const double p[3], double out[3]) {
+    const double from[3] = {p[0], p[1], p[2]};
     for (int i = 0; i < 3; i++) {
         const double *m = place->m + 4 * i;
         double sum = m[3];
         for (int k = 0; k < 3; k++)
-            if (m[k] != 0) sum += m[k] * p[k];
+            if (m[k] != 0) sum += m[k] * from[k];
         out[i] = sum == 0 ? 0 : sum; /* no -0 */
     }
 }

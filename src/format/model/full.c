@@ -65,13 +65,26 @@ static int period_of(const lattice *at, int count, int degree, const double *kno
     return n;
 }
 
+int bat_full_pack(size_t count, double *points) {
+    for (size_t i = 0; i < count; i++)
+        if (points[3 * i + 2] != 0) return 3;
+    for (size_t i = 0; i < count; i++) memmove(points + 2 * i, points + 3 * i, 2 * sizeof *points);
+    return 2;
+}
+
+double bat_full_side(size_t count, const double *points) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
+    for (size_t i = 0; i < 3 * count; i++) {
+        low[i % 3] = fmin(low[i % 3], points[i]);
+        high[i % 3] = fmax(high[i % 3], points[i]);
+    }
+    for (int k = 0; k < 3; k++) side = fmax(side, high[k] - low[k]);
+    return side;
+}
+
 bat_status bat_full_curve(int degree, size_t count, double *points, const double *knots, bat_curve **out) {
-    int size = 2;
     if (count <= (size_t)degree || count > BAT_POINTS_MAX) return BAT_COUNT;
-    for (size_t i = 0; i < count; i++)
-        if (points[3 * i + 2] != 0) size = 3;
-    for (size_t i = 0; i < count; i++)
-        memmove(points + i * (size_t)size, points + 3 * i, (size_t)size * sizeof *points);
+    const int size = bat_full_pack(count, points);
     const lattice at = {points, (size_t)size, (size_t)size, 1, 0};
     const int round = period_of(&at, (int)count, degree, knots), from = round ? degree : 0;
     return bat_curve_create(size, degree, round > 0, round ? (size_t)round : count, points + from * size,

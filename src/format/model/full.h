@@ -20,6 +20,10 @@ bat_full_axis bat_full_axis_of_surface(const bat_surface *surface, bat_direction
 int bat_full_point(const bat_full_axis *axis, int i);
 double bat_full_knot(const bat_full_axis *axis, int i);
 
+/* Points of 3 numbers each, of which only the first two are left where all lie in z = 0. Returns the dimension. */
+int bat_full_pack(size_t count, double *points);
+/* The larger side of the box around points of 3 numbers each. */
+double bat_full_side(size_t count, const double *points);
 /* The curve of these points, 3 numbers each, and count + degree + 1 knots: planar where all lie in z = 0, closed where
  * points and knots wrap round. The points are changed. Statuses as of bat_curve_create. */
 bat_status bat_full_curve(int degree, size_t count, double *points, const double *knots, bat_curve **out);

@@ -105,12 +105,11 @@ static bat_status assemble(rational *r, bat_curve **out) {
     double *p = r->points.list;
     const size_t count = 3 * (size_t)r->segments + 1, last = 3 * (count - 1);
     const double slack = 1e-9 * bat_curve_size(r->over);
-    bool planar = true, meets = true;
-    for (size_t i = 0; i < count; i++) planar = planar && p[3 * i + 2] == 0;
+    bool meets = true;
     for (size_t k = 0; k < 3; k++) meets = meets && fabs(p[last + k] - p[k]) <= slack;
     if (meets) memcpy(p + last, p, 3 * sizeof *p);
-    for (size_t i = 0; i < count && planar; i++) p[2 * i] = p[3 * i], p[2 * i + 1] = p[3 * i + 1];
-    return bat_curve_from_bezier(planar ? 2 : 3, 3, meets, r->segments, p, CORNER, 0, out, NULL);
+    const int dimension = bat_full_pack(count, p);
+    return bat_curve_from_bezier(dimension, 3, meets, r->segments, p, CORNER, 0, out, NULL);
 }
 
 bat_status bat_rational_curve(int degree, size_t count, const double *points, const double *weights,

@@ -39,33 +39,35 @@ static bool put(bat_svg_walk *w, uint32_t element, const double box[4], bat_obje
     return true;
 }
 
-bool bat_svg_draw_text(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
-    double own[4], box[4];
+/* The same, in that box of its own units, in its place among the objects. */
+static bool put_within(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double own[4]) {
+    double box[4];
     bat_object *object = NULL;
-    if (strcmp(bat_svg_tree_name(w->tree, element), "text") != 0)
-        return false; /* others show what never was in SVG */
-    if (!bat_svg_may_stand_alone(w) || !s->style.visible || !bat_svg_text_box(w, element, s, own))
-        return false;
     box_through(s->matrix, own, box);
     if (!put(w, element, box, &object)) return false;
     bat_svg_put_object(w, element, s->style.shown, object);
     return true;
 }
 
+bool bat_svg_draw_text(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    double own[4];
+    if (strcmp(bat_svg_tree_name(w->tree, element), "text") != 0)
+        return false; /* others show what never was in SVG */
+    if (!bat_svg_may_stand_alone(w) || !s->style.visible || !bat_svg_text_box(w, element, s, own))
+        return false;
+    return put_within(w, element, s, own);
+}
+
 bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     const char *href = bat_svg_find_href(w, element);
-    double own[4], box[4];
-    bat_object *object = NULL;
+    double own[4];
     if (!bat_svg_may_stand_alone(w) || !href || strncmp(href, "data:image/", 11) != 0) return false;
     own[0] = bat_svg_length_of(w, element, "x", s->width, 0);
     own[1] = bat_svg_length_of(w, element, "y", s->height, 0);
     own[2] = own[0] + bat_svg_length_of(w, element, "width", s->width, 0);
     own[3] = own[1] + bat_svg_length_of(w, element, "height", s->height, 0);
     if (!(own[0] < own[2] && own[1] < own[3])) return false;
-    box_through(s->matrix, own, box);
-    if (!put(w, element, box, &object)) return false;
-    bat_svg_put_object(w, element, s->style.shown, object);
-    return true;
+    return put_within(w, element, s, own);
 }
 
 /* ---- whatever has an effect ---- */

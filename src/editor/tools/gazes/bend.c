@@ -43,24 +43,8 @@ static bat_status raise(void *context, const bat_curve *curve, bat_curve **out) 
 
 /* An object of the page in space, with its levels. */
 static bat_status raised(const bat_object *object, bat_object **out) {
-    bat_object *made = NULL;
-    bat_status status = bat_object_with_each(object, raise, NULL, &made);
-    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
-        const bat_shape *levels = bat_object_shape(object, i);
-        bat_shape *shape = NULL;
-        bat_object *more = NULL;
-        if (!levels) continue;
-        status = bat_shape_to_dimension(levels, 3, &shape);
-        if (status == BAT_OK) status = bat_object_with_shape(made, i, shape, &more);
-        if (status != BAT_OK) break;
-        bat_object_release(made);
-        made = more;
-    }
-    if (status == BAT_OK)
-        *out = made;
-    else
-        bat_object_release(made);
-    return status;
+    const bat_status status = bat_object_with_each(object, raise, NULL, out);
+    return status == BAT_OK ? bat_object_keep_levels(object, 3, out) : status;
 }
 
 /* The object that is followed, with its first curve dragged. */
