@@ -398,6 +398,8 @@ double bat_lsq_error(const bat_curve *space, int dimension, const double *local,
                      const double *u, const double *x, int steps, double *near, double *distance) {
     if (space->degree == 3 && dimension == 2)
         return error_pass(space, 3, 2, local, count, u, x, steps, near, distance);
+    if (space->degree == 3 && dimension == 3)
+        return error_pass(space, 3, 3, local, count, u, x, steps, near, distance);
     return error_pass(space, space->degree, dimension, local, count, u, x, steps, near, distance);
 }
 

@@ -61,3 +61,27 @@ for (const [locale, colorScheme, words] of [['en', 'light', /^Name \(/], ['ko-KR
     assert.equal(now.check, '');
   });
 }
+
+test('a drawing with a saved view offers it; taken, the offer goes', async (t) => {
+  const keeping = await serve({ name: 'jug.batten', bytes: JUG });
+  t.after(() => keeping.close());
+  const first = await open(browser, keeping.address);
+  await first.page.locator('#stage').focus();
+  for (const key of ['Shift+Alt+ArrowUp', 'Shift+Alt+ArrowUp', 'Shift+Q']) await first.page.keyboard.press(key);
+  await quiet(first.page);
+  const bytes = Buffer.from(await first.page.evaluate(() => Array.from(batten.engine.save(true))));
+  const server = await serve({ name: 'seen.batten', bytes });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address);
+  const offer = page.locator('#notice button');
+  await offer.waitFor();
+  assert.equal(await offer.textContent(), 'Saved view');
+  const before = await state(page);
+  await offer.click();
+  await quiet(page);
+  assert.equal(await offer.isVisible(), false);
+  assert.ok(await page.evaluate(() => batten.loop.space?.counts.painted > 0), 'the view is tilted');
+  const now = await state(page);
+  assert.equal(now.digest, before.digest, 'seeing is not editing');
+  assert.equal(now.check, '');
+});

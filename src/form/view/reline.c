@@ -68,30 +68,38 @@ typedef struct fit {
     const bat_curve *base; /* the old line on these knots */
     int slots, each;       /* samples in each slot that is not empty */
     size_t count;
+    size_t *first;             /* of each slot, and the count; as bat_lsq_ranges */
+    double *block;             /* holds all that follow */
     double *u, *x, *gap, *far; /* samples: parameter, target, target minus base, squared distance */
+    double *near;              /* where samples are projected to */
     double *a, *border, *move, *points, *local;
     bool *is_free; /* control points that may move */
 } fit;
 
-static bat_status fit_begin(const bat_curve *base, fit *out, double **block) {
+static bat_status fit_begin(const bat_curve *base, fit *out) {
     const size_t p = (size_t)base->degree, n = (size_t)base->count;
     *out = (fit){.base = base, .slots = bat_lsq_slots(base), .each = 2 * (base->degree + 1)};
     const size_t most = (size_t)out->slots * (size_t)out->each;
-    const size_t sizes[9] = {most,  3 * most,    3 * most,
-                             most,  n * (p + 1), bat_cyclic_room((int)n, (int)p),
-                             3 * n, 3 * n,       (size_t)out->slots * (p + 1) * 3};
-    double **const parts[9] = {&out->u,      &out->x,    &out->gap,    &out->far,  &out->a,
-                               &out->border, &out->move, &out->points, &out->local};
+    const size_t sizes[10] = {most,
+                              most,
+                              3 * most,
+                              3 * most,
+                              most,
+                              n * (p + 1),
+                              bat_cyclic_room((int)n, (int)p),
+                              3 * n,
+                              3 * n,
+                              (size_t)out->slots * (p + 1) * 3};
+    double **const parts[10] = {&out->u, &out->near,   &out->x,    &out->gap,    &out->far,
+                                &out->a, &out->border, &out->move, &out->points, &out->local};
     size_t whole = 0;
-    for (int i = 0; i < 9; i++) whole += sizes[i];
-    *block = calloc(whole, sizeof **block);
+    for (int i = 0; i < 10; i++) whole += sizes[i];
+    out->block = calloc(whole, sizeof *out->block);
     out->is_free = calloc(n, sizeof *out->is_free);
-    if (!*block || !out->is_free) {
-        free(*block), free(out->is_free);
-        return BAT_MEMORY;
-    }
-    double *next = *block;
-    for (int i = 0; i < 9; i++) *parts[i] = next, next += sizes[i];
+    out->first = calloc((size_t)out->slots + 1, sizeof *out->first);
+    if (!out->block || !out->is_free || !out->first) return BAT_MEMORY;
+    double *next = out->block;
+    for (int i = 0; i < 10; i++) *parts[i] = next, next += sizes[i];
     return BAT_OK;
 }
 
@@ -99,6 +107,7 @@ static void fit_sample(fit *f, const stretch *s) {
     const int p = f->base->degree;
     for (int k = 0; k < f->slots; k++) {
         const double a = f->base->knots[p + k], b = f->base->knots[p + k + 1];
+        f->first[k + 1] = f->count;
         if (!(a < b)) continue;
         bool inside = false;
         for (int i = 0; i < f->each; i++, f->count++) {
@@ -108,6 +117,7 @@ static void fit_sample(fit *f, const stretch *s) {
             bat_curve_eval(f->base, f->u[f->count], 0, at);
             for (int c = 0; c < 3; c++) f->gap[3 * f->count + (size_t)c] = x[c] - at[c];
         }
+        f->first[k + 1] = f->count;
         for (int i = 0; inside && i <= p; i++) f->is_free[bat_lsq_unknown(f->base, k + i)] = true;
     }
 }
@@ -200,18 +210,25 @@ static bat_status refined(const fit *f, const stretch *s, double limit, bat_curv
     return status;
 }
 
+static void fit_end(fit *f) { free(f->block), free(f->is_free), free(f->first); }
+
+/* The fit on the knots of base, in f, which fit_end frees also after a failure. */
+static bat_status fit_on(const bat_curve *base, const stretch *s, const bat_sketch_report *report, fit *f) {
+    bat_status status = fit_begin(base, f);
+    if (status != BAT_OK) return status;
+    fit_sample(f, s);
+    fit_hold_ends(f, report);
+    status = fit_solve(f);
+    if (status == BAT_OK) bat_lsq_local(base, 3, f->points, f->local);
+    return status;
+}
+
 /* One fit; *out: the line, and *finer (finer may be NULL): a base with more knots where it fails, or NULL. */
 static bat_status one_round(const bat_curve *base, const stretch *s, const bat_sketch_report *report,
                             double tolerance, bat_curve **out, bat_curve **finer, double *error) {
     fit f;
-    double *block;
-    bat_status status = fit_begin(base, &f, &block);
-    if (status != BAT_OK) return status;
-    fit_sample(&f, s);
-    fit_hold_ends(&f, report);
-    status = fit_solve(&f);
+    bat_status status = fit_on(base, s, report, &f);
     if (status == BAT_OK) {
-        bat_lsq_local(base, 3, f.points, f.local);
         const double most = bat_lsq_error(base, 3, f.local, f.count, f.u, f.x, STEPS, NULL, f.far);
         *error = sqrt(most);
         status = bat_curve_create(3, base->degree, base->closed, bat_curve_count(base), f.points,
@@ -221,7 +238,7 @@ static bat_status one_round(const bat_curve *base, const stretch *s, const bat_s
             if (status != BAT_OK) bat_curve_free(*out), *out = NULL;
         }
     }
-    free(f.is_free), free(block);
+    fit_end(&f);
     return status;
 }
 
@@ -232,26 +249,30 @@ static bool is_inside(const stretch *s, double u) {
     return u - lap > s->from && u - lap < s->to;
 }
 
-/* Tries the fit without one copy of the knot u; replaces base and line when it is as good as it must be. */
+/* Tries the fit without one copy of the knot u; replaces the base when it is as good as it must be. */
 static bat_status try_without(double u, const stretch *s, const bat_sketch_report *report, double tolerance,
-                              bat_curve **base, bat_curve **line, double *error) {
-    bat_curve *fewer = NULL, *other = NULL;
+                              bat_curve **base) {
+    bat_curve *fewer = NULL;
     int removed = 0;
-    double now = 0;
     bat_status status = bat_curve_remove_knot(*base, u, 1, BAT_COORDINATE_MAX, &fewer, &removed, NULL);
-    if (status == BAT_OK && removed > 0) status = one_round(fewer, s, report, tolerance, &other, NULL, &now);
-    if (status == BAT_OK && other && now <= tolerance) {
-        bat_curve_free(*base), bat_curve_free(*line);
-        *base = fewer, *line = other, *error = now;
-        return BAT_OK;
+    if (status == BAT_OK && removed > 0) {
+        fit f;
+        const double limit = tolerance * tolerance;
+        status = fit_on(fewer, s, report, &f);
+        if (status == BAT_OK &&
+            bat_lsq_measure(fewer, 3, f.local, f.first, f.u, f.x, limit, f.near, f.far, f.gap) <= limit) {
+            bat_curve *other = *base;
+            *base = fewer, fewer = other;
+        }
+        fit_end(&f);
     }
-    bat_curve_free(fewer), bat_curve_free(other);
+    bat_curve_free(fewer);
     return status == BAT_MEMORY ? status : BAT_OK;
 }
 
 /* Knots within the stretch go when the line meets the tolerance without them, also those of the old line. */
-static bat_status thin(const stretch *s, const bat_sketch_report *report, double tolerance, bat_curve **base,
-                       bat_curve **line, double *error) {
+static bat_status thin(const stretch *s, const bat_sketch_report *report, double tolerance,
+                       bat_curve **base) {
     bat_status status = BAT_OK;
     double domain[2];
     bat_curve_domain(*base, domain);
@@ -259,7 +280,7 @@ static bat_status thin(const stretch *s, const bat_sketch_report *report, double
         if (k >= bat_curve_knot_count(*base)) continue;
         const double u = bat_curve_knots(*base)[k];
         if (u > domain[0] && u < domain[1] && is_inside(s, u))
-            status = try_without(u, s, report, tolerance, base, line, error);
+            status = try_without(u, s, report, tolerance, base);
     }
     return status;
 }
@@ -279,7 +300,15 @@ bat_status bat_reline(const bat_curve *old, const bat_curve *redrawn, const bat_
         bat_curve_free(base);
         base = finer;
     }
-    if (status == BAT_OK && *error <= tolerance) status = thin(&s, report, tolerance, &base, &line, error);
+    if (status == BAT_OK && *error <= tolerance) {
+        const int knots = bat_curve_knot_count(base);
+        status = thin(&s, report, tolerance, &base);
+        if (status == BAT_OK && bat_curve_knot_count(base) < knots) {
+            bat_curve_free(line);
+            line = NULL;
+            status = one_round(base, &s, report, tolerance, &line, NULL, error);
+        }
+    }
     bat_curve_free(base);
     if (status == BAT_OK)
         *out = line;

@@ -160,6 +160,61 @@ static void the_bump(void **state) {
     bat_surface_free(s);
 }
 
+/* The greatest jump of second derivatives across the inner knots of direction d, over their size. Within a span they are
+ * linear in d for cubics, which gives the limit from below. */
+static double jump(const bat_surface *s, bat_direction d, random_source *r) {
+    double most = 0, size = 1;
+    const double *knots = bat_surface_knots(s, d);
+    const int degree = bat_surface_degree(s, d), count = bat_surface_knot_count(s, d);
+    for (int i = 0; i < 8 * count; i++) {
+        const int k = i / 8;
+        if (k <= degree || k >= count - degree - 1) continue;
+        double half[18], quarter[18], after[18], at[2];
+        const double span = knots[k] - knots[k - 1];
+        if (!(span > 0)) continue;
+        at[0] = random_parameter(r, s, BAT_U), at[1] = random_parameter(r, s, BAT_V);
+        at[d] = knots[k];
+        bat_surface_eval(s, at[0], at[1], 2, after);
+        at[d] = knots[k] - 0.5 * span;
+        bat_surface_eval(s, at[0], at[1], 2, half);
+        at[d] = knots[k] - 0.25 * span;
+        bat_surface_eval(s, at[0], at[1], 2, quarter);
+        const int own = d == BAT_U ? 9 : 15; /* Suu or Svv */
+        for (int c = own; c < own + 3; c++) {
+            most = fmax(most, fabs(2 * quarter[c] - half[c] - after[c]));
+            size = fmax(size, fabs(after[c]));
+        }
+    }
+    return most / size;
+}
+
+/* A cubic sheet stays C2 across the knots of both directions, whichever line is redrawn, also on knots of its own. */
+static void smooth_both_ways(void **state) {
+    (void)state;
+    random_source r = {77};
+    int drawn = 0;
+    for (int number = 0; number < 60; number++) {
+        bat_surface *s = sheet(16, false, true), *made = NULL;
+        const bat_direction d = number % 2 ? BAT_V : BAT_U;
+        const double at = random_parameter(&r, s, d);
+        bat_curve *line = other_line(&r, s, d, at, number % 4 > 1);
+        double weights[ROWS];
+        if (bat_surface_redraw(s, d, at, line, NULL, &made, weights, NULL) == BAT_OK) {
+            assert_true(jump(made, BAT_U, &r) < 1e-9 && jump(made, BAT_V, &r) < 1e-9);
+            drawn++;
+        }
+        bat_curve_free(line), bat_surface_free(s), bat_surface_free(made);
+    }
+    assert_true(drawn > 40);
+    bat_surface *s = sheet(16, false, true), *twice = NULL, *made = NULL;
+    const double again[1] = {2}; /* a double knot lets the second derivative jump, which is seen */
+    assert_int_equal(bat_surface_insert_knots(s, BAT_V, 1, again, &twice), BAT_OK);
+    bat_curve *line = other_line(&r, twice, BAT_U, 5.5, false);
+    assert_int_equal(bat_surface_redraw(twice, BAT_U, 5.5, line, NULL, &made, NULL, NULL), BAT_OK);
+    assert_true(jump(made, BAT_V, &r) > 1e-3);
+    bat_curve_free(line), bat_surface_free(s), bat_surface_free(twice), bat_surface_free(made);
+}
+
 /* Held rows stay to the bit; the nearer the line is to what is held, the greater the gain, until it is refused. */
 static void holding(void **state) {
     (void)state;
@@ -317,11 +372,9 @@ static void poles_stay_closed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_line_is_the_new_one),
-        cmocka_unit_test(the_bump),
-        cmocka_unit_test(holding),
-        cmocka_unit_test(across_the_seam),
-        cmocka_unit_test(what_is_refused),
+        cmocka_unit_test(the_line_is_the_new_one), cmocka_unit_test(the_bump),
+        cmocka_unit_test(smooth_both_ways),        cmocka_unit_test(holding),
+        cmocka_unit_test(across_the_seam),         cmocka_unit_test(what_is_refused),
         cmocka_unit_test(poles_stay_closed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
