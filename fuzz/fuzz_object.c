@@ -163,7 +163,7 @@ static bat_status mesh(source *s, bat_id id, bat_object **out) {
 
 /* Bound to neighbours in the document, or free again. */
 static bat_status bind(source *s, const bat_document *document, const bat_object *object, bat_object **out) {
-    const bat_object *curves[3];
+    const bat_object *curves[3], *domains[3];
     bat_wire wires[3];
     const int way = byte(s), all = bat_document_count(document), first = byte(s);
     const size_t count = (size_t)(way / 4 % 4);
@@ -176,8 +176,10 @@ static bat_status bind(source *s, const bat_document *document, const bat_object
                               .radius = bat_function_of(number(s)),
                               .scale = bat_function_of(way & 64 ? number(s) / 50 : 1),
                               .domain = way & 128 ? bat_object_curve(object, 0) : NULL};
+        domains[i] = way & 4 ? bat_document_at(document, (first + 3) % all) : NULL;
     }
-    const bat_status status = bat_object_bind(object, count, wires, curves, way & 2 ? &options : NULL, out);
+    const bat_status status = bat_object_bind(object, count, wires, curves, first & 1 ? domains : NULL,
+                                              way & 2 ? &options : NULL, out);
     if (status == BAT_OK) demand((size_t)bat_object_wires(*out, NULL, NULL) == count);
     return status;
 }

@@ -141,16 +141,18 @@ enum { BAT_BOUND_WIRES = 16 }; /* of one object, at most */
  * become, its domain mapped to the reference's. What is bound: the vertices of a mesh, the control points of a surface or of
  * curves, as they are, or, of an object that is bound already, as they were then. Copies wires. A document keeps it so: when
  * one of the curves changes, the points follow; when one goes, or can't be followed, the object is free and keeps its shape.
+ * domains (may be NULL): for each wire NULL, or the object whose first curve bounds its reach, in place of wires[i].domain,
+ * and goes on bounding it when it changes; when that object goes, its curve stays as it was. Then everything is bound again.
  * It is free of what it was made from. BAT_ARGUMENT: an object is not made of curves, follows others itself, is given twice
  * or is this one; a curve is closed and its reference is not, or the reverse; BAT_COUNT: none, or too many;
  * BAT_UNSUPPORTED: this kind can't be bound (a spline can as a path). */
 BAT_API bat_status bat_object_bind(const bat_object *object, size_t count, const bat_wire *wires,
-                                   const bat_object *const *curves, const bat_wire_options *options,
-                                   bat_object **out);
+                                   const bat_object *const *curves, const bat_object *const *domains,
+                                   const bat_wire_options *options, bat_object **out);
 /* A copy that is free, as it is, or (revert) as it was bound, bit for bit. BAT_ARGUMENT: it is not bound. */
 BAT_API bat_status bat_object_unbind(const bat_object *object, bool revert, bat_object **out);
 /* What it is bound to: how many wires, 0 when it is free; *wires, *options (may be NULL): owned by the object. The objects
- * that shape them: bat_object_sources. */
+ * that shape them: bat_object_sources, which has those whose curves bound reaches behind them. */
 BAT_API int bat_object_wires(const bat_object *object, const bat_wire **wires,
                              const bat_wire_options **options);
 /* A copy whose surface is the finest of these levels, which are copied; it is free, and is edited by its levels from then on.

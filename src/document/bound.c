@@ -60,11 +60,15 @@ static uint64_t digest_of(const bat_bound *bound) {
     digest = bat_digest_number(digest, (uint64_t)bound->options.blend);
     digest = bat_digest_double(digest, bound->options.exponent);
     digest = bat_digest_number(digest, bound->flat);
+    for (int i = bound->count; i < bound->source_count; i++) {
+        digest = bat_digest_number(digest, bound->ids[i]);
+        digest = bat_digest_number(digest, (uint64_t)bound->bounds[i]);
+    }
     for (size_t k = 0; k < 3 * bound->point_count; k++) digest = bat_digest_double(digest, bound->rest[k]);
     return digest;
 }
 
-bat_status bat_bound_create(size_t count, const bat_wire *wires, const bat_id *ids,
+bat_status bat_bound_create(size_t count, const bat_wire *wires, const bat_id *ids, const bat_id *domains,
                             const bat_wire_options *options, size_t point_count, const double *rest,
                             bool flat, bat_bound **out, size_t *wrong) {
     if (count < 1 || count > BAT_BOUND_WIRES) return BAT_COUNT;
@@ -79,6 +83,10 @@ bat_status bat_bound_create(size_t count, const bat_wire *wires, const bat_id *i
         bound->ids[i] = ids[i];
         status = copy_wire(&wires[i], &bound->wires[i]);
     }
+    bound->source_count = bound->count;
+    for (int i = 0; i < bound->count && domains; i++)
+        if (domains[i])
+            bound->bounds[bound->source_count] = i, bound->ids[bound->source_count++] = domains[i];
     if (status == BAT_OK) {
         memcpy(bound->rest, rest, 3 * point_count * sizeof *rest);
         status = bat_wires_bind(count, bound->wires, point_count, bound->rest, &bound->options,
@@ -123,19 +131,48 @@ int bat_object_wires(const bat_object *object, const bat_wire **wires, const bat
     return hold ? hold->bound->count : 0;
 }
 
-/* The object where the bound takes it. */
-static bat_status pull(const bat_object *object, bat_bound *bound, const bat_object *const *from,
+void bat_bound_domains(const bat_bound *bound, const bat_object *const *from,
+                       const bat_object *out[BAT_BOUND_WIRES]) {
+    for (int i = 0; i < bound->count; i++) out[i] = NULL;
+    for (int i = bound->count; i < bound->source_count; i++) out[bound->bounds[i]] = from[i];
+}
+
+/* Of each wire the id of the object that bounds its reach, 0: none; ids: of the sources. */
+static void domain_ids(const bat_bound *bound, const bat_id *ids, bat_id out[BAT_BOUND_WIRES]) {
+    for (int i = 0; i < bound->count; i++) out[i] = 0;
+    for (int i = bound->count; i < bound->source_count; i++) out[bound->bounds[i]] = ids[i];
+}
+
+/* The same with the domain curves as they are now; it is itself, retained, if they are no others. */
+static bat_status bounded_anew(bat_bound *bound, const bat_object *const *from, bat_bound **out) {
+    bat_wire wires[BAT_BOUND_WIRES];
+    bat_id domains[BAT_BOUND_WIRES];
+    bool same = true;
+    memcpy(wires, bound->wires, sizeof wires);
+    for (int i = bound->count; i < bound->source_count; i++) {
+        const bat_curve *now = bat_object_curve(from[i], 0);
+        same = same && bat_curve_is_equal(wires[bound->bounds[i]].domain, now);
+        wires[bound->bounds[i]].domain = now;
+    }
+    *out = same ? bat_bound_retain(bound) : NULL;
+    if (same) return BAT_OK;
+    domain_ids(bound, bound->ids, domains);
+    return bat_bound_create((size_t)bound->count, wires, bound->ids, domains, &bound->options,
+                            bound->point_count, bound->rest, bound->flat, out, NULL);
+}
+
+/* The object where the bound takes it; from: its sources. */
+static bat_status pull(const bat_object *object, bat_bound *was, const bat_object *const *from,
                        bat_object **out) {
     const bat_curve *curves[BAT_BOUND_WIRES];
-    bat_hold hold = {.bound = bound, .known = true};
-    double *points = malloc((3 * bound->point_count + 1) * sizeof *points);
-    if (!points) return BAT_MEMORY;
-    for (int i = 0; i < bound->count; i++) {
-        curves[i] = bat_object_curve(from[i], 0);
-        hold.digests[i] = bat_object_curve_digest(from[i], 0);
-    }
-    bat_status status = bat_bound_apply(bound, curves, points, NULL);
+    bat_hold hold = {.known = true};
+    double *points = malloc((3 * was->point_count + 1) * sizeof *points);
+    bat_status status = points ? bounded_anew(was, from, &hold.bound) : BAT_MEMORY;
+    for (int i = 0; i < was->source_count; i++) hold.digests[i] = bat_object_curve_digest(from[i], 0);
+    for (int i = 0; i < was->count; i++) curves[i] = bat_object_curve(from[i], 0);
+    if (status == BAT_OK) status = bat_bound_apply(hold.bound, curves, points, NULL);
     if (status == BAT_OK) status = bat_object_type(object)->put(object, points, &hold, out);
+    bat_bound_release(hold.bound);
     free(points);
     return status;
 }
@@ -165,24 +202,43 @@ static bat_status take_ids(const bat_object *object, size_t count, const bat_obj
     return BAT_OK;
 }
 
+/* The domain curves of objects: into wires, their objects behind the wires' in from, their ids into domains. */
+static bat_status take_domains(const bat_object *object, size_t count, const bat_object *const *given,
+                               bat_wire *wires, const bat_object **from, bat_id *domains) {
+    for (size_t i = 0; i < count; i++) {
+        const bat_object *domain = given ? given[i] : NULL;
+        domains[i] = domain ? bat_object_id(domain) : 0;
+        if (!domain) continue;
+        if (!bat_object_leads(domain) || domains[i] == bat_object_id(object)) return BAT_ARGUMENT;
+        wires[i].domain = bat_object_curve(domain, 0);
+        *from++ = domain;
+    }
+    return BAT_OK;
+}
+
 bat_status bat_object_bind(const bat_object *object, size_t count, const bat_wire *wires,
-                           const bat_object *const *curves, const bat_wire_options *options,
-                           bat_object **out) {
-    bat_id ids[BAT_BOUND_WIRES];
+                           const bat_object *const *curves, const bat_object *const *domains,
+                           const bat_wire_options *options, bat_object **out) {
+    bat_id ids[BAT_BOUND_WIRES], bounds[BAT_BOUND_WIRES];
+    bat_wire own[BAT_BOUND_WIRES];
+    const bat_object *from[BAT_BOUND_SOURCES];
     if (!object || !wires || !curves || !out) return BAT_ARGUMENT;
     if (!bat_object_type(object)->put) return BAT_UNSUPPORTED;
     if (count < 1 || count > BAT_BOUND_WIRES) return BAT_COUNT;
+    memcpy(own, wires, count * sizeof *own);
+    memcpy(from, curves, count * sizeof *from);
     bat_status status = take_ids(object, count, curves, ids);
+    if (status == BAT_OK) status = take_domains(object, count, domains, own, from + count, bounds);
     if (status != BAT_OK) return status;
     const bat_hold *was = bat_object_hold(object);
     size_t points;
     double *now = points_of(object, &points);
     bat_bound *bound = NULL;
-    status = now ? bat_bound_create(count, wires, ids, options, points, was ? was->bound->rest : now,
+    status = now ? bat_bound_create(count, own, ids, bounds, options, points, was ? was->bound->rest : now,
                                     was ? was->bound->flat : is_flat(object), &bound, NULL)
                  : BAT_MEMORY;
     free(now);
-    if (status == BAT_OK) status = pull(object, bound, curves, out);
+    if (status == BAT_OK) status = pull(object, bound, from, out);
     bat_bound_release(bound);
     return status;
 }
@@ -202,15 +258,18 @@ bat_status bat_object_unbind(const bat_object *object, bool revert, bat_object *
 
 /* ---- following ---- */
 
+/* A domain curve whose id is 0 stays as it is. */
 static bat_status renumbered(const bat_object *object, const bat_hold *hold, const bat_id *ids,
                              bat_object **out) {
     const bat_bound *bound = hold->bound;
+    bat_id domains[BAT_BOUND_WIRES];
     bat_hold next = {.bound = NULL};
     size_t count;
     double *now = points_of(object, &count);
     if (!now) return BAT_MEMORY;
-    bat_status status = bat_bound_create((size_t)bound->count, bound->wires, ids, &bound->options, count,
-                                         bound->rest, bound->flat, &next.bound, NULL);
+    domain_ids(bound, ids, domains);
+    bat_status status = bat_bound_create((size_t)bound->count, bound->wires, ids, domains, &bound->options,
+                                         count, bound->rest, bound->flat, &next.bound, NULL);
     if (status == BAT_OK) status = bat_object_type(object)->put(object, now, &next, out);
     bat_bound_release(next.bound);
     free(now);
@@ -219,17 +278,56 @@ static bat_status renumbered(const bat_object *object, const bat_hold *hold, con
 
 static bool is_up_to_date(const bat_hold *hold, const bat_object *const *from) {
     bool same = hold->known;
-    for (int i = 0; i < hold->bound->count && same; i++)
+    for (int i = 0; i < hold->bound->source_count && same; i++)
         same = hold->digests[i] == bat_object_curve_digest(from[i], 0);
     return same;
+}
+
+/* The ids of those that are there, 0 of the others; false: all are. */
+static bool is_short(const bat_bound *bound, const bat_object *const *from, bat_id ids[BAT_BOUND_SOURCES]) {
+    bool lacks = false;
+    for (int i = 0; i < bound->source_count; i++) {
+        ids[i] = from[i] ? bound->ids[i] : 0;
+        lacks = lacks || !from[i];
+    }
+    return lacks;
+}
+
+static bool has_wires(const bat_bound *bound, const bat_id *ids) {
+    for (int i = 0; i < bound->count; i++)
+        if (!ids[i]) return false;
+    return true;
+}
+
+/* Without the sources whose ids are 0. */
+static bat_status without(const bat_object *object, const bat_bound *bound, const bat_id *ids,
+                          const bat_object *const *from, bat_object **out) {
+    const bat_object *left[BAT_BOUND_SOURCES];
+    bat_object *loose = NULL;
+    int count = 0;
+    for (int i = 0; i < bound->source_count; i++)
+        if (ids[i]) left[count++] = from[i];
+    bat_status status = bat_bound_remake(object, ids, NULL, &loose);
+    if (status == BAT_OK && bat_object_hold(loose)) {
+        status = bat_bound_remake(loose, NULL, left, out);
+        bat_object_release(loose);
+    } else if (status == BAT_OK) {
+        *out = loose;
+    }
+    return status;
 }
 
 bat_status bat_bound_remake(const bat_object *object, const bat_id *ids, const bat_object *const *from,
                             bat_object **out) {
     const bat_hold *hold = bat_object_hold(object);
+    bat_id left[BAT_BOUND_SOURCES];
     *out = NULL;
     if (!hold) return BAT_OK;
-    if (ids) return renumbered(object, hold, ids, out);
+    if (!ids && from && is_short(hold->bound, from, left))
+        return without(object, hold->bound, left, from, out);
+    if (ids)
+        return has_wires(hold->bound, ids) ? renumbered(object, hold, ids, out)
+                                           : bat_object_unbind(object, false, out);
     if (from && is_up_to_date(hold, from)) {
         if (!hold->moved) return BAT_OK;
         from = NULL; /* it was moved away from its wires */
@@ -268,6 +366,8 @@ static bat_status image_hold(const bat_hold *hold, const double matrix[6], bat_h
     const bat_bound *bound = hold->bound;
     const double area = bat_matrix_area(matrix), factor = area > 0 ? sqrt(area) : 1;
     bat_wire wires[BAT_BOUND_WIRES] = {{.reference = NULL}};
+    bat_id domains[BAT_BOUND_WIRES];
+    domain_ids(bound, bound->ids, domains);
     double *rest = malloc((3 * bound->point_count + 1) * sizeof *rest);
     bat_status status = rest ? BAT_OK : BAT_MEMORY;
     if (status == BAT_OK) image_points(bound->point_count, bound->rest, matrix, rest);
@@ -283,7 +383,7 @@ static bat_status image_hold(const bat_hold *hold, const double matrix[6], bat_h
     *out = *hold;
     out->bound = NULL, out->moved = true;
     if (status == BAT_OK)
-        status = bat_bound_create((size_t)bound->count, wires, bound->ids, &bound->options,
+        status = bat_bound_create((size_t)bound->count, wires, bound->ids, domains, &bound->options,
                                   bound->point_count, rest, bound->flat, &out->bound, NULL);
     for (int i = 0; i < bound->count; i++) {
         bat_curve_free((bat_curve *)wires[i].reference), bat_curve_free((bat_curve *)wires[i].domain);

@@ -8,11 +8,14 @@
 
 #include <batten/document.h>
 
+enum { BAT_BOUND_SOURCES = 2 * BAT_BOUND_WIRES };
+
 /* Immutable, counted: shared by copies of the object. */
 typedef struct bat_bound {
     bat_users users;
-    int count;
-    bat_id ids[BAT_BOUND_WIRES];     /* whose first curves are the wires */
+    int count, source_count;
+    bat_id ids[BAT_BOUND_SOURCES];   /* whose first curves are the wires, then those that are domain curves */
+    int bounds[BAT_BOUND_SOURCES];   /* which wire a domain curve bounds, ascending */
     bat_wire wires[BAT_BOUND_WIRES]; /* with curves of their own */
     bat_wire_options options;
     bool flat; /* of curves: they were in the plane */
@@ -27,11 +30,12 @@ typedef struct bat_hold {
     bat_bound *bound;
     bool known; /* it is where the curves with these digests take it */
     bool moved; /* since then */
-    uint64_t digests[BAT_BOUND_WIRES];
+    uint64_t digests[BAT_BOUND_SOURCES];
 } bat_hold;
 
-/* Copies everything. wrong: as bat_wires_bind. */
-bat_status bat_bound_create(size_t count, const bat_wire *wires, const bat_id *ids,
+/* Copies everything. domains: of each wire the object whose first curve its domain curve is, as it was; 0: none. NULL: of
+ * no wire. wrong: as bat_wires_bind. */
+bat_status bat_bound_create(size_t count, const bat_wire *wires, const bat_id *ids, const bat_id *domains,
                             const bat_wire_options *options, size_t point_count, const double *rest,
                             bool flat, bat_bound **out, size_t *wrong);
 bat_bound *bat_bound_retain(bat_bound *bound);
@@ -46,6 +50,10 @@ bat_status bat_bound_remake(const bat_object *object, const bat_id *ids, const b
                             bat_object **out);
 /* The image of an object with points, bound or not: what it is bound to goes with it. */
 bat_status bat_bound_transform(const bat_object *object, const double matrix[6], bat_object **out);
+
+/* Of each wire the object whose first curve bounds its reach, among the sources of the bound; NULL: none. */
+void bat_bound_domains(const bat_bound *bound, const bat_object *const *from,
+                       const bat_object *out[BAT_BOUND_WIRES]);
 
 /* NULL: the kind can't be bound, or the object is not. */
 const bat_hold *bat_object_hold(const bat_object *object);

@@ -231,12 +231,14 @@ bool bat_document_is_left(const bat_document *document, int index) {
 bool bat_document_sources(const bat_document *document, const bat_object *object, const bat_object **out) {
     const bat_id *ids;
     const int count = bat_object_sources(object, &ids);
+    bool all = true;
     for (int i = 0; i < count; i++) {
         const int at = bat_document_find(document, ids[i]);
         out[i] = bat_document_at(document, at);
-        if (!out[i] || !bat_object_leads(out[i])) return false;
+        if (out[i] && !bat_object_leads(out[i])) out[i] = NULL;
+        all = all && out[i];
     }
-    return true;
+    return all;
 }
 
 bool bat_document_has_followers(const bat_document *document) { return document->followers > 0; }

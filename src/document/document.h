@@ -32,7 +32,7 @@ const char *bat_document_check_nesting(const bat_document *document);
 const bat_object *bat_document_source(const bat_document *document, const bat_object *object);
 /* Whether what the object at index follows is not there. */
 bool bat_document_is_left(const bat_document *document, int index);
-/* The objects that an object is made from, at most BAT_RECIPE_CURVES; false: one is not there. */
+/* The objects that an object is made from, at most BAT_RECIPE_CURVES; false: one is not there, and NULL. */
 bool bat_document_sources(const bat_document *document, const bat_object *object, const bat_object **out);
 /* Whether any object follows others. O(1). */
 bool bat_document_has_followers(const bat_document *document);

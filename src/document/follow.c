@@ -10,7 +10,8 @@ bat_status bat_document_follower(const bat_document *document, int index, bat_ob
     *out = NULL;
     if (source) return type->follow(object, bat_object_id(source), bat_object_curve(source, 0), out);
     if (bat_object_sources(object, NULL) == 0) return BAT_OK;
-    return type->remake(object, NULL, bat_document_sources(document, object, from) ? from : NULL, out);
+    bat_document_sources(document, object, from); /* what is gone is NULL */
+    return type->remake(object, NULL, from, out);
 }
 
 /* Takes `made` over. */
@@ -44,9 +45,8 @@ bat_status bat_document_let_go(bat_document *document) {
         const bat_object *object = bat_document_at(document, i);
         bat_object *made = NULL;
         if (!is_short(document, i)) continue;
-        status = bat_document_is_left(document, i)
-                     ? bat_object_type(object)->follow(object, 0, NULL, &made)
-                     : bat_object_type(object)->remake(object, NULL, NULL, &made);
+        status = bat_document_is_left(document, i) ? bat_object_type(object)->follow(object, 0, NULL, &made)
+                                                   : bat_document_follower(document, i, &made);
         if (status == BAT_OK) status = put(document, i, made);
     }
     return status;
@@ -55,10 +55,8 @@ bat_status bat_document_let_go(bat_document *document) {
 bat_status bat_object_renumbered(const bat_object *object, const bat_id *ids, bat_object **out) {
     const bat_id followed = bat_object_followed(object);
     const int count = bat_object_sources(object, NULL);
-    bool all = true;
     *out = NULL;
     if (followed) return bat_object_type(object)->follow(object, ids[0], NULL, out);
-    for (int i = 0; i < count; i++) all = all && ids[i];
     if (count == 0) return BAT_OK;
-    return bat_object_type(object)->remake(object, all ? ids : NULL, NULL, out);
+    return bat_object_type(object)->remake(object, ids, NULL, out);
 }

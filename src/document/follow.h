@@ -12,8 +12,8 @@ bat_status bat_document_follower(const bat_document *document, int index, bat_ob
 bat_status bat_document_follow(bat_document *document);
 /* Those that are left keep the curve they have, and follow nothing from then on. */
 bat_status bat_document_let_go(bat_document *document);
-/* A copy that follows the objects with these ids, one for each that it follows now; an id of 0: it is not made from
- * anything from then on. *out NULL with BAT_OK: it follows nothing. */
+/* A copy that follows the objects with these ids, one for each that it follows now; an id of 0: what had that
+ * place is gone (kind.h). *out NULL with BAT_OK: it follows nothing. */
 bat_status bat_object_renumbered(const bat_object *object, const bat_id *ids, bat_object **out);
 
 #endif

@@ -54,9 +54,10 @@ typedef struct bat_kind_type {
     bat_status (*follow)(const bat_object *object, bat_id id, const bat_curve *path, bat_object **out);
     /* For objects that are made from the first curves of several others (follow.h): their ids, *count of them. remake: a
      * copy made from those objects, `from`, as they now are; with ids, a copy made from the objects that have these instead,
-     * which is made again when it is asked to follow them; with neither, a copy that is free, and keeps what it is. *out NULL
-     * with BAT_OK: it is so already. One that can't be made any longer, or was moved while its objects were not, becomes
-     * free. NULL: the kind is made from nothing. */
+     * which is made again when it is asked to follow them; with neither, a copy that is free, and keeps what it is. An id of
+     * 0, and NULL in `from`, is one that is gone: the copy is free, or does without. *out NULL with BAT_OK: it is so already.
+     * One that can't be made any longer, or was moved while its objects were not, becomes free. NULL: the kind is made from
+     * nothing. */
     const bat_id *(*sources)(const bat_object *object, int *count);
     bat_status (*remake)(const bat_object *object, const bat_id *ids, const bat_object *const *from,
                          bat_object **out);

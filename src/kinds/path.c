@@ -369,7 +369,7 @@ static bat_status put_curves(const bat_object *object, const double *points, con
 
 static const bat_id *sources(const bat_object *object, int *count) {
     const bat_hold *held = bat_object_hold(object);
-    *count = held ? held->bound->count : 0;
+    *count = held ? held->bound->source_count : 0;
     return held ? held->bound->ids : NULL;
 }
 

@@ -276,7 +276,7 @@ static const bat_id *sources(const bat_object *object, int *count) {
     const bat_hold *hold = bat_object_hold(object);
     const kept_recipe *made = made_of(bat_object_own(object, &bat_kind_of_surface));
     if (hold) {
-        *count = hold->bound->count;
+        *count = hold->bound->source_count;
         return hold->bound->ids;
     }
     *count = made ? made->count : 0;
@@ -299,11 +299,19 @@ static bool is_up_to_date(const kept_recipe *made, const bat_object *const *from
     return same;
 }
 
+/* One of its objects is not there. */
+static bool is_short(const kept_recipe *made, const bat_id *ids, const bat_object *const *from) {
+    for (int i = 0; i < made->count; i++)
+        if (ids ? !ids[i] : from && !from[i]) return true;
+    return false;
+}
+
 static bat_status remake(const bat_object *object, const bat_id *ids, const bat_object *const *from,
                          bat_object **out) {
     const kept_recipe *now = made_of(bat_object_own(object, &bat_kind_of_surface));
     *out = NULL;
     if (!now) return bat_bound_remake(object, ids, from, out);
+    if (is_short(now, ids, from)) return with_note(object, NULL, out);
     if (!ids && from && is_up_to_date(now, from)) {
         if (!now->moved) return BAT_OK;
         from = NULL; /* it was moved away from its curves */

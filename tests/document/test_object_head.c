@@ -115,8 +115,8 @@ static bat_object *bare(bat_kind kind, bat_id id) {
         assert_int_equal(bat_object_create_path(id, "", &style, 1, &curve, &made), BAT_OK);
         curve = NULL;
         bound.reference = bat_object_curve(wire, 0);
-        assert_int_equal(bat_object_bind(made, 1, &bound, (const bat_object *const *)&wire, NULL, &object),
-                         BAT_OK);
+        assert_int_equal(
+            bat_object_bind(made, 1, &bound, (const bat_object *const *)&wire, NULL, NULL, &object), BAT_OK);
         bat_object_release(wire), bat_object_release(made);
         break;
     case BAT_KIND_PATH:

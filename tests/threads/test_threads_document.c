@@ -66,7 +66,7 @@ static bat_document *rich_document(void) {
     const bat_wire wire = {.reference = bat_object_curve(from[0], 0),
                            .radius = bat_function_of(900),
                            .scale = bat_function_of(1)};
-    assert_int_equal(bat_object_bind(object, 1, &wire, from, NULL, &bound), BAT_OK);
+    assert_int_equal(bat_object_bind(object, 1, &wire, from, from + 1, NULL, &bound), BAT_OK);
     bat_object_release(object);
     put(document, bound);
     bat_camera *camera = NULL;
@@ -195,7 +195,7 @@ static uint64_t make_of(uint64_t d, const bat_object *a, const bat_object *b, in
                            .radius = bat_function_of(300 + seed),
                            .scale = bat_function_of(1)};
     bat_object *bound = NULL, *unbound = NULL;
-    if (bat_object_bind(made, 1, &wire, from, NULL, &bound) == BAT_OK) {
+    if (bat_object_bind(made, 1, &wire, from, seed & 2 ? from + 1 : NULL, NULL, &bound) == BAT_OK) {
         d = add_object(d, bat_object_unbind(bound, seed & 1, &unbound), &unbound);
         d = add_object(d, BAT_OK, &bound);
     }

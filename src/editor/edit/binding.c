@@ -94,27 +94,25 @@ bool bat_bind_fits(const bat_context *c) {
 typedef struct bundle {
     int count;
     bat_wire wires[BAT_BOUND_WIRES];
-    const bat_object *curves[BAT_BOUND_WIRES];
+    const bat_object *curves[BAT_BOUND_WIRES], *domains[BAT_BOUND_WIRES];
 } bundle;
 
 /* The wires that the object has, and the new ones; BAT_COUNT: too many. */
 static bat_status gather(const bat_document *document, const bat_object *target, const chosen *of,
                          bundle *b) {
-    const bat_wire *had;
-    const bat_id *ids;
-    b->count = bat_object_wires(target, &had, NULL);
-    if (b->count > 0) bat_object_sources(target, &ids);
-    for (int i = 0; i < b->count; i++) {
-        b->wires[i] = had[i];
-        b->curves[i] = bat_document_at(document, bat_document_find(document, ids[i]));
-    }
+    const bat_hold *hold = bat_object_hold(target);
+    const bat_object *from[BAT_RECIPE_CURVES];
+    b->count = hold ? hold->bound->count : 0;
+    if (hold && !bat_document_sources(document, target, from)) return BAT_STATE;
+    if (hold) bat_bound_domains(hold->bound, from, b->domains);
+    for (int i = 0; i < b->count; i++) b->wires[i] = hold->bound->wires[i], b->curves[i] = from[i];
     for (int k = 0; k < of->wire_count; k++) {
         bool there = false;
         for (int i = 0; i < b->count; i++) there = there || b->curves[i] == of->wires[k];
         if (there) continue;
         if (b->count == BAT_BOUND_WIRES) return BAT_COUNT;
         const bat_curve *curve = bat_object_curve(of->wires[k], 0);
-        b->curves[b->count] = of->wires[k];
+        b->curves[b->count] = of->wires[k], b->domains[b->count] = NULL;
         b->wires[b->count++] = (bat_wire){.reference = curve,
                                           .radius = bat_function_of(RADIUS * bat_curve_size(curve)),
                                           .scale = bat_function_of(1)};
@@ -137,7 +135,7 @@ static bat_status bind_object(const bat_object *target, const bundle *b, bat_obj
     }
     bat_object_wires(target, NULL, &options);
     const bat_status status = bat_object_bind(path ? path : target, (size_t)b->count, b->wires, b->curves,
-                                              options, out);
+                                              b->domains, options, out);
     bat_object_release(path);
     return status;
 }

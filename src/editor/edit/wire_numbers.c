@@ -1,4 +1,5 @@
 /* What can be set of a wire: its radius, and the curve that bounds its reach. */
+#include "document/bound.h"
 #include "document/document.h"
 #include "document/kind.h"
 #include "editor/choice/choice.h"
@@ -14,21 +15,24 @@
 typedef struct change {
     const bat_function *radius; /* NULL: as it is */
     bool bounds;                /* the domain curve changes, to: */
-    const bat_curve *domain;
+    const bat_object *domain;   /* the first curve of; NULL: none */
 } change;
 
 static bat_status rebind(bat_context *c, int index, int which, const change *to) {
-    const bat_object *object = bat_document_at(c->session->document, index), *curves[BAT_RECIPE_CURVES];
+    const bat_object *object = bat_document_at(c->session->document, index), *from[BAT_RECIPE_CURVES];
+    const bat_object *domains[BAT_BOUND_WIRES];
+    const bat_hold *hold = bat_object_hold(object);
     const bat_wire *had;
     const bat_wire_options *options;
     bat_wire wires[BAT_BOUND_WIRES];
     bat_object *made = NULL;
     const int count = bat_object_wires(object, &had, &options);
-    if (!bat_document_sources(c->session->document, object, curves)) return BAT_STATE;
+    if (!hold || !bat_document_sources(c->session->document, object, from)) return BAT_STATE;
+    bat_bound_domains(hold->bound, from, domains);
     memcpy(wires, had, (size_t)count * sizeof *wires);
     if (to->radius) wires[which].radius = *to->radius;
-    if (to->bounds) wires[which].domain = to->domain;
-    bat_status status = bat_object_bind(object, (size_t)count, wires, curves, options, &made);
+    if (to->bounds) wires[which].domain = NULL, domains[which] = to->domain;
+    bat_status status = bat_object_bind(object, (size_t)count, wires, from, domains, options, &made);
     if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
     bat_object_release(made);
     return status;
@@ -115,7 +119,7 @@ bat_status bat_bind_set_radius(bat_context *c, bool end, double value) {
 /* ---- the domain curve ---- */
 
 /* A wire and another curve are selected, or a wire alone that has a domain curve. */
-static bool find_domain(const bat_context *c, bat_id *curve, const bat_curve **domain) {
+static bool find_domain(const bat_context *c, bat_id *curve, const bat_object **domain) {
     const bat_selection *selection = &c->choice->selection;
     const bat_document *document = c->session->document;
     *domain = NULL;
@@ -130,7 +134,7 @@ static bool find_domain(const bat_context *c, bat_id *curve, const bat_curve **d
         *curve = selection->ids[k];
         if (!wire_named(document, *curve) || wire_named(document, selection->ids[1 - k])) continue;
         if (!other || !bat_object_leads(other) || bat_object_curve_count(other) != 1) continue;
-        *domain = bat_object_curve(other, 0);
+        *domain = other;
         return true;
     }
     return false;
@@ -138,13 +142,13 @@ static bool find_domain(const bat_context *c, bat_id *curve, const bat_curve **d
 
 bool bat_bind_has_domain(const bat_context *c) {
     bat_id curve;
-    const bat_curve *domain;
+    const bat_object *domain;
     return bat_document_has_followers(c->session->document) && find_domain(c, &curve, &domain);
 }
 
 bat_status bat_bind_domain(bat_context *c) {
     bat_id curve;
-    const bat_curve *domain;
+    const bat_object *domain;
     if (!bat_bind_has_domain(c)) return BAT_STATE;
     find_domain(c, &curve, &domain);
     bat_status status = bat_transaction_begin(c);

@@ -12,7 +12,7 @@
 /* What is read: the wires own their curves. */
 typedef struct reading {
     int count;
-    bat_id ids[BAT_BOUND_WIRES];
+    bat_id ids[BAT_BOUND_WIRES], domains[BAT_BOUND_WIRES];
     bat_wire wires[BAT_BOUND_WIRES];
     bat_wire_options options;
     bool flat;
@@ -40,7 +40,7 @@ static bat_status read_curve(const bat_fields *f, uint32_t node, const char *nam
 
 static bat_status read_wire(const bat_fields *f, uint32_t node, reading *r) {
     bat_wire *wire = &r->wires[r->count];
-    bat_id *id = &r->ids[r->count++];
+    bat_id *domain = &r->domains[r->count], *id = &r->ids[r->count++];
     *wire = (bat_wire){.scale = bat_function_of(1)};
     if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
         return bat_fields_complain(f, node, "wires", "an object");
@@ -52,6 +52,9 @@ static bat_status read_wire(const bat_fields *f, uint32_t node, reading *r) {
                                          "an object that is no other wire");
     if (status == BAT_OK) status = read_curve(f, node, "reference", true, &wire->reference);
     if (status == BAT_OK) status = read_curve(f, node, "domain", false, &wire->domain);
+    if (status == BAT_OK) status = bat_fields_id(f, node, "domain_curve", BAT_ID_MAX, domain);
+    if (status == BAT_OK && *domain && !wire->domain)
+        status = bat_fields_complain(f, node, "domain", "a curve");
     if (status == BAT_OK) status = bat_fields_function(f, node, "radius", &wire->radius);
     if (status == BAT_OK) status = bat_fields_function(f, node, "scale", &wire->scale);
     return status;
@@ -109,8 +112,8 @@ static bat_status read_bound(const bat_fields *f, uint32_t node, size_t count, c
     if (status == BAT_OK) status = bat_fields_flag(f, node, "flat", &r.flat);
     if (status == BAT_OK) status = read_rest(f, node, count, points, &r);
     if (status == BAT_OK) {
-        status = bat_bound_create((size_t)r.count, r.wires, r.ids, &r.options, count, r.rest, r.flat, out,
-                                  NULL);
+        status = bat_bound_create((size_t)r.count, r.wires, r.ids, r.domains, &r.options, count, r.rest,
+                                  r.flat, out, NULL);
         if (status == BAT_PARAMETER)
             status = bat_fields_complain(f, bat_json_member(f->json, node, "wires"), "radius",
                                          "one above 0 everywhere");
@@ -121,7 +124,8 @@ static bat_status read_bound(const bat_fields *f, uint32_t node, size_t count, c
     return status;
 }
 
-static void write_wire(const bat_wire *wire, bat_id id, bat_text *text) {
+/* domain: the id of the object whose curve its domain curve is, 0: of none. */
+static void write_wire(const bat_wire *wire, bat_id id, bat_id domain, bat_text *text) {
     bat_text_string(text, "{\"curve\":");
     bat_text_integer(text, id);
     bat_text_string(text, ",\"radius\":");
@@ -136,6 +140,7 @@ static void write_wire(const bat_wire *wire, bat_id id, bat_text *text) {
         bat_text_string(text, ",\n   \"domain\":");
         bat_curve_to_json(wire->domain, 4, text);
     }
+    if (domain) bat_text_string(text, ",\n   \"domain_curve\":"), bat_text_integer(text, domain);
     bat_text_string(text, "}");
 }
 
@@ -153,10 +158,12 @@ static void write_rest(const bat_bound *bound, const double *points, bat_text *t
 }
 
 static void write_bound(const bat_bound *bound, const double *points, bat_text *text) {
+    int next = bound->count; /* of the sources that are domain curves */
     bat_text_string(text, "{\"wires\":[");
     for (int i = 0; i < bound->count; i++) {
+        const bool follows = next < bound->source_count && bound->bounds[next] == i;
         if (i > 0) bat_text_string(text, ",\n  ");
-        write_wire(&bound->wires[i], bound->ids[i], text);
+        write_wire(&bound->wires[i], bound->ids[i], follows ? bound->ids[next++] : 0, text);
     }
     bat_text_string(text, "],\n  \"blend\":");
     bat_blend_write(&bound->options, text);
