@@ -1,6 +1,7 @@
 /* Any bytes as BVH. What can be read is written and reads back the same, and is fitted, scaled, bent and sampled: with every
  * number finite, and every bone as long as it was. */
 #include <batten/bezier.h>
+#include <batten/document.h>
 #include <batten/format.h>
 #include <batten/motion.h>
 
@@ -36,6 +37,34 @@ static void check_frames(const bat_take *take) {
     if (bat_take_positions(take, frames - 1, at) != BAT_OK) abort();
 }
 
+/* In a drawing it is written, and read back the same. */
+static void check_drawn(const bat_motion *motion) {
+    const bat_style style = bat_style_defaults();
+    double place[12], at[3 * JOINTS_MOST];
+    bat_motion *copy = NULL;
+    bat_object *object = NULL, *other = NULL;
+    bat_document *document = NULL, *again = NULL;
+    char *text = NULL;
+    size_t size;
+    if (bat_motion_copy(motion, &copy) != BAT_OK) abort();
+    if (bat_motion_take(copy) != bat_motion_take(motion) || !(bat_motion_duration(copy) > 0)) abort();
+    if (bat_motion_positions(copy, 0.4 * bat_motion_duration(copy), at) != BAT_OK) abort();
+    if (bat_object_create_skeleton(3, "", &style, motion, NULL, &object) == BAT_OK) {
+        if (!bat_object_motion(object, place) || place[0] != 1) abort();
+        if (bat_object_with_motion(object, copy, &other) != BAT_OK) abort();
+        if (bat_document_create(&document) != BAT_OK || bat_document_insert(document, 0, other) != BAT_OK)
+            abort();
+        if (bat_document_write(document, &text, &size) != BAT_OK) abort();
+        if (bat_document_read(text, size, &again, NULL) == BAT_OK &&
+            bat_document_digest(again) != bat_document_digest(document))
+            abort();
+    }
+    bat_object_release(object), bat_object_release(other);
+    bat_document_free(document), bat_document_free(again);
+    bat_free(text);
+    bat_motion_free(copy);
+}
+
 static void check_motion(const bat_take *take, double tolerance) {
     static const double points[12] = {0, 0, 0, 1, 0, 3, 2, 1, 4, 5, 0, 6};
     bat_motion_options options;
@@ -57,6 +86,7 @@ static void check_motion(const bat_take *take, double tolerance) {
     if ((bent == BAT_OK) && !bat_motion_path(motion)) abort();
     if (bat_motion_joint(motion, 0) && !bat_camera_base(bat_motion_joint(motion, 0), NULL)) abort();
     if (bat_motion_sample(motion, &made) == BAT_OK) check_frames(made);
+    check_drawn(motion);
     if (bat_motion_write(motion, &report, &text, &size) == BAT_OK) bat_free(text);
     bat_take_free(made);
     bat_curve_free(path);

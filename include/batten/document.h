@@ -10,6 +10,7 @@
 #include <batten/camera.h>
 #include <batten/levels.h>
 #include <batten/mesh.h>
+#include <batten/motion.h>
 #include <batten/recipe.h>
 #include <batten/relief.h>
 #include <batten/surface.h>
@@ -45,7 +46,7 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
  * which is a group, or a layer (in no group, and in nothing but layers); an image, which is a placed picture and
  * has no curves either; a guide, an endless line that paints nothing; a plane in space to draw on; a surface in space,
  * whose curves are its lines at the knots, which cannot be replaced; a camera move, whose curves only show it; a view that
- * was saved, which paints nothing; curves that are bound to wires; a mesh, whose curves are strips of its edges. */
+ * was saved, which paints nothing; curves that are bound to wires; a mesh, whose curves are strips of its edges; a skeleton that moves. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
@@ -60,7 +61,8 @@ typedef enum bat_kind {
     BAT_KIND_VIEW = 11,
     BAT_KIND_MESH = 12,
     BAT_KIND_BOUND = 13,
-    BAT_KIND_FOREIGN = 14
+    BAT_KIND_FOREIGN = 14,
+    BAT_KIND_SKELETON = 15
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -167,6 +169,15 @@ BAT_API bat_status bat_object_create_camera(bat_id id, const char *name, const b
 /* A copy with another move, or that follows another object. BAT_ARGUMENT: the object is not a camera. */
 BAT_API bat_status bat_object_with_camera(const bat_object *object, const bat_camera *camera, bat_id follows,
                                           bat_object **out);
+/* Copies the motion. place: where the motion's axes and its origin lie in the drawing, its point p at {place[0] p.x + place[1] p.y
+ * + place[2] p.z + place[3], ...}, 12 numbers; NULL: y up the page, and z towards who looks at it. Its curves are the bones as they
+ * are in the first frame. BAT_NUMBER: a number is not finite or too large. */
+BAT_API bat_status bat_object_create_skeleton(bat_id id, const char *name, const bat_style *style,
+                                              const bat_motion *motion, const double *place,
+                                              bat_object **out);
+/* A copy with another motion. BAT_ARGUMENT: the object is not a skeleton. */
+BAT_API bat_status bat_object_with_motion(const bat_object *object, const bat_motion *motion,
+                                          bat_object **out);
 /* A copy with other curves (ownership is taken), which is a path; all else, including its place in groups, is
  * kept. BAT_ARGUMENT, here and for a single curve or shape: the object is a surface or a camera, or of a kind without curves. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,
@@ -234,6 +245,8 @@ BAT_API size_t bat_object_folds(const bat_object *object, double *out);
 BAT_API int bat_object_sources(const bat_object *object, const bat_id **ids);
 /* Owned by the object; NULL when it is not a camera. */
 BAT_API const bat_camera *bat_object_camera(const bat_object *object);
+/* Owned by the object; NULL when it is not a skeleton. place (may be NULL): 12 numbers, as above. */
+BAT_API const bat_motion *bat_object_motion(const bat_object *object, double *place);
 /* The object whose first curve is its path; 0: its path is its own, or it is not a camera. */
 BAT_API bat_id bat_object_followed(const bat_object *object);
 /* Origin, x axis, y axis: nine numbers, owned by the object; NULL when it is not a plane. */

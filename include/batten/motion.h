@@ -84,7 +84,15 @@ typedef struct bat_motion bat_motion;
  * body. */
 BAT_API bat_status bat_motion_fit(const bat_take *take, const bat_motion_options *options, bat_motion **out,
                                   bat_motion_report *report);
-BAT_API void bat_motion_free(bat_motion *motion); /* NULL is fine */
+BAT_API bat_status bat_motion_copy(const bat_motion *motion, bat_motion **out); /* the take is shared */
+BAT_API void bat_motion_free(bat_motion *motion);                               /* NULL is fine */
+/* What it was made of; owned by the motion. */
+BAT_API const bat_take *bat_motion_take(const bat_motion *motion);
+/* Seconds from the first frame to the last; of one frame alone, the time of one. */
+BAT_API double bat_motion_duration(const bat_motion *motion);
+/* Where the joints are at a time in seconds, which is clamped to the take's: 3 numbers each, ends too. Joints other than the root
+ * that have places have those of the nearest frame. BAT_NUMBER: the time is not finite. O(joints * levels). */
+BAT_API bat_status bat_motion_positions(const bat_motion *motion, double time, double *out);
 BAT_API int bat_motion_levels(const bat_motion *motion);
 /* The rotation of a joint as the gaze of a camera move on a tripod, over the time of the take; NULL: it does not turn, or
  * there is no such joint. Its last level is level bat_motion_levels. Owned by the motion, here and below. */

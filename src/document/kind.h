@@ -22,7 +22,7 @@ typedef enum bat_trait {
     BAT_FIXED = 32,  /* its curves only show what it is: no other curves can take their place */
     BAT_SPACE = 64,  /* lies in space: files that hold one are of version 2, which older programs refuse */
     BAT_AID = 128,   /* seen while drawing; pictures leave it out */
-    BAT_MOVES = 256, /* a camera, whose move can be played */
+    BAT_MOVES = 256, /* a camera or a skeleton, whose move can be played */
     BAT_NEW = 512    /* files that hold one are of the newest version */
 } bat_trait;
 

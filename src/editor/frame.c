@@ -2,6 +2,7 @@
 #include "document/document.h"
 #include "editor/show/axis.h"
 #include "editor/show/disc.h"
+#include "editor/show/body.h"
 #include "editor/show/flight.h"
 #include "editor/show/followers.h"
 #include "editor/show/snapped.h"
@@ -152,7 +153,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
     show_pivot(c, overlay);
-    if (c->moves->camera) bat_flight_show(c, overlay), bat_gazes_show(c, overlay);
+    if (c->moves->camera) bat_flight_show(c, overlay), bat_gazes_show(c, overlay), bat_body_show(c, overlay);
     bat_three_show(c, overlay);
     bat_overlay_end(overlay, bat_stage_pixel(c->stage));
 }

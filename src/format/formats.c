@@ -56,8 +56,8 @@ bat_status bat_formats_read(const bat_reading *how, const char *text, size_t siz
     }
     if (!found)
         return bat_problem_set(problem, BAT_SYNTAX, "line 1, column 1",
-                               size ? "expected SVG, JSON, OBJ or DXF, found none of them"
-                                    : "expected SVG, JSON, OBJ or DXF, found nothing");
+                               size ? "expected SVG, JSON, OBJ, DXF or BVH, found none of them"
+                                    : "expected SVG, JSON, OBJ, DXF or BVH, found nothing");
     *format = found;
     return found->read(how, text, size, out, report, problem);
 }

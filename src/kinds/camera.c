@@ -3,6 +3,7 @@
 #include "base/users.h"
 #include "curve/curve.h"
 #include "document/digest.h"
+#include "document/digest_camera.h"
 #include "form/camera/camera.h"
 #include "form/camera/pyramid.h"
 #include "format/json/camera.h"
@@ -134,40 +135,8 @@ static bat_status follow(const bat_object *object, bat_id id, const bat_curve *p
 
 /* ---- what the document asks ---- */
 
-static uint64_t digest_function(uint64_t digest, const bat_function *function) {
-    return function->curve ? bat_digest_curve(digest, function->curve)
-                           : bat_digest_double(digest, function->constant);
-}
-
-static uint64_t digest_numbers(uint64_t digest, const double *numbers, size_t count) {
-    for (size_t i = 0; i < count; i++) digest = bat_digest_double(digest, numbers[i]);
-    return digest;
-}
-
 static uint64_t digest_camera(uint64_t digest, const void *own) {
-    const bat_camera *camera = part_of(own)->kept->camera;
-    const bat_camera_options *o = &camera->options;
-    digest = bat_digest_number(digest, part_of(own)->follows);
-    digest = bat_digest_curve(digest, camera->given);
-    digest = bat_digest_number(digest, (uint64_t)o->mode);
-    if (o->mode == BAT_CAMERA_ALONG && o->has_first) digest = digest_numbers(digest, o->first, 3);
-    if (o->mode == BAT_CAMERA_LOOK_AT) {
-        digest = digest_numbers(digest, o->up, 3);
-        digest = o->target_curve ? bat_digest_curve(digest, o->target_curve)
-                                 : digest_numbers(digest, o->target, 3);
-    }
-    if (camera->base.keys) {
-        digest = bat_digest_curve(digest, camera->base.xyz);
-        digest = bat_digest_curve(digest, camera->base.w);
-    }
-    digest = bat_digest_number(digest, (uint64_t)camera->levels);
-    for (int l = 0; l < camera->levels; l++) {
-        digest = bat_digest_curve(digest, camera->level[l].details);
-        digest = bat_digest_double(digest, camera->level[l].gain);
-        if (camera->level[l].muted) digest = bat_digest_number(digest, 1);
-    }
-    digest = digest_function(digest_function(digest, &o->fov), &o->timing);
-    return bat_digest_double(digest, o->duration);
+    return bat_digest_camera(bat_digest_number(digest, part_of(own)->follows), part_of(own)->kept->camera);
 }
 
 static const char *check(const bat_object *object) {

@@ -16,10 +16,10 @@
 #include "support/xml.h"
 
 enum { ID = 12, PARENT = 3, WIRE = 9 };
-static const bat_kind kinds[] = {BAT_KIND_PATH,    BAT_KIND_SPLINE, BAT_KIND_GROUP, BAT_KIND_LAYER,
-                                 BAT_KIND_SHAPE,   BAT_KIND_IMAGE,  BAT_KIND_GUIDE, BAT_KIND_PLANE,
-                                 BAT_KIND_SURFACE, BAT_KIND_CAMERA, BAT_KIND_VIEW,  BAT_KIND_MESH,
-                                 BAT_KIND_BOUND,   BAT_KIND_FOREIGN};
+static const bat_kind kinds[] = {BAT_KIND_PATH,     BAT_KIND_SPLINE, BAT_KIND_GROUP,  BAT_KIND_LAYER,
+                                 BAT_KIND_SHAPE,    BAT_KIND_IMAGE,  BAT_KIND_GUIDE,  BAT_KIND_PLANE,
+                                 BAT_KIND_SURFACE,  BAT_KIND_CAMERA, BAT_KIND_VIEW,   BAT_KIND_MESH,
+                                 BAT_KIND_SKELETON, BAT_KIND_BOUND,  BAT_KIND_FOREIGN};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {
@@ -51,6 +51,9 @@ static bat_object *bare(bat_kind kind, bat_id id) {
     bat_shape *shape = NULL;
     bat_surface *sheet = NULL;
     bat_polymesh *mesh = NULL;
+    bat_bone bone;
+    bat_take *take = NULL;
+    bat_motion *motion = NULL;
     bat_object *wire = NULL;
     bat_wire bound = {.radius = bat_function_of(30), .scale = bat_function_of(1)};
     bat_camera *camera = NULL;
@@ -108,6 +111,17 @@ static bat_object *bare(bat_kind kind, bat_id id) {
                          BAT_OK);
         assert_int_equal(bat_object_create_mesh(id, "", &style, mesh, &object), BAT_OK);
         bat_polymesh_free(mesh);
+        break;
+    case BAT_KIND_SKELETON:
+        bone = (bat_bone){.name = "hip",
+                          .parent = -1,
+                          .channel_count = 3,
+                          .channels = {BAT_X_POSITION, BAT_Z_ROTATION, BAT_X_ROTATION}};
+        assert_int_equal(bat_take_create(1, &bone, 3, 0.1, (double[]){1, 2, 3, 4, 5, 6, 7, 8, 9}, &take),
+                         BAT_OK);
+        assert_int_equal(bat_motion_fit(take, NULL, &motion, NULL), BAT_OK);
+        assert_int_equal(bat_object_create_skeleton(id, "", &style, motion, NULL, &object), BAT_OK);
+        bat_motion_free(motion), bat_take_free(take);
         break;
     case BAT_KIND_BOUND:
         assert_int_equal(bat_object_create_path(WIRE, "", &style, 1, &curve, &wire), BAT_OK);

@@ -1,6 +1,7 @@
 /* The promises of base.h about threads: concurrent const calls on one document or editor, distinct ones on distinct
  * threads, copies of one document edited on many. */
 #include "alike.h"
+#include "support/walker.h"
 #include "support/pictures.h"
 #include "support/random_surface.h"
 #include "support/session.h"
@@ -77,6 +78,12 @@ static bat_document *rich_document(void) {
     assert_int_equal(bat_object_create_camera(13, "camera", &style, camera, 1, &object), BAT_OK);
     put(document, object);
     bat_camera_free(camera);
+    bat_take *take = walker(3, 9);
+    bat_motion *motion = NULL;
+    assert_int_equal(bat_motion_fit(take, NULL, &motion, NULL), BAT_OK);
+    assert_int_equal(bat_object_create_skeleton(16, "walker", &style, motion, NULL, &object), BAT_OK);
+    put(document, object);
+    bat_motion_free(motion), bat_take_free(take);
     return document;
 }
 
@@ -112,6 +119,16 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
     const bat_polymesh *mesh = bat_object_mesh(object);
     if (mesh) d = add_doubles(d, bat_polymesh_vertices(mesh), 3);
     if (bat_object_camera(object)) d = bat_digest_double(d, bat_camera_length(bat_object_camera(object)));
+    double place[12], joints[3 * WALKER_JOINTS];
+    const bat_motion *motion = bat_object_motion(object, place);
+    bat_motion *own = NULL;
+    if (motion) {
+        d = add(d, (uint64_t)bat_motion_positions(motion, 0.1, joints));
+        d = add_doubles(add_doubles(d, joints, 3 * WALKER_JOINTS), place, 12);
+        d = add(bat_digest_double(d, bat_motion_duration(motion)), (uint64_t)bat_motion_copy(motion, &own));
+        d = bat_digest_double(d, bat_take_frame_time(bat_motion_take(own)));
+        bat_motion_free(own);
+    }
     const bat_picture *picture = bat_object_picture(object);
     if (!picture) return bat_digest_double(d, at);
     const void *bytes = bat_picture_bytes(picture, &size);
@@ -144,6 +161,8 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
     const bat_paint paint = {.dash_count = 2, .dashes = dashes};
     d = add_object(d, bat_object_with_paint(object, &paint, &m), &m);
     d = add(d, bat_object_paint(object) != NULL);
+    if (bat_object_motion(object, NULL))
+        d = add_object(d, bat_object_with_motion(object, bat_object_motion(object, NULL), &m), &m);
     d = add_object(d, bat_object_with_id(object, 1000 + (bat_id)seed, &m), &m);
     d = add_object(d, bat_object_with_state(object, true, seed & 1, &m), &m);
     d = add_object(d, bat_object_with_parent(object, 500, &m), &m);

@@ -80,7 +80,7 @@ export class Lens {
   /** @param {Move} move */
   show(move) {
     this.move = move;
-    this.box.hidden = !move.id || !move.lens;
+    this.box.hidden = !move.sees || !move.lens;
     this.box.dataset.corner = this.corner;
     this.box.ariaLabel = word(move.through ? 'lens.room' : 'lens.name', move.name);
     this.canvas.ariaLabel = this.box.ariaLabel;

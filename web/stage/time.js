@@ -14,6 +14,7 @@ import { Timing } from './timing.js';
  * @property {number} cameras
  * @property {number} at seconds
  * @property {number} duration
+ * @property {number} sees whether it is a camera's, which sees a picture; else a skeleton's
  * @property {number} length
  * @property {number} rate frames a second
  * @property {number} playing 0 or 1, as the next ones
@@ -25,7 +26,7 @@ import { Timing } from './timing.js';
  * @property {number[]} graph the share of the distance at even times
  */
 
-const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0, lens: 0, gaze: [], path: [], graph: [] });
+const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, sees: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0, lens: 0, gaze: [], path: [], graph: [] });
 const THUMB = 16; // px
 const PICTURES = {
   'move-play': '<path d="M7 4l13 8-13 8z" fill="currentColor"/><path class="on" d="M6 4h4v16H6zM14 4h4v16h-4z" fill="currentColor"/>',
@@ -149,7 +150,7 @@ export class TimeStrip {
   }
 
   #fill() {
-    const { id, name, at, duration, rate, playing, through, loop, lens } = this.move;
+    const { id, name, at, duration, sees, rate, playing, through, loop, lens } = this.move;
     const states = { 'move-play': playing, 'move-loop': loop, lens, 'look-through': through };
     this.box.hidden = !id;
     this.lens.show(this.move);
@@ -176,6 +177,7 @@ export class TimeStrip {
       const button = this.buttons[command];
       button.ariaPressed = String(on !== 0);
       button.title = button.ariaLabel = word(`command.${command}`);
+      button.hidden = !sees && (command === 'lens' || command === 'look-through');
     }
   }
 }

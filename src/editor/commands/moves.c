@@ -122,9 +122,8 @@ bat_status bat_command_move_play(bat_context *c, bat_command_id id) {
 bat_status bat_command_move_step(bat_context *c, bat_command_id id) {
     bat_moves *m = c->moves;
     bat_moves_sync(c);
-    const bat_camera *camera = bat_flight_camera(c);
-    if (!camera) return BAT_STATE;
-    const double end = bat_camera_duration(camera), rate = c->settings->values[BAT_PROPERTY_MOVE_RATE];
+    const double end = bat_flight_duration(c), rate = c->settings->values[BAT_PROPERTY_MOVE_RATE];
+    if (!(end > 0)) return BAT_STATE;
     const double frame = floor(m->at * rate + 1e-6), on = m->at * rate - frame > 1e-6 ? 1 : 0;
     const double to = id == BAT_COMMAND_MOVE_START  ? 0
                       : id == BAT_COMMAND_MOVE_END  ? end

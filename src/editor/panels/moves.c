@@ -22,15 +22,17 @@ const char *bat_panel_move(bat_context *c) {
     bat_moves_sync(c);
     const bat_moves *m = c->moves;
     const bat_camera *camera = bat_flight_camera(c);
-    const int at = camera ? bat_document_find(c->session->document, m->camera) : -1;
+    const double duration = bat_flight_duration(c);
+    const int at = duration > 0 ? bat_document_find(c->session->document, m->camera) : -1;
     bat_text text = {0};
     bat_text_string(&text, "{\"id\":");
-    bat_text_integer(&text, camera ? m->camera : 0);
+    bat_text_integer(&text, at < 0 ? 0 : m->camera);
     bat_text_string(&text, ",\"name\":");
     bat_text_json_string(&text, at < 0 ? "" : bat_object_name(bat_document_at(c->session->document, at)));
     number(&text, ",\"cameras\":", m->count);
-    number(&text, ",\"at\":", camera ? fmin(m->at, bat_camera_duration(camera)) : 0);
-    number(&text, ",\"duration\":", camera ? bat_camera_duration(camera) : 0);
+    number(&text, ",\"at\":", fmin(m->at, duration));
+    number(&text, ",\"duration\":", duration);
+    number(&text, ",\"sees\":", camera != NULL);
     number(&text, ",\"length\":", camera ? bat_camera_length(camera) : 0);
     number(&text, ",\"rate\":", c->settings->values[BAT_PROPERTY_MOVE_RATE]);
     number(&text, ",\"playing\":", m->playing);
@@ -52,9 +54,9 @@ bat_status bat_panel_seek(bat_context *c, double seconds) {
     bat_moves *m = c->moves;
     if (!isfinite(seconds)) return BAT_NUMBER;
     bat_moves_sync(c);
-    const bat_camera *camera = bat_flight_camera(c);
-    if (!camera) return BAT_STATE;
-    m->at = fmin(fmax(seconds, 0), bat_camera_duration(camera));
+    const double duration = bat_flight_duration(c);
+    if (!(duration > 0)) return BAT_STATE;
+    m->at = fmin(fmax(seconds, 0), duration);
     m->playing = false;
     m->version++;
     return BAT_OK;
@@ -63,9 +65,8 @@ bat_status bat_panel_seek(bat_context *c, double seconds) {
 void bat_panel_play(bat_context *c, double time) {
     bat_moves *m = c->moves;
     bat_moves_sync(c);
-    const bat_camera *camera = bat_flight_camera(c);
-    if (!m->playing || !camera || !isfinite(time)) return;
-    const double end = bat_camera_duration(camera), loop = c->settings->values[BAT_PROPERTY_MOVE_LOOP];
+    const double end = bat_flight_duration(c), loop = c->settings->values[BAT_PROPERTY_MOVE_LOOP];
+    if (!m->playing || !(end > 0) || !isfinite(time)) return;
     if (m->since < 0) {
         if (m->at >= end) m->at = 0;
     } else {

@@ -1,5 +1,6 @@
 #include "editor/show/flight.h"
 #include "editor/session/session.h"
+#include "editor/show/body.h"
 #include "editor/show/moves.h"
 #include "editor/view/stage.h"
 #include "form/camera/pyramid.h"
@@ -15,6 +16,12 @@ const bat_camera *bat_flight_camera(const bat_context *c) {
     const bat_document *document = c->session->document;
     const int at = c->moves->camera ? bat_document_find(document, c->moves->camera) : -1;
     return at < 0 ? NULL : bat_object_camera(bat_document_at(document, at));
+}
+
+double bat_flight_duration(const bat_context *c) {
+    const bat_camera *camera = bat_flight_camera(c);
+    const bat_motion *motion = bat_body_motion(c, NULL);
+    return camera ? bat_camera_duration(camera) : motion ? bat_motion_duration(motion) : 0;
 }
 
 bool bat_flight_view(const bat_context *c, bat_viewpoint *out) {

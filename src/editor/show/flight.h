@@ -8,7 +8,9 @@
 
 /* The camera of the move that is looked at; NULL: there is none. */
 const bat_camera *bat_flight_camera(const bat_context *c);
-/* What it sees at the playhead, in the window as it is. False: there is no camera, or nothing can be seen by it. */
+/* How many seconds the move takes that is looked at, of a camera or of a skeleton; 0: there is none. */
+double bat_flight_duration(const bat_context *c);
+/* What the camera sees at the playhead, in the window as it is. False: there is no camera, or nothing can be seen by it. */
 bool bat_flight_view(const bat_context *c, bat_viewpoint *out);
 /* The same in a window of that size. */
 bool bat_flight_sees(const bat_context *c, const double size[2], bat_viewpoint *out);

@@ -34,6 +34,7 @@ void bat_moves_sync(bat_context *c) {
         m->at = 0;
         m->playing = m->through = false;
         m->level[0] = m->level[1] = 0;
+        m->joint = 0;
         m->version++;
     }
     if (changed) {

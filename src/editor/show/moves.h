@@ -1,4 +1,4 @@
-/* The camera move that is looked at: which camera, where its playhead is, whether it plays. No part of the document, the
+/* The move that is looked at, of a camera or of a skeleton: which one, where its playhead is, whether it plays. No part of the document, the
  * history or the journal: playing is not editing. */
 #ifndef BATTEN_EDITOR_SHOW_MOVES_H
 #define BATTEN_EDITOR_SHOW_MOVES_H
@@ -6,13 +6,14 @@
 #include "editor/session/context.h"
 
 typedef struct bat_moves {
-    bat_id camera; /* 0: there is none in the drawing */
-    int count;     /* of the cameras in it */
+    bat_id camera; /* or the skeleton; 0: there is none in the drawing */
+    int count;     /* of the cameras and skeletons in it */
     double at;     /* of the playhead: seconds since the move's start */
     bool playing;  /* the host says when (bat_editor_play) */
     double since;  /* ms: when the playhead was there; below 0: not yet known */
     bool through;  /* the drawing is seen through the camera */
     int level[2]; /* that drags change, of its path and of its gaze; what is above the finest is the finest */
+    int joint;    /* of a skeleton: the one that is chosen */
     uint32_t version; /* grows whenever any of this changes */
     uint64_t revision;
     uint32_t selection; /* of the document and the selection, as last seen */

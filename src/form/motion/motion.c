@@ -128,13 +128,12 @@ static bat_status fit_all(bat_motion *m, double tolerance) {
 
 /* ---- frames ---- */
 
-static vec place_at(const bat_motion *m, size_t frame) {
+vec bat_motion_place(const bat_motion *m, double u) {
     const bat_shape *way = bat_motion_way(m);
     const bat_curve *curve = bat_shape_curve(way, bat_shape_levels(way));
-    const double last = m->take->frames > 1 ? (double)(m->take->frames - 1) : 1;
     double domain[2], at[3];
     bat_curve_domain(curve, domain);
-    bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * bat_motion_time(m, frame) / last, 0, at);
+    bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * u / bat_motion_last(m), 0, at);
     return vec_load(at, 3);
 }
 
@@ -144,12 +143,11 @@ static quat frame_at(const bat_frame_chain *chain, double u) {
     return quat_of_axes(vec_load(f.t, 3), vec_load(f.s, 3), vec_load(f.r, 3));
 }
 
-static quat turn_at(const bat_motion *m, int joint, size_t frame) {
+quat bat_motion_turn(const bat_motion *m, int joint, double u) {
     const bat_camera *camera = m->joints[joint];
-    const double u = bat_motion_time(m, frame);
     const quat q = bat_camera_up_to(camera, camera->levels, u);
     if (joint > 0 || !m->fresh) return q;
-    const double last = m->take->frames > 1 ? (double)(m->take->frames - 1) : 1, *old = m->old_domain;
+    const double last = bat_motion_last(m), *old = m->old_domain;
     double domain[2];
     bat_curve_domain(bat_shape_curve(m->bent, 0), domain);
     const quat before = frame_at(m->old, old[0] + (old[1] - old[0]) * u / last),
@@ -169,13 +167,14 @@ bat_status bat_motion_sample(const bat_motion *motion, bat_take **out) {
     if (status != BAT_OK) return status;
     for (size_t i = 0; i < take->frames; i++) {
         if (motion->first) {
-            const vec was = bat_take_place(take, 0, i), is = place_at(motion, i);
+            const vec was = bat_take_place(take, 0, i),
+                      is = bat_motion_place(motion, bat_motion_time(motion, i));
             if (!(vec_norm(vec_sub(is, was)) <= same_place * vec_norm(was)))
                 bat_take_set_place(made, 0, i, is);
         }
         for (int j = 0; j < take->joint_count; j++) {
             if (!motion->joints[j]) continue;
-            const quat turn = quat_unit(turn_at(motion, j, i));
+            const quat turn = quat_unit(bat_motion_turn(motion, j, bat_motion_time(motion, i)));
             if (apart(turn, bat_take_turn(take, j, i)) > same_turn) bat_take_set_turn(made, j, i, turn);
         }
     }
@@ -210,9 +209,9 @@ bat_status bat_motion_fit(const bat_take *take, const bat_motion_options *option
     bat_motion *made = calloc(1, sizeof *made);
     if (!made) return BAT_MEMORY;
     made->levels = full.levels > 0 || full.tolerance > 0 ? full.levels : 1;
-    status = bat_take_copy(take, &made->take);
+    made->take = bat_take_share(take);
     /* a little less than the tolerance, since angles are rounded on their way */
-    if (status == BAT_OK) status = fit_all(made, full.tolerance * (1 - 1e-9) * BAT_PI / 180);
+    status = fit_all(made, full.tolerance * (1 - 1e-9) * BAT_PI / 180);
     if (status == BAT_OK) status = measure(made);
     if (status == BAT_OK) {
         if (report) *report = made->report;

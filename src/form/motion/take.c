@@ -34,9 +34,14 @@ static bat_status check_joint(const bat_bone *joints, int i) {
 }
 
 void bat_take_free(bat_take *take) {
-    if (!take) return;
+    if (!take || !bat_users_drop(&take->users)) return;
     free(take->joints), free(take->first), free(take->names), free(take->values);
     free(take);
+}
+
+bat_take *bat_take_share(const bat_take *take) {
+    bat_users_add(&((bat_take *)take)->users);
+    return (bat_take *)take;
 }
 
 static bat_status fill(bat_take *take, const bat_bone *joints, const double *values) {
@@ -76,6 +81,7 @@ bat_status bat_take_create(int joint_count, const bat_bone *joints, size_t frame
         if (!(fabs(values[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     bat_take *take = calloc(1, sizeof *take);
     if (!take) return BAT_MEMORY;
+    take->users = BAT_USERS_ONE;
     take->joint_count = joint_count, take->frames = frames, take->channels = channels,
     take->frame_time = frame_time;
     const bat_status status = fill(take, joints, values);

@@ -3,10 +3,12 @@
 #define BATTEN_FORM_MOTION_TAKE_H
 
 #include "base/quat.h"
+#include "base/users.h"
 
 #include <batten/motion.h>
 
 struct bat_take {
+    bat_users users; /* takes do not change once they are made: motions share them */
     int joint_count;
     bat_bone *joints; /* whose names lie in `names` */
     int *first;       /* of each joint: its first channel in a frame */
@@ -18,6 +20,8 @@ struct bat_take {
 /* The place of a joint in its parent's axes, and its rotation, in a frame. */
 vec bat_take_place(const bat_take *take, int joint, size_t frame);
 quat bat_take_turn(const bat_take *take, int joint, size_t frame);
+/* One more user of the same take, which bat_take_free takes away. */
+bat_take *bat_take_share(const bat_take *take);
 /* A copy with room for other values, which are those of the take. */
 bat_status bat_take_copy(const bat_take *take, bat_take **out);
 /* Sets the angles of a joint to a rotation, of all that give it those nearest to the angles that are there. Angles of a joint

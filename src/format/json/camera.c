@@ -248,6 +248,26 @@ bat_status bat_camera_from_json(const bat_json *json, uint32_t node, bat_camera 
     return status;
 }
 
+bat_status bat_camera_from_orientation(const bat_json *json, uint32_t node, const bat_curve *path,
+                                       double duration, bat_camera **out, bat_problem *problem) {
+    const bat_fields f = {.json = json, .problem = problem};
+    move m = {.node = node, .orientation = node, .options = bat_camera_defaults()};
+    bat_camera *camera = NULL;
+    m.options.duration = duration;
+    bat_status status = read_orientation(&f, &m);
+    if (status == BAT_OK) {
+        status = bat_camera_create(path, &m.options, &camera);
+        if (status != BAT_OK) complain(&f, &m, status);
+    }
+    if (status == BAT_OK) status = read_levels(&f, bat_json_member(json, node, "levels"), camera);
+    clear(&m);
+    if (status == BAT_OK)
+        *out = camera;
+    else
+        bat_camera_free(camera);
+    return status;
+}
+
 bat_status bat_camera_read(const char *text, size_t size, bat_camera **out, bat_problem *problem) {
     if (!text || !out) return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
     bat_json json;

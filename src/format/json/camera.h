@@ -13,4 +13,8 @@ void bat_orientation_to_json(const bat_camera *camera, bat_text *text);
 /* What is the default is left out. */
 void bat_camera_to_json(const bat_camera *camera, bat_text *text);
 
+/* A camera along a given path, of an ORIENTATION alone. */
+bat_status bat_camera_from_orientation(const bat_json *json, uint32_t node, const bat_curve *path,
+                                       double duration, bat_camera **out, bat_problem *problem);
+
 #endif
