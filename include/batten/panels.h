@@ -36,6 +36,10 @@ BAT_API bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidd
  * outline_points: {"at": the chosen point or -1, "points":[words]}, at most 1,000: a spline's points, else the control
  * points of all its curves. */
 BAT_API const char *bat_editor_outline(bat_editor *editor, int first, int count);
+/* The objects that do not look as they do in the file that the drawing keeps, back to front, at most 500 of "total", as JSON:
+ * {"rows":[{"id","words": its name,"lost":[bat_loss_key, ...]}],"total"}. Saving keeps it all the same. Owned by the editor, valid
+ * until the next call of it or of the outline; NULL: out of memory. */
+BAT_API const char *bat_editor_unshown(bat_editor *editor);
 BAT_API const char *bat_editor_outline_points(bat_editor *editor, bat_id id);
 /* Selects the object and chooses a point of it, numbered as outline_points has them, with the tool that moves it.
  * BAT_ARGUMENT: no such point. BAT_STATE: a drag is under way, or it is hidden or locked. */

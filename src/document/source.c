@@ -8,30 +8,62 @@
 #include <stdlib.h>
 #include <string.h>
 
+typedef struct lost_part {
+    bat_id id;
+    uint32_t kinds;
+} lost_part;
+
 struct bat_source {
     bat_users users;
     double page[4];
     uint64_t digest;
     size_t size;
     int count;
-    bat_sourced *list; /* follows in the same block, as does the text */
+    bat_sourced *list; /* follows in the same block, as do the rest */
+    int lost_count;
+    lost_part *lost; /* of objects that are not shown as they are in the file, by id */
     char *text;
 };
+
+static int by_id(const void *a, const void *b) {
+    const lost_part *one = a, *other = b;
+    return (one->id > other->id) - (one->id < other->id);
+}
+
+/* Lists what is not shown, an object once. */
+static void list_lost(bat_source *source) {
+    int count = 0;
+    for (int i = 0; i < source->count; i++)
+        if (source->list[i].id && source->list[i].lost)
+            source->lost[source->lost_count++] = (lost_part){source->list[i].id, source->list[i].lost};
+    qsort(source->lost, (size_t)source->lost_count, sizeof *source->lost, by_id);
+    for (int i = 0; i < source->lost_count; i++) {
+        if (count > 0 && source->lost[count - 1].id == source->lost[i].id)
+            source->lost[count - 1].kinds |= source->lost[i].kinds;
+        else
+            source->lost[count++] = source->lost[i];
+    }
+    source->lost_count = count;
+}
 
 bat_status bat_source_create(const char *text, size_t size, const double page[4], uint64_t digest, int count,
                              const bat_sourced *list, bat_source **out) {
     if ((size > 0 && !text) || !page || count < 0 || (count > 0 && !list) || !out) return BAT_ARGUMENT;
     if (size > SIZE_MAX / 4 || (size_t)count > SIZE_MAX / 4 / sizeof *list) return BAT_COUNT;
+    size_t lost = 0;
+    for (int i = 0; i < count; i++) lost += list[i].id && list[i].lost;
     const size_t listed = (size_t)count * sizeof *list;
-    bat_source *source = malloc(sizeof *source + listed + size + 1);
+    bat_source *source = malloc(sizeof *source + listed + lost * sizeof(lost_part) + size + 1);
     if (!source) return BAT_MEMORY;
     *source = (bat_source){.users = BAT_USERS_ONE, .digest = digest, .size = size, .count = count};
     source->list = (bat_sourced *)(void *)(source + 1);
-    source->text = (char *)source->list + listed;
+    source->lost = (lost_part *)(void *)((char *)source->list + listed);
+    source->text = (char *)(source->lost + lost);
     memcpy(source->page, page, sizeof source->page);
     if (count > 0) memcpy(source->list, list, listed);
     if (size > 0) memcpy(source->text, text, size);
     source->text[size] = '\0';
+    list_lost(source);
     *out = source;
     return BAT_OK;
 }
@@ -55,6 +87,15 @@ const double *bat_source_page(const bat_source *source) { return source->page; }
 uint64_t bat_source_digest(const bat_source *source) { return source->digest; }
 int bat_source_count(const bat_source *source) { return source->count; }
 const bat_sourced *bat_source_at(const bat_source *source, int index) { return &source->list[index]; }
+
+uint32_t bat_source_lost(const bat_source *source, bat_id id) {
+    const lost_part key = {id, 0};
+    const lost_part *found = source && source->lost_count > 0
+                                 ? bsearch(&key, source->lost, (size_t)source->lost_count,
+                                           sizeof *source->lost, by_id)
+                                 : NULL;
+    return found ? found->kinds : 0;
+}
 
 uint64_t bat_sourced_shape(const bat_object *object) {
     const bat_kind_type *type = bat_object_type(object);

@@ -20,6 +20,7 @@ typedef struct bat_sourced {
     uint64_t paint[BAT_PAINT_PARTS]; /* digests */
     bool boxed;                      /* a gradient of it is placed by its shape's box */
     bool hidden, locked;
+    uint32_t lost; /* what of its look in the file is not shown: a bit 1 << bat_loss each */
 } bat_sourced;
 
 typedef struct bat_source bat_source;
@@ -35,6 +36,8 @@ const double *bat_source_page(const bat_source *source);
 uint64_t bat_source_digest(const bat_source *source);
 int bat_source_count(const bat_source *source);
 const bat_sourced *bat_source_at(const bat_source *source, int index);
+/* The `lost` of the entry for this object; 0: nothing, or there is no entry. Logarithmic. */
+uint32_t bat_source_lost(const bat_source *source, bat_id id); /* NULL is fine */
 
 /* The part of an entry that says what the object is now. */
 void bat_sourced_note(bat_sourced *entry, const bat_object *object);

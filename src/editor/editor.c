@@ -208,6 +208,8 @@ const char *bat_editor_outline(bat_editor *editor, int first, int count) {
     return bat_panel_outline(&editor->context, first, count);
 }
 
+const char *bat_editor_unshown(bat_editor *editor) { return bat_panel_unshown(&editor->context); }
+
 const char *bat_editor_outline_points(bat_editor *editor, bat_id id) {
     return bat_panel_points(&editor->context, id);
 }

@@ -77,6 +77,76 @@ test('asked once, before the first save that would lose something', async (t) =>
   await context.close();
 });
 
+/** Two objects that do not look as they do in the file; a line that does. */
+const BLENDED = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><path id="hill" d="M40 200Q100 60 200 200" fill="#c84"
+  style="mix-blend-mode:multiply"/><path id="road" d="M20 220H300" stroke="#333" stroke-width="6" fill="none"/>
+  <path id="fence" d="M20 240H300" stroke="#070" stroke-width="4" stroke-dasharray="9 five" fill="none"/></svg>`;
+
+test('each object that does not look as in the file is named, and the first save asks once', async (t) => {
+  const server = await serve({ name: 'hill.svg', bytes: Buffer.from(BLENDED) });
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  await page.mouse.move(400, 400);
+  await page.waitForFunction(() => batten.mirror); // its texts have loaded
+  await page.click('#unkept');
+  await page.waitForSelector('#losses:popover-open');
+  assert.deepEqual(await page.$$eval('#unshown li', (all) => all.map((one) => one.textContent)),
+    ['hill, curve Blend modes', 'fence, curve Dashed strokes']);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'unshown.png') });
+  await page.click('#unshown li:nth-child(2) button');
+  await settle(page);
+  const rows = await page.evaluate(() => JSON.parse(batten.engine.ask('editor_outline', 0, 10)).rows);
+  assert.deepEqual(rows.map(({ selected }) => selected), [false, false, true], 'the row of an object chooses it');
+  assert.match(rows[2].words, /^fence.*not shown as in its file$/);
+  assert.doesNotMatch(rows[1].words, /not shown/);
+  await page.keyboard.press('Escape');
+  await draw(page, hand);
+
+  await page.keyboard.press('Control+S');
+  await page.waitForSelector('#inexact[open]');
+  assert.deepEqual(await page.$$eval('#inexact button', (all) => all.map((one) => one.textContent)),
+    ['Save', 'Save a copy', 'Cancel']);
+  assert.deepEqual(await page.$$eval('#inexact li', (all) => all.map((one) => one.textContent)),
+    ['hill, curve Blend modes', 'fence, curve Dashed strokes']);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'inexact.png') });
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('#inexact', { state: 'detached' });
+  assert.equal(server.saves, 0, 'nothing was decided');
+
+  await page.keyboard.press('Control+S');
+  await page.waitForSelector('#inexact[open]');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#inexact button[value=copy]')]);
+  assert.match(fs.readFileSync(await download.path(), 'utf8'), /mix-blend-mode:multiply/);
+  assert.equal(server.saves, 0);
+  assert.equal(server.bytes.toString(), BLENDED);
+
+  await page.keyboard.press('Control+S');
+  await saved(server, 1);
+  assert.match(server.bytes.toString(), /mix-blend-mode:multiply"/);
+  await draw(page, hand);
+  await page.keyboard.press('Control+S');
+  await saved(server, 2);
+  assert.equal(await page.isVisible('#inexact'), false, 'asked once');
+  await context.close();
+});
+
+test('the question and the list in Korean', async (t) => {
+  const server = await serve({ name: 'hill.svg', bytes: Buffer.from(BLENDED) });
+  t.after(() => server.close());
+  const { page, context } = await open(browser, server.address, { locale: 'ko-KR' });
+  await page.mouse.move(400, 400);
+  await page.waitForFunction(() => batten.mirror);
+  await page.keyboard.press('Control+S');
+  await page.waitForSelector('#inexact[open]');
+  assert.match(await page.textContent('#inexact-text'), /^“hill.svg”에는 .*다르게 보이는 것이 있습니다/);
+  assert.deepEqual(await page.$$eval('#inexact li', (all) => all.map((one) => one.textContent)),
+    ['hill, 곡선 혼합 모드', 'fence, 곡선 점선']);
+  await page.click('#inexact button[value=save]');
+  await saved(server, 1);
+  assert.equal(server.bytes.toString(), BLENDED);
+  await context.close();
+});
+
 test('what is not shown is kept by saving', async (t) => {
   const kept = ART.replace(/^.*\]>/, '').replace('&e;', '');
   const server = await serve({ name: 'art.svg', bytes: Buffer.from(kept) });
@@ -85,6 +155,7 @@ test('what is not shown is kept by saving', async (t) => {
   assert.equal((await state(page)).notice, '2 things of this file are not shown as they are. Saving keeps them.');
   assert.equal(await page.textContent('#unkept'), '2 not shown');
   await page.keyboard.press('Control+S');
+  await page.click('#inexact button[value=save]');
   await saved(server, 1);
   assert.equal(server.bytes.toString(), kept);
   await draw(page, hand);

@@ -63,6 +63,8 @@ export class Files {
     this.onopen = () => {};
     /** What was in the opened file and is not in the drawing. @type {import('../engine/losses.js').Losses} */
     this.losses = {};
+    /** Whether the user was asked about what is not shown as it is in the file. */
+    this.asked = false;
     /** The document is the server's file, and is saved there. */
     this.bound = false;
     this.unsaved = false;
@@ -189,6 +191,7 @@ export class Files {
       }
       this.name = name;
       this.opened = bytes;
+      this.asked = false;
       return true;
     } catch (error) {
       this.#complain(new Error(`${word('shell.not-opened', name)} ${error instanceof Error ? error.message : ''}`));
@@ -242,18 +245,27 @@ export class Files {
     }
   }
 
-  /** Asks before overwriting loses anything. @returns {Promise<boolean>} whether the file may be overwritten */
+  /**
+   * Asks before overwriting loses anything, and once where not all is shown as it is in the file.
+   * @returns {Promise<boolean>} whether the file may be overwritten
+   */
   async #mayLose() {
     const { losses } = this.engine;
-    if (!totalOf(losses) || (this.engine.keeps && !losses.native)) {
+    const kept = this.engine.keeps && !losses.native;
+    if (!totalOf(losses) || (kept && this.asked)) {
       return true;
     }
-    const { ask } = await want(import('../sheets/losses.js'));
-    const answer = await ask(this.name, losses);
+    const { ask, askInexact, unshownOf } = await want(import('../sheets/losses.js'));
+    const unshown = unshownOf(this.engine);
+    if (kept && !unshown.total) {
+      return true;
+    }
+    const answer = await (kept ? askInexact(this.name, unshown) : ask(this.name, losses));
     if (answer === 'copy') {
       this.download(false);
     }
-    return answer === 'lose';
+    this.asked ||= kept && answer !== '';
+    return answer === 'lose' || answer === 'save';
   }
 
   /**

@@ -46,6 +46,7 @@ int editor_correct(bat_editor *editor, int kind, double wide, double tall, doubl
                    double to_y, int done);
 MODULE_EXPORT(editor_outline)
 const char *editor_outline(bat_editor *editor, int first, int count);
+MODULE_EXPORT(editor_unshown) const char *editor_unshown(bat_editor *editor);
 MODULE_EXPORT(editor_outline_points) const char *editor_outline_points(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_choose) int editor_choose(bat_editor *editor, uint32_t id, int point);
 MODULE_EXPORT(editor_select) int editor_select(bat_editor *editor, uint32_t id, int add);
@@ -217,6 +218,11 @@ int editor_correct(bat_editor *editor, int kind, double wide, double tall, doubl
 const char *editor_outline(bat_editor *editor, int first, int count) {
     MODULE_CHECK(editor);
     return bat_editor_outline(editor, first, count);
+}
+
+const char *editor_unshown(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_unshown(editor);
 }
 
 const char *editor_outline_points(bat_editor *editor, uint32_t id) {

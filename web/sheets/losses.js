@@ -1,10 +1,51 @@
-// What overwriting a file would lose: the list, and the question beforehand. Loaded when there is something to lose.
+// What does not look here as it does in the file, object by object, and what overwriting a file would lose: the lists, and
+// the questions beforehand. Loaded when there is something to tell.
 
 import { totalOf } from '../keep/files.js';
 import { answer, question } from './question.js';
 import { counted, tell, word } from '../page/words.js';
 
+/** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../engine/losses.js').Losses} Losses */
+/** @typedef {{ rows: { id: number, words: string, lost: string[] }[], total: number }} Unshown */
+
+/** What a kind of loss is called. @param {string} key */
+const named = (key) => (word(`loss.${key}.help`) || key).replace(/\.$/, '');
+
+/** The objects that do not look as they do in the file. @param {Engine} engine @returns {Unshown} */
+export const unshownOf = (engine) => JSON.parse(engine.ask('editor_unshown') || '{"rows":[],"total":0}');
+
+/** @param {string} text @param {string} tag */
+function made(text, tag) {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  return element;
+}
+
+/**
+ * A row an object: its name, and what of it is not shown. With `choose` the name is a button.
+ * @param {Unshown} unshown
+ * @param {(id: number) => void} [choose]
+ */
+function objects(unshown, choose) {
+  const rows = made('', 'ul');
+  rows.className = 'losses';
+  rows.id = 'unshown';
+  for (const { id, words, lost } of unshown.rows) {
+    const row = made('', 'li');
+    const name = made(words, choose ? 'button' : 'span');
+    if (choose && name instanceof HTMLButtonElement) {
+      name.type = 'button';
+      name.addEventListener('click', () => choose(id));
+    }
+    row.append(name, ' ', made(lost.map(named).join(', '), 'span'));
+    rows.append(row);
+  }
+  if (unshown.total > unshown.rows.length) {
+    rows.append(made(word('shell.unshown-more.help', unshown.total - unshown.rows.length), 'li'));
+  }
+  return rows;
+}
 
 /** @param {Losses} losses */
 function list(losses) {
@@ -14,7 +55,7 @@ function list(losses) {
     const row = document.createElement('li');
     const number = document.createElement('b');
     number.textContent = String(count);
-    row.append((word(`loss.${key}.help`) || key).replace(/\.$/, ''), ' ', number);
+    row.append(named(key), ' ', number);
     rows.append(row);
   }
   return rows;
@@ -26,16 +67,35 @@ export function ask(name, losses) {
     answer('lose', counted('shell.save-lose', totalOf(losses))), answer('', word('command.cancel'))]);
 }
 
-/** Shows the list alone. @param {Losses} losses */
-export function show(losses) {
+/**
+ * Before the first save over a file of which not all is shown as it is there. @param {string} name @param {Unshown} unshown
+ * @returns {Promise<string>} 'save', 'copy', or '' for neither
+ */
+export function askInexact(name, unshown) {
+  return question('inexact', word('shell.save-inexact.help', name), [objects(unshown)], [answer('save', word('command.save')),
+    answer('copy', word('shell.save-copy')), answer('', word('command.cancel'))]);
+}
+
+/** Shows the lists alone. @param {Engine} engine @param {() => void} wake */
+export function show(engine, wake) {
   const old = document.getElementById('losses');
   const sheet = old ?? tell(document.createElement('div'), { label: 'command.losses' });
+  const unshown = unshownOf(engine);
   if (!old) {
     Object.assign(sheet, { id: 'losses', className: 'sheet', popover: 'auto', tabIndex: -1 });
     sheet.setAttribute('role', 'dialog');
     document.body.append(sheet);
   }
-  sheet.replaceChildren(tell(document.createElement('h2'), { text: 'command.losses' }), list(losses));
+  sheet.replaceChildren(tell(document.createElement('h2'), { text: 'command.losses' }));
+  if (unshown.total) {
+    const choose = (/** @type {number} */ id) => {
+      engine.act('editor_select', id, 0);
+      wake();
+    };
+    sheet.append(tell(document.createElement('p'), { text: 'shell.unshown-objects.help' }), objects(unshown, choose),
+      tell(document.createElement('h2'), { text: 'shell.unshown-file.help' }));
+  }
+  sheet.append(list(engine.losses));
   sheet.showPopover();
   sheet.focus();
 }

@@ -54,7 +54,7 @@ export class Requests {
 
   async #losses() {
     const { show } = await want(import('./losses.js'));
-    show(this.shell.engine.losses);
+    show(this.shell.engine, this.shell.wake);
   }
 
   async #kept() {

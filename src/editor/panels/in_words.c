@@ -1,8 +1,10 @@
 #include "editor/panels/in_words.h"
 #include "hands/tangents/spline.h"
 #include "curve/curve.h"
+#include "document/document.h"
 #include "document/kind.h"
 #include "document/nesting.h"
+#include "document/source.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/commands/dispatch.h"
@@ -117,10 +119,13 @@ static void add(const bat_context *c, bat_text *text, bat_string words) {
     bat_text_string(text, bat_word(c, words));
 }
 
-void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text) {
+static int curves_of(const bat_object *object) {
+    return bat_object_camera(object) ? 0 : bat_object_curve_count(object);
+}
+
+void bat_outline_name(const bat_context *c, const bat_object *object, bat_text *text) {
     const char *name = bat_object_name(object);
-    const bool camera = bat_object_camera(object) != NULL;
-    int curves = camera ? 0 : bat_object_curve_count(object), points = points_of(object);
+    const int curves = curves_of(object);
     bat_text_string(text, name);
     if (*name && curves < 2) bat_text_string(text, ", ");
     if (!*name || curves < 2) bat_text_string(text, bat_word(c, bat_kind_word(bat_object_type(object))));
@@ -128,6 +133,12 @@ void bat_outline_words(const bat_context *c, const bat_object *object, bat_text 
         bat_text_string(text, " ");
         bat_text_integer(text, bat_object_id(object));
     }
+}
+
+void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text) {
+    const bool camera = bat_object_camera(object) != NULL;
+    int curves = curves_of(object), points = points_of(object);
+    bat_outline_name(c, object, text);
     if (curves == 1)
         add(c, text,
             bat_curve_is_closed(bat_object_curve(object, 0)) ? BAT_STRING_OUTLINE_CLOSED
@@ -142,6 +153,8 @@ void bat_outline_words(const bat_context *c, const bat_object *object, bat_text 
     }
     if (bat_object_is_hidden(object)) add(c, text, BAT_STRING_OUTLINE_HIDDEN);
     if (bat_object_is_locked(object)) add(c, text, BAT_STRING_OUTLINE_LOCKED);
+    if (bat_source_lost(bat_document_origin(c->session->document), bat_object_id(object)))
+        add(c, text, BAT_STRING_OUTLINE_UNSHOWN);
 }
 
 /* Writes the words as a JSON string, and frees them. */

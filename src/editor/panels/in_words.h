@@ -22,7 +22,9 @@ typedef struct bat_told {
     char text[BAT_SAID_ROOM];
 } bat_told;
 
-/* Describes the object: name, kind, open or closed, number of points. */
+/* Its name and kind; its kind and number when it has no name. */
+void bat_outline_name(const bat_context *c, const bat_object *object, bat_text *text);
+/* Describes the object: name, kind, open or closed, number of points, whether it is shown as in its file. */
 void bat_outline_words(const bat_context *c, const bat_object *object, bat_text *text);
 
 #endif

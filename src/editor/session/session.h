@@ -8,7 +8,7 @@
 #include "editor/session/history.h"
 #include "editor/session/journal.h"
 #include "editor/session/transaction.h"
-#include "format/svg/losses.h"
+#include "format/json/losses.h"
 #include "text/text.h"
 
 typedef struct bat_session {

@@ -3,6 +3,8 @@
 #include "document/digest.h"
 #include "format/json/style.h"
 
+#include <batten/format.h>
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,6 +35,16 @@ static bat_status read_paint(const bat_fields *f, uint32_t node, bat_sourced *en
     return bat_fields_flag(f, node, "boxed", &entry->boxed);
 }
 
+/* ["clips", ...]; what is not known is skipped. */
+static void read_lost(const bat_fields *f, uint32_t node, bat_sourced *entry) {
+    const uint32_t list = bat_json_member(f->json, node, "lost");
+    for (uint32_t at = bat_json_first(f->json, list); at; at = f->json->nodes[at].next)
+        for (int kind = 0; kind < BAT_LOSS_RULE; kind++)
+            if (bat_json_text(f->json, at) &&
+                !strcmp(bat_json_text(f->json, at), bat_loss_key((bat_loss)kind)))
+                entry->lost |= 1u << kind;
+}
+
 static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above, bat_sourced *entry) {
     if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
         return bat_fields_complain(f, node, "elements", "an object");
@@ -57,6 +69,7 @@ static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above,
     if (status == BAT_OK) status = read_paint(f, node, entry);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "hidden", &entry->hidden);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "locked", &entry->locked);
+    read_lost(f, node, entry);
     return status;
 }
 
@@ -122,6 +135,16 @@ static void write_paint(const bat_sourced *entry, bat_text *text) {
     bat_text_string(text, entry->boxed ? "],\"boxed\":true" : "]");
 }
 
+static void write_lost(uint32_t lost, bat_text *text) {
+    bat_text_string(text, ",\"lost\":");
+    for (int kind = 0, made = 0; kind < BAT_LOSS_RULE; kind++) {
+        if (!(lost & 1u << kind)) continue;
+        bat_text_string(text, made++ ? "," : "[");
+        bat_text_json_string(text, bat_loss_key((bat_loss)kind));
+    }
+    bat_text_string(text, "]");
+}
+
 static void write_entry(const bat_sourced *entry, bat_text *text) {
     bat_text_string(text, "{\"element\":");
     bat_text_integer(text, entry->element);
@@ -142,6 +165,7 @@ static void write_entry(const bat_sourced *entry, bat_text *text) {
         write_paint(entry, text);
         if (entry->hidden) bat_text_string(text, ",\"hidden\":true");
         if (entry->locked) bat_text_string(text, ",\"locked\":true");
+        if (entry->lost) write_lost(entry->lost, text);
     }
     bat_text_string(text, "}");
 }

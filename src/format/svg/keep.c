@@ -57,6 +57,26 @@ static void place_foreign(bat_sourced *entry, const bat_object *object) {
     bat_matrix_compose(first, was, entry->inner);
 }
 
+/* What is not shown of each object: what was noted at its element, or at one around it that is no object itself. */
+static bat_status note_lost(const bat_svg_walk *w, bat_sourced *list, int count) {
+    const bat_svg_tree *tree = w->tree;
+    uint32_t *above = calloc(tree->count, sizeof *above); /* what an element's contents have from around it */
+    int at = 0;
+    if (!above) return BAT_MEMORY;
+    for (uint32_t i = 2; i < tree->count; i++) {
+        const uint32_t own = above[tree->elements[i].parent] | bat_svg_noted(&w->notes, i);
+        bool made = false;
+        for (; at < count && list[at].element <= i; at++) {
+            if (list[at].element < i || !list[at].id) continue;
+            made = made || !list[at].copied;
+            list[at].lost |= own;
+        }
+        above[i] = made ? 0 : own;
+    }
+    free(above);
+    return BAT_OK;
+}
+
 bat_status bat_svg_keep(const bat_svg_reader *reader, const bat_svg_walk *w, bool native,
                         bat_document *document) {
     bat_svg_tags tags = {0};
@@ -81,6 +101,12 @@ bat_status bat_svg_keep(const bat_svg_reader *reader, const bat_svg_walk *w, boo
     double page[4];
     bat_document_page(document, page);
     bat_source *source = NULL;
+    status = note_lost(w, w->places, count);
+    if (status != BAT_OK) return status;
+    for (int i = 0; i < count; i++) {
+        const bat_object *object = bat_document_at(document, bat_document_find(document, w->places[i].id));
+        if (object && bat_object_is_foreign(object)) w->places[i].lost = 0;
+    }
     status = bat_source_create(reader->source, reader->source_size, page,
                                simpler ? 0 : bat_document_digest(document), count, w->places, &source);
     if (status != BAT_OK) return status;

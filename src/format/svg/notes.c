@@ -64,6 +64,16 @@ void bat_svg_note_odd(bat_svg_notes *notes, uint32_t element, uint32_t odd, uint
         if (odd & 1) bat_svg_note(notes, element, bat_svg_odd_loss(bit));
 }
 
+uint32_t bat_svg_noted(const bat_svg_notes *notes, uint32_t element) {
+    static const bat_loss seen[] = {BAT_LOSS_GRADIENT, BAT_LOSS_PATTERN, BAT_LOSS_CLIP,  BAT_LOSS_MASK,
+                                    BAT_LOSS_FILTER,   BAT_LOSS_MARKER,  BAT_LOSS_DASH,  BAT_LOSS_ORDER,
+                                    BAT_LOSS_EFFECT,   BAT_LOSS_UNEVEN,  BAT_LOSS_BLEND, BAT_LOSS_OPACITY,
+                                    BAT_LOSS_NESTED,   BAT_LOSS_BROKEN};
+    uint32_t mask = 0;
+    for (size_t i = 0; i < sizeof seen / sizeof *seen; i++) mask |= 1u << seen[i];
+    return notes->seen[element] & mask;
+}
+
 bool bat_svg_note_once(bat_svg_notes *notes, uint32_t element) {
     bool first = !(notes->seen[element] & DRAWN);
     notes->seen[element] |= DRAWN;

@@ -17,6 +17,8 @@ bat_status bat_svg_notes_begin(bat_svg_notes *notes, const bat_svg_tree *tree, c
 void bat_svg_notes_free(bat_svg_notes *notes);
 
 void bat_svg_note(bat_svg_notes *notes, uint32_t element, bat_loss kind); /* BAT_LOSS_COUNT: nothing */
+/* What has been noted at the element that changes how something looks: a bit 1 << bat_loss each. */
+uint32_t bat_svg_noted(const bat_svg_notes *notes, uint32_t element);
 /* True the first time for each element: `use` may draw it several times. */
 bool bat_svg_note_once(bat_svg_notes *notes, uint32_t element);
 /* Notes the odd properties of a style that are in the mask. */

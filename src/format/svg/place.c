@@ -41,6 +41,9 @@ void bat_svg_place_object(bat_svg_walk *w, const bat_object *object) {
         if (!at) return;
         *at = from;
         at->copied = true;
+        at->lost = 0;
+        for (int i = w->depth - 1; i >= 0 && w->active[i] != from.element; i--)
+            at->lost |= bat_svg_noted(&w->notes, w->active[i]);
     }
     at->id = bat_object_id(object);
     at->boxed = w->boxed;

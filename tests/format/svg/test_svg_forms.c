@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
-#include "format/svg/losses.h"
+#include "format/json/losses.h"
 #include "support/pictures.h"
 #include "support/xml.h"
 #include "text/base64.h"

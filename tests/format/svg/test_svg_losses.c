@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
-#include "format/svg/losses.h"
+#include "format/json/losses.h"
 #include "format/svg/names.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"

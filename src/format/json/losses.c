@@ -1,4 +1,4 @@
-#include "format/svg/losses.h"
+#include "format/json/losses.h"
 
 #include <limits.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* What a file holds that a document cannot: counts by kind, as stored in journals. */
-#ifndef BATTEN_FORMAT_SVG_LOSSES_H
-#define BATTEN_FORMAT_SVG_LOSSES_H
+#ifndef BATTEN_FORMAT_JSON_LOSSES_H
+#define BATTEN_FORMAT_JSON_LOSSES_H
 
 #include "text/json.h"
 #include "text/text.h"
