@@ -30,13 +30,19 @@ static int by_id(const void *a, const void *b) {
     return (one->id > other->id) - (one->id < other->id);
 }
 
+static int by_id_and_kinds(const void *a, const void *b) {
+    const lost_part *one = a, *other = b;
+    const int order = by_id(a, b);
+    return order ? order : (one->kinds > other->kinds) - (one->kinds < other->kinds);
+}
+
 /* Lists what is not shown, an object once. */
 static void list_lost(bat_source *source) {
     int count = 0;
     for (int i = 0; i < source->count; i++)
         if (source->list[i].id && source->list[i].lost)
             source->lost[source->lost_count++] = (lost_part){source->list[i].id, source->list[i].lost};
-    qsort(source->lost, (size_t)source->lost_count, sizeof *source->lost, by_id);
+    qsort(source->lost, (size_t)source->lost_count, sizeof *source->lost, by_id_and_kinds); /* no ties */
     for (int i = 0; i < source->lost_count; i++) {
         if (count > 0 && source->lost[count - 1].id == source->lost[i].id)
             source->lost[count - 1].kinds |= source->lost[i].kinds;
