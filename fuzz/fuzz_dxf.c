@@ -1,9 +1,10 @@
-/* Any bytes as DXF: a drawing or an error status; what was read is written, also as arcs, and reads back alike. */
+/* Any bytes as DXF: a drawing or an error status; what was read is written, also as arcs, and reads back alike, and as G-code. */
 #include "format/formats.h"
 
 #include <batten/bezier.h>
 
 #include <stdlib.h>
+#include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -28,6 +29,23 @@ static void again(const bat_format *format, const bat_document *document, double
     bat_document_free(back);
 }
 
+/* It ends as it must, and the tool goes up as often as down, but for the first time. */
+static void cut(const bat_document *document, double tolerance) {
+    bat_gcode_options options;
+    char *text = NULL;
+    size_t length = 0;
+    int turns = -1;
+    bat_gcode_options_init(&options, sizeof options);
+    options.up = "M5", options.down = "M3";
+    if (tolerance > 0) options.tolerance = tolerance;
+    if (bat_gcode_write(document, &options, &text, &length) != BAT_OK) return;
+    if (length < 3 || strcmp(text + length - 3, "M2\n") != 0) abort();
+    for (size_t i = 0; i + 1 < length; i++)
+        if (text[i] == 'M') turns += text[i + 1] == '5' ? 1 : text[i + 1] == '3' ? -1 : 0;
+    if (turns != 0) abort();
+    bat_free(text);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const bat_reading how = {.xml = NULL};
     const bat_format *format = bat_format_named("dxf");
@@ -44,6 +62,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     double box[4];
     bat_document_bounds(document, box);
     if (curves(document) < 20 && box[2] - box[0] > 0) again(format, document, 1e-3 * (box[2] - box[0]));
+    if (curves(document) < 20) cut(document, 1e-3 * (box[2] - box[0]));
     bat_document_free(document);
     return 0;
 }

@@ -63,6 +63,8 @@ need_to_test() {
     need python3-pil /usr/lib/python3/dist-packages/PIL
     need python3-jsonschema /usr/lib/python3/dist-packages/jsonschema
     need librsvg2-bin rsvg-convert
+    need poppler-utils pdftocairo
+    need ghostscript gs
     need assimp-utils assimp
     need groff-base groff
     need nodejs node

@@ -1,85 +1,185 @@
 /* batten convert: from one format to another. */
 #include "drawing.h"
 #include "io.h"
+#include "picture.h"
 #include "program.h"
 
+#include <stdlib.h>
 #include <string.h>
 
-/* The format of OUT: from --to, else from its name. */
-static int output_format(const cli_arguments *arguments, const bat_format **out) {
+enum { TEMPLATE_ROOM = 1024 };
+
+/* The format of OUT: from --to, else from its name. *page: PDF or EPS, which are pictures; then *out is NULL. */
+static int output_format(const cli_arguments *arguments, const bat_format **out, picture_kind *page) {
     const char *to = arguments_value(arguments, "--to"), *name = arguments->operands[1];
     char words[BAT_FORMATS_WORDS];
     *out = to ? bat_format_named(to) : drawing_format(name);
+    *page = *out ? PICTURE_UNKNOWN : to ? picture_kind_of(to) : picture_kind_called(name);
+    if (*page == PICTURE_PDF || *page == PICTURE_EPS) return EXIT_DONE;
     if (to && !*out) return fail_usage(arguments->command, "--to: no such format: %s", to);
-    if (*out && arguments_value(arguments, "--plain") && strcmp((*out)->name, "svg") != 0)
-        return fail_usage(arguments->command, "--plain: for SVG alone, found %s", (*out)->name);
     if (*out) return EXIT_DONE;
     if (strcmp(name, "-") == 0) return fail_usage(arguments->command, "for standard output, --to is needed");
     bat_formats_words(".", false, words);
-    return fail_usage(arguments->command, "%s: expected a name that ends in %s", name, words);
+    return fail_usage(arguments->command, "%s: expected a name that ends in .pdf, .eps, %s", name, words);
 }
 
-/* With --arcs the curves become arcs and lines, which only DXF holds; with --plain SVG is written without our data. */
-static int print(const cli_arguments *arguments, const bat_document *document, const bat_format *format,
-                 char **text, size_t *size) {
-    const char *in = arguments->operands[0];
-    const bool plain = arguments_value(arguments, "--plain"), to_arcs = arguments_value(arguments, "--arcs");
+/* Lines of a template: "\\n" between them. */
+static void unfold(const char *words, char out[TEMPLATE_ROOM]) {
+    size_t size = 0;
+    for (; *words && size < TEMPLATE_ROOM - 1; words++) {
+        const bool end = words[0] == '\\' && words[1] == 'n';
+        out[size++] = end ? '\n' : *words;
+        words += end;
+    }
+    out[size] = '\0';
+}
+
+static int gcode(const cli_arguments *arguments, const bat_document *document, char **text, size_t *size) {
+    bat_gcode_options options = bat_gcode_defaults();
+    const char *up = arguments_value(arguments, "--up"), *down = arguments_value(arguments, "--down");
+    char lines[2][TEMPLATE_ROOM];
+    int failed = arguments_number(arguments, "--arcs", 1e-9, 1e30, &options.tolerance);
+    if (!failed) failed = arguments_number(arguments, "--feed", 1e-3, 1e9, &options.feed);
+    if (failed) return failed;
+    if (up) unfold(up, lines[0]), options.up = lines[0];
+    if (down) unfold(down, lines[1]), options.down = lines[1];
+    const bat_status status = bat_gcode_write(document, &options, text, size);
+    if (status == BAT_ARGUMENT)
+        return fail_usage(arguments->command, "--up, --down: expected at most 1000 characters of ASCII");
+    if (status == BAT_OK) return EXIT_DONE;
+    return drawing_print(document, bat_format_named("gcode"), arguments->operands[0], text, size);
+}
+
+static int dxf(const cli_arguments *arguments, const bat_document *document, char **text, size_t *size) {
     double arcs = 0;
-    if (!plain && !to_arcs) return drawing_print(document, format, in, text, size);
     const int failed = arguments_number(arguments, "--arcs", 1e-9, 1e30, &arcs);
     if (failed) return failed;
-    if (to_arcs && strcmp(format->name, "dxf") != 0)
-        return fail_usage(arguments->command, "--arcs is for .dxf, not for .%s", format->name);
-    const bat_status status = to_arcs ? bat_dxf_write(document, arcs, text, size)
-                                      : bat_svg_write(document, false, text, size);
+    const bat_status status = bat_dxf_write(document, arcs, text, size);
     if (status == BAT_OK) return EXIT_DONE;
-    return fail_data(in, NULL, "%s",
+    return fail_data(arguments->operands[0], NULL, "%s",
                      status == BAT_COUNT ? "expected a curve, found none" : bat_status_message(status));
 }
 
-static int run(const cli_arguments *arguments) {
+/* SVG without our data. */
+static int plain_svg(const cli_arguments *arguments, const bat_document *document, char **text,
+                     size_t *size) {
+    if (!arguments_value(arguments, "--plain"))
+        return drawing_print(document, bat_format_named("svg"), arguments->operands[0], text, size);
+    const bat_status status = bat_svg_write(document, false, text, size);
+    return status == BAT_OK ? EXIT_DONE
+                            : fail_data(arguments->operands[0], NULL, "%s", bat_status_message(status));
+}
+
+/* Formats that have options of their own. */
+static const struct {
+    const char *format;
+    int (*print)(const cli_arguments *arguments, const bat_document *document, char **text, size_t *size);
+    const char *options[4];
+} special[] = {{"svg", plain_svg, {"--plain"}},
+               {"dxf", dxf, {"--arcs"}},
+               {"gcode", gcode, {"--arcs", "--feed", "--up", "--down"}}};
+enum { SPECIAL = sizeof special / sizeof *special };
+
+static int print(const cli_arguments *arguments, const bat_document *document, const bat_format *format,
+                 char **text, size_t *size) {
+    for (int i = 0; i < SPECIAL; i++)
+        if (strcmp(format->name, special[i].format) == 0)
+            return special[i].print(arguments, document, text, size);
+    return drawing_print(document, format, arguments->operands[0], text, size);
+}
+
+static bool has(int i, const char *option) {
+    for (int k = 0; k < 4; k++)
+        if (special[i].options[k] && strcmp(special[i].options[k], option) == 0) return true;
+    return false;
+}
+
+/* Whether the options given are for that format. */
+static int options_fit(const cli_arguments *arguments, const char *format) {
+    for (int i = 0; i < SPECIAL; i++)
+        for (int k = 0; k < 4 && special[i].options[k]; k++) {
+            const char *option = special[i].options[k];
+            bool fits = !arguments_value(arguments, option);
+            for (int j = 0; j < SPECIAL && !fits; j++)
+                fits = strcmp(special[j].format, format) == 0 && has(j, option);
+            if (!fits)
+                return fail_usage(arguments->command, "%s is for .%s, not for .%s", option, special[i].format,
+                                  format);
+        }
+    return EXIT_DONE;
+}
+
+static int put_drawing(const cli_arguments *arguments, const drawing_file *drawing,
+                       const bat_format *format) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
+    char *text;
+    size_t size;
+    int failed = drawing_may_replace(arguments, drawing, in, out, false);
+    if (!failed) failed = print(arguments, drawing->document, format, &text, &size);
+    if (failed) return failed;
+    failed = io_write(out, text, size);
+    bat_free(text);
+    if (!failed && !(format->keeps && drawing_keeps_file(drawing))) drawing_remark(in, drawing);
+    return failed;
+}
+
+static int put_page(const cli_arguments *arguments, const drawing_file *drawing, picture_kind page) {
+    const char *in = arguments->operands[0], *out = arguments->operands[1];
+    const picture_wanted wanted = {.kind = page};
+    unsigned char *data = NULL;
+    size_t size;
+    int failed = drawing_may_replace(arguments, drawing, in, out, true);
+    if (!failed) failed = picture_make(in, drawing->document, &wanted, &data, &size);
+    if (!failed) failed = io_write(out, data, size);
+    if (!failed) drawing_remark(in, drawing);
+    free(data);
+    return failed;
+}
+
+static int run(const cli_arguments *arguments) {
     const bat_format *format;
+    picture_kind page;
     bat_svg_options options = bat_svg_merging();
-    int failed = output_format(arguments, &format);
+    int failed = output_format(arguments, &format, &page);
     double tolerance = -1;
+    if (!failed) failed = options_fit(arguments, format ? format->name : page == PICTURE_PDF ? "pdf" : "eps");
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
     if (tolerance >= 0)
         options.tolerance = tolerance, options.share = 0; /* as asked, however small the path */
     if (failed) return failed;
     drawing_file drawing;
-    failed = drawing_read(in, &options, &drawing);
+    failed = drawing_read(arguments->operands[0], &options, &drawing);
     if (failed) return failed;
-    char *text;
-    size_t size;
-    failed = drawing_may_replace(arguments, &drawing, in, out, false);
-    if (!failed) failed = print(arguments, drawing.document, format, &text, &size);
-    if (!failed) {
-        failed = io_write(out, text, size);
-        bat_free(text);
-    }
-    if (!failed && !(format->keeps && drawing_keeps_file(&drawing))) drawing_remark(in, &drawing);
+    failed = format ? put_drawing(arguments, &drawing, format) : put_page(arguments, &drawing, page);
     drawing_free(&drawing);
     return failed;
 }
 
 const cli_command command_convert = {
     .name = "convert",
-    .usage = "IN OUT [--to FORMAT] [--tolerance T] [--arcs T] [--plain] [--lossy]",
+    .usage = "IN OUT [--to KIND] [--tolerance T] [--arcs T] [--feed F] [--up L --down L] "
+             "[--plain] [--lossy]",
     .summary = "Converts between the native format, SVG, DXF, curves as JSON and others.",
     .details = "Formats go by the names' endings: .batten, .svg, .svgz, .json (a CURVE or a list), .jsonl, "
-               ".dxf and .obj.\n"
-               "Standard input is recognised. One line on standard error counts what an SVG held that was "
-               "left out: texts,\n"
-               "gradients, clips and the like. As SVG or .batten it is kept: from SVG to SVG the file stays "
-               "as it is.",
+               ".dxf, .obj,\n"
+               ".gcode, .pdf and .eps; standard input is recognised. G-code and EPS are only written. Of a "
+               "PDF (.ai\n"
+               "files are PDFs, too) the first page is read, by pdftocairo of poppler-utils. One line on "
+               "standard error\n"
+               "counts what an SVG held that was left out: texts, gradients, clips and the like. As SVG or "
+               ".batten it is\n"
+               "kept: from SVG to SVG the file stays as it is.",
     .example = "batten convert drawing.svg drawing.batten\n"
                "batten fit stroke.csv | batten convert - stroke.svg",
     .operands = 2,
-    .options = {{"--to", "FORMAT", "the format of OUT, whatever its name: batten, svg, json ..."},
+    .options = {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
                 {"--tolerance", "T",
                  "knots of imported paths are removed within T units; 0: only where nothing changes"},
-                {"--arcs", "T", "to .dxf: curves as arcs and lines within T units, for cutters"},
+                {"--arcs", "T",
+                 "to .dxf: curves as arcs and lines within T units, for cutters; to .gcode: 0.01"},
+                {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
+                {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},
+                {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},
                 {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
                 OPTION_LOSSY},
     .run = run,

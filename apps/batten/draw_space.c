@@ -9,7 +9,6 @@
 
 #include <batten/sight.h>
 
-#include <cairo-pdf.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -125,7 +124,7 @@ static const char *make_svg(const content *c, unsigned char **data, size_t *size
     return NULL;
 }
 
-static void paint_pdf(cairo_t *cairo, const content *c) {
+static void paint_page(cairo_t *cairo, const content *c) {
     if (c->background & 255) {
         set_colour(cairo, c->background);
         cairo_paint(cairo);
@@ -141,12 +140,11 @@ static void paint_pdf(cairo_t *cairo, const content *c) {
     stroke_lines(cairo, c);
 }
 
-static const char *make_pdf(const content *c, unsigned char **data, size_t *size) {
+static const char *make_page(const content *c, picture_kind kind, unsigned char **data, size_t *size) {
     byte_list bytes = {0};
-    cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(collect_bytes, &bytes, c->view->size[0],
-                                                                   c->view->size[1]);
+    cairo_surface_t *surface = page_create(kind, &bytes, c->view->size[0], c->view->size[1]);
     cairo_t *cairo = cairo_create(surface);
-    paint_pdf(cairo, c);
+    paint_page(cairo, c);
     cairo_status_t painted = cairo_status(cairo);
     cairo_destroy(cairo);
     cairo_surface_finish(surface);
@@ -161,12 +159,13 @@ static const char *make_pdf(const content *c, unsigned char **data, size_t *size
 }
 
 const char *draw_space(const bat_document *document, const bat_viewpoint *view, bat_look look,
-                       uint32_t background, bool pdf, unsigned char **data, size_t *size, bool *whole) {
+                       uint32_t background, picture_kind kind, unsigned char **data, size_t *size,
+                       bool *whole) {
     content c = {.view = view, .background = background};
     const bat_status status = bat_seen_draw(document, view, &c.seen);
     const char *wrong = status == BAT_OK ? NULL : bat_status_message(status);
     if (!wrong && look != BAT_LOOK_LINES) wrong = shade(document, look, &c);
-    if (!wrong) wrong = (pdf ? make_pdf : make_svg)(&c, data, size);
+    if (!wrong) wrong = kind == PICTURE_SVG ? make_svg(&c, data, size) : make_page(&c, kind, data, size);
     *whole = c.seen.lines && bat_line_drawing_is_whole(c.seen.lines);
     bat_seen_clear(&c.seen);
     cairo_surface_destroy(c.shading);

@@ -2,6 +2,7 @@
 
 #include "gzip.h"
 #include "io.h"
+#include "pdf.h"
 #include "program.h"
 #include <batten/svg_read.h>
 
@@ -29,13 +30,29 @@ const bat_format *drawing_format(const char *name) {
     return gzip_is_called(name) ? bat_format_named("svg") : bat_format_called(name);
 }
 
+/* A PDF gives way to its first page as SVG. */
+static int first_page(const char *name, char **text, size_t *size) {
+    char *svg = NULL;
+    size_t svg_size = 0;
+    const char *wrong = pdf_first_page(*text, *size, &svg, &svg_size);
+    free(*text);
+    *text = svg, *size = svg_size;
+    return wrong ? fail_data(name, NULL, "%s", wrong) : EXIT_DONE;
+}
+
 int drawing_read(const char *name, const bat_svg_options *options, drawing_file *out) {
     char *text;
     size_t size;
     int failed = io_read(name, &text, &size);
     if (failed) return failed;
+    const bat_format *format = drawing_format(name);
+    if (pdf_is_one(text, size)) {
+        failed = first_page(name, &text, &size);
+        if (failed) return failed;
+        format = bat_format_named("svg");
+    }
     bat_problem problem;
-    bat_status status = drawing_parse(text, size, drawing_format(name), options, out, &problem);
+    bat_status status = drawing_parse(text, size, format, options, out, &problem);
     free(text);
     return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
 }

@@ -21,7 +21,7 @@ bat_status drawing_parse(const char *text, size_t size, const bat_format *format
                          const bat_svg_options *options, drawing_file *out, bat_problem *problem);
 /* The format that a file's name means; NULL: none. */
 const bat_format *drawing_format(const char *name);
-/* Reads the file called name ("-": standard input). Returns 0, or an exit status after reporting the failure. */
+/* Reads the file called name ("-": standard input); of a PDF, its first page. Returns 0, or an exit status after reporting the failure. */
 int drawing_read(const char *name, const bat_svg_options *options, drawing_file *out);
 void drawing_free(drawing_file *drawing);
 

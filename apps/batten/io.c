@@ -73,6 +73,8 @@ static bool read_whole(int file, const struct stat *status, char **data, size_t 
     return read_all(file, S_ISREG(status->st_mode) ? (size_t)status->st_size : 0, data, size);
 }
 
+bool io_drain(int file, char **data, size_t *size) { return read_all(file, 0, data, size); }
+
 static void close_quietly(int file) {
     int reason = errno;
     close(file);

@@ -48,6 +48,8 @@ void io_stand_in(const char *data, size_t size, bat_text *output);
 /* Reads a whole file of any type, or standard input ("-"): malloc'ed, zero-terminated; what gzip has packed is unpacked.
  * Returns 0, or an exit status after reporting the failure. */
 int io_read(const char *name, char **data, size_t *size);
+/* Reads until the end of an open file: malloc'ed, zero-terminated. False: errno says why. */
+bool io_drain(int file, char **data, size_t *size);
 /* Writes to a file (replace.h), which is packed when its name ends in ".svgz", or to standard output ("-"). Returns 0, or an exit status after reporting the
  * failure. */
 int io_write(const char *name, const void *data, size_t size);

@@ -1,5 +1,7 @@
 #include "paint_bytes.h"
 
+#include <cairo-pdf.h>
+#include <cairo-ps.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,4 +17,11 @@ cairo_status_t collect_bytes(void *list, const unsigned char *data, unsigned int
     memcpy(bytes->data + bytes->size, data, size);
     bytes->size += size;
     return CAIRO_STATUS_SUCCESS;
+}
+
+cairo_surface_t *page_create(picture_kind kind, byte_list *bytes, double width, double height) {
+    if (kind != PICTURE_EPS) return cairo_pdf_surface_create_for_stream(collect_bytes, bytes, width, height);
+    cairo_surface_t *page = cairo_ps_surface_create_for_stream(collect_bytes, bytes, width, height);
+    cairo_ps_surface_set_eps(page, 1);
+    return page;
 }

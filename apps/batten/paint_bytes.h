@@ -1,6 +1,8 @@
-/* Bytes as cairo writes them. */
+/* Pages as cairo writes them: their kinds, and their bytes. */
 #ifndef BATTEN_APPS_PAINT_BYTES_H
 #define BATTEN_APPS_PAINT_BYTES_H
+
+#include "picture.h"
 
 #include <cairo.h>
 #include <stddef.h>
@@ -10,6 +12,8 @@ typedef struct byte_list {
     size_t size, room;
 } byte_list;
 
+/* A page of a PDF or an EPS, in points, which writes to bytes. */
+cairo_surface_t *page_create(picture_kind kind, byte_list *bytes, double width, double height);
 /* A cairo_write_func_t whose closure is a byte_list. */
 cairo_status_t collect_bytes(void *list, const unsigned char *data, unsigned int size);
 

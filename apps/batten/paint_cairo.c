@@ -8,7 +8,6 @@
 #include <batten/bezier.h>
 #include <batten/paint.h>
 
-#include <cairo-pdf.h>
 #include <cairo.h>
 #include <math.h>
 #include <stdlib.h>
@@ -215,21 +214,20 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
     return BAT_OK;
 }
 
-const char *paint_document(const bat_document *document, const paint_area *area, paint_kind kind,
+const char *paint_document(const bat_document *document, const paint_area *area, picture_kind kind,
                            uint32_t background, unsigned char **data, size_t *size, bool *whole) {
     byte_list bytes = {0};
-    cairo_surface_t *surface =
-        kind == PAINT_PDF
-            ? cairo_pdf_surface_create_for_stream(collect_bytes, &bytes, area->width, area->height)
-            : cairo_image_surface_create(CAIRO_FORMAT_ARGB32, area->width, area->height);
+    cairo_surface_t *surface = kind == PICTURE_PNG ? cairo_image_surface_create(CAIRO_FORMAT_ARGB32,
+                                                                                area->width, area->height)
+                                                   : page_create(kind, &bytes, area->width, area->height);
     cairo_t *cairo = cairo_create(surface);
     bat_status status = paint(cairo, document, area, background, whole);
     cairo_status_t painted = cairo_status(cairo);
     cairo_destroy(cairo);
-    if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PAINT_PNG) {
+    if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PICTURE_PNG) {
         painted = cairo_surface_write_to_png_stream(surface, collect_bytes, &bytes);
     }
-    cairo_surface_finish(surface); /* this writes a PDF */
+    cairo_surface_finish(surface); /* this writes a page */
     if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);
     cairo_surface_destroy(surface);
     if (status == BAT_OK && painted == CAIRO_STATUS_SUCCESS) {

@@ -1,12 +1,14 @@
-/* Paints a document with cairo, as PNG or PDF. Planar only: for points in space, x and y are used. */
+/* Paints a document with cairo, as PNG, PDF or EPS. Planar only: for points in space, x and y are used. */
 #ifndef BATTEN_APPS_PAINT_CAIRO_H
 #define BATTEN_APPS_PAINT_CAIRO_H
+
+#include "picture.h"
 
 #include <batten/document.h>
 
 enum { PAINT_SIZE_MAX = 32767 }; /* pixels per side, cairo's limit */
 
-/* What is shown (x, y, width, height in document units), and the size of the output in pixels (PDF: points).
+/* What is shown (x, y, width, height in document units), and the size of the output in pixels (PDF, EPS: points).
  * The view is centred and keeps its proportions. */
 typedef struct paint_area {
     double view[4];
@@ -17,12 +19,10 @@ typedef struct paint_area {
  * page; without a page 1000 pixels for the longer side. */
 void paint_area_of(const bat_document *document, int width, int height, paint_area *out);
 
-typedef enum paint_kind { PAINT_PNG, PAINT_PDF } paint_kind;
-
-/* Makes the bytes of the file; *data is malloc'ed. background: 0xRRGGBBAA. *whole is cleared when foreign content could not be
+/* Makes the bytes of the file, a PNG, a PDF or an EPS; *data is malloc'ed. background: 0xRRGGBBAA. *whole is cleared when foreign content could not be
  * painted. Returns NULL, or what went wrong
  * (static storage). */
-const char *paint_document(const bat_document *document, const paint_area *area, paint_kind kind,
+const char *paint_document(const bat_document *document, const paint_area *area, picture_kind kind,
                            uint32_t background, unsigned char **data, size_t *size, bool *whole);
 
 #endif

@@ -68,6 +68,27 @@ BAT_API bat_status bat_step_write(const bat_model *model, char **bytes, size_t *
  * planar curves are written as polylines of arcs and lines (bat_curve_arcs), for cutters; 0: as splines. BAT_COUNT: there
  * is no curve. Whatever has no curves is left out, as are fills. */
 BAT_API bat_status bat_dxf_write(const bat_document *document, double arcs, char **text, size_t *size);
+/* G-code for mills, plotters and laser cutters (ISO 6983): one unit a millimetre, the page's lower left corner at (0, 0), or
+ * without a page the document's origin, y upwards. Visible curves of the plane become lines and arcs (G1, G2, G3) within the tolerance and four
+ * decimals, in the drawing's order. */
+typedef struct bat_gcode_options {
+    size_t size;      /* of this struct, as base.h says */
+    double tolerance; /* document units, above 0 */
+    double feed;      /* millimetres a minute, above 0 */
+    const char *up,
+        *down; /* lines that raise and lower the tool, or switch a laser off and on: ASCII, 1,000 bytes at most; borrowed */
+} bat_gcode_options;
+/* The defaults: tolerance 0.01, feed 1000, "G0 Z5", "G1 Z-1 F300". */
+BAT_API void bat_gcode_options_init(bat_gcode_options *options, size_t size);
+static inline bat_gcode_options bat_gcode_defaults(void) {
+    bat_gcode_options options;
+    bat_gcode_options_init(&options, sizeof options);
+    return options;
+}
+/* options may be NULL: the defaults. BAT_COUNT: there is no visible curve; BAT_DIMENSION: one lies in space; BAT_NUMBER: one is
+ * further out than 1e7. */
+BAT_API bat_status bat_gcode_write(const bat_document *document, const bat_gcode_options *options,
+                                   char **text, size_t *size);
 /*
  * Triangles within the tolerance of the surfaces (document units; 0: 1e-4 of the model's size), as binary STL, and as
  * binary glTF 2.0 with unit normals, curves as line strips and clouds as points. Both hold floats of 32 bits, without

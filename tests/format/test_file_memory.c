@@ -58,7 +58,7 @@ static bat_status as_svg(const file *from, bat_problem *said) {
     return status;
 }
 
-static bat_status as_format(const char *name, const file *from, bat_problem *said) {
+static bat_status through(const char *name, const char *to, const file *from, bat_problem *said) {
     const bat_reading how = {.xml = NULL};
     const bat_format *format = bat_format_named(name);
     bat_document *document = NULL;
@@ -67,14 +67,19 @@ static bat_status as_format(const char *name, const file *from, bat_problem *sai
     size_t size;
     bat_status status = format->read(&how, from->text, from->size, &document, &report, said);
     assert_true((status == BAT_OK) == (document != NULL));
-    if (status == BAT_OK) status = format->write(document, &text, &size, said);
+    if (status == BAT_OK) status = bat_format_named(to)->write(document, &text, &size, said);
     if (status == BAT_OK) bat_free(text);
     bat_document_free(document);
     return status;
 }
-static bat_status as_obj(const file *from, bat_problem *said) { return as_format("obj", from, said); }
-static bat_status as_dxf(const file *from, bat_problem *said) { return as_format("dxf", from, said); }
-static bat_status as_native(const file *from, bat_problem *said) { return as_format("batten", from, said); }
+static bat_status as_obj(const file *from, bat_problem *said) { return through("obj", "obj", from, said); }
+static bat_status as_dxf(const file *from, bat_problem *said) { return through("dxf", "dxf", from, said); }
+static bat_status as_gcode(const file *from, bat_problem *said) {
+    return through("dxf", "gcode", from, said);
+}
+static bat_status as_native(const file *from, bat_problem *said) {
+    return through("batten", "batten", from, said);
+}
 
 static bat_status as_curve(const file *from, bat_problem *said) {
     bat_curve *curve = NULL;
@@ -202,6 +207,7 @@ static void drawings(void **state) {
     each("fuzz/corpus/svg/*", as_svg);
     each("fuzz/corpus/obj/*", as_obj);
     each("fuzz/corpus/dxf/*", as_dxf);
+    each("fuzz/corpus/dxf/*", as_gcode);
     each("fuzz/corpus/json/*", as_native);
 }
 

@@ -243,6 +243,7 @@ static uint64_t look_at_document(const void *shared, int seed) {
     digest = add_text(digest, bat_document_write(document, &text, &size), &text, &size);
     digest = add_text(digest, bat_svg_write(document, true, &text, &size), &text, &size);
     digest = add_text(digest, bat_dxf_write(document, 0, &text, &size), &text, &size);
+    digest = add_text(digest, bat_gcode_write(document, NULL, &text, &size), &text, &size);
     digest = add(digest, bat_svg_is_kept(document));
     bat_status status = bat_document_copy(document, &copy);
     bat_document_free(copy);
