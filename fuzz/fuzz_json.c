@@ -129,6 +129,8 @@ static void as_curves(const char *name, const char *data, size_t size) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     as_curves("json", (const char *)data, size);
     as_curves("jsonl", (const char *)data, size);
+    as_curves("csv", (const char *)data, size);
+    as_curves("geojson", (const char *)data, size);
     const char *text = (const char *)data;
     bat_stroke stroke;
     void *block;

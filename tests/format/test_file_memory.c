@@ -77,6 +77,10 @@ static bat_status as_dxf(const file *from, bat_problem *said) { return through("
 static bat_status as_gcode(const file *from, bat_problem *said) {
     return through("dxf", "gcode", from, said);
 }
+static bat_status as_csv(const file *from, bat_problem *said) { return through("csv", "csv", from, said); }
+static bat_status as_geojson(const file *from, bat_problem *said) {
+    return through("geojson", "geojson", from, said);
+}
 static bat_status as_native(const file *from, bat_problem *said) {
     return through("batten", "batten", from, said);
 }
@@ -208,6 +212,8 @@ static void drawings(void **state) {
     each("fuzz/corpus/obj/*", as_obj);
     each("fuzz/corpus/dxf/*", as_dxf);
     each("fuzz/corpus/dxf/*", as_gcode);
+    each("fuzz/corpus/json/csv*", as_csv);
+    each("fuzz/corpus/json/geojson*", as_geojson);
     each("fuzz/corpus/json/*", as_native);
 }
 

@@ -15,6 +15,8 @@ static const char *const good[][2] = {
     {"json", "{\"degree\":1,\"closed\":false,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]}"},
     {"jsonl", "{\"degree\":1,\"closed\":false,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]}\n"
               "{\"degree\":1,\"closed\":false,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]}\n"},
+    {"csv", "x,y\n0,0\n1,1\n"},
+    {"geojson", "{\"type\":\"LineString\",\"coordinates\":[[0,0],[1,1]]}"},
     {"dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n"},
     {"obj", "v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n"},
 };

@@ -1,4 +1,6 @@
 /* POINTS: a STROKE, a GeoJSON LineString, or columns of numbers as spreadsheets and scripts write them. */
+#include "format/json/points.h"
+
 #include "format/json/curve.h"
 #include "format/json/stroke.h"
 #include "text/number.h"
@@ -112,12 +114,23 @@ static bat_status complain(bat_problem *problem, bat_status status, size_t line,
 typedef struct table {
     int dimension;
     int columns[BAT_DIMENSION_MAX]; /* where x, y and z are */
+    int group;                      /* the column called "curve"; -1: none */
+    bool named;                     /* a header says where x and y are */
     char separator;
-    size_t count;
+    field last; /* of the column "curve" */
+    size_t count, part_count, part_room;
     double *points;
+    size_t *starts;
 } table;
 
 static bool is_named(field f, char name) { return f.size == 1 && (f.text[0] | 32) == name; }
+
+static bool is_group(field f) {
+    static const char word[] = "curve";
+    size_t i = 0;
+    while (i < f.size && word[i] && (f.text[i] | 32) == word[i]) i++;
+    return i == f.size && i == sizeof word - 1;
+}
 
 /* From the first line that holds anything: a header when one of its fields is no number. Columns called x, y and z, else the
  * first ones. Returns whether it was a header. */
@@ -126,13 +139,34 @@ static bool begin(table *t, const field *fields, int count) {
     bool header = false;
     for (int i = 0; i < count; i++) header = header || !number_of(fields[i], &ignored);
     int named = 0;
+    t->group = -1;
+    for (int i = 0; i < count && header; i++)
+        if (is_group(fields[i])) t->group = i;
     for (int c = 0; c < BAT_DIMENSION_MAX && header && named == c; c++)
         for (int i = 0; i < count && named == c; i++)
             if (is_named(fields[i], (char)('x' + c))) t->columns[c] = i, named++;
     t->dimension = named >= 2 ? named : count < 2 ? 0 : count == 3 ? 3 : 2;
+    t->named = named >= 2;
     if (named < 2)
         for (int c = 0; c < BAT_DIMENSION_MAX; c++) t->columns[c] = c;
     return header;
+}
+
+/* Where the column "curve" says something else than in the row before, a part begins. */
+static bat_status divide(table *t, const field *fields, int count, bat_problem *problem) {
+    const field now = t->group >= 0 && t->group < count ? fields[t->group] : (field){"", 0};
+    const bool begins = t->count == 0 || now.size != t->last.size ||
+                        memcmp(now.text, t->last.text, now.size) != 0;
+    t->last = now;
+    if (!begins) return BAT_OK;
+    if (t->part_count + 1 >= t->part_room) {
+        const size_t room = 2 * t->part_room + 8;
+        size_t *more = realloc(t->starts, room * sizeof *more);
+        if (!more) return bat_problem_set(problem, BAT_MEMORY, "", bat_status_message(BAT_MEMORY));
+        t->starts = more, t->part_room = room;
+    }
+    t->starts[t->part_count++] = t->count;
+    return BAT_OK;
 }
 
 static bat_status read_row(table *t, const field *fields, int count, size_t line, bat_problem *problem) {
@@ -166,7 +200,8 @@ static bat_status read_columns(const char *text, size_t size, table *t, bat_prob
                 status = complain(problem, BAT_SYNTAX, line, 1, "columns of two or three numbers",
                                   (field){"", 0});
             else if (!header)
-                status = read_row(t, fields, count, line, problem);
+                status = divide(t, fields, count, problem);
+            if (status == BAT_OK && !header) status = read_row(t, fields, count, line, problem);
         }
         at = next;
     }
@@ -176,8 +211,7 @@ static bat_status read_columns(const char *text, size_t size, table *t, bat_prob
     return status;
 }
 
-static bat_status read_table(const char *text, size_t size, int *dimension, size_t *count, double **points,
-                             bat_problem *problem) {
+bat_status bat_point_rows_read(const char *text, size_t size, bat_point_rows *out, bat_problem *problem) {
     size_t lines = 1;
     for (size_t i = 0; i < size; i++) lines += text[i] == '\n';
     if (lines > (size_t)BAT_POINTS_MAX)
@@ -186,10 +220,42 @@ static bat_status read_table(const char *text, size_t size, int *dimension, size
     if (!t.points) return bat_problem_set(problem, BAT_MEMORY, "", bat_status_message(BAT_MEMORY));
     const bat_status status = read_columns(text, size, &t, problem);
     if (status != BAT_OK) {
-        free(t.points);
+        free(t.points), free(t.starts);
         return status;
     }
-    *dimension = t.dimension, *count = t.count, *points = t.points;
+    if (t.starts) t.starts[t.part_count] = t.count;
+    *out = (bat_point_rows){t.dimension, t.count, t.part_count, t.points, t.starts};
+    return BAT_OK;
+}
+
+void bat_point_rows_clear(bat_point_rows *rows) {
+    free(rows->points), free(rows->starts);
+    *rows = (bat_point_rows){.dimension = 0};
+}
+
+bool bat_point_rows_are(const char *text, size_t size) {
+    for (const char *at = text, *end = text + size; at < end;) {
+        const char *stop = memchr(at, '\n', (size_t)(end - at)), *next = stop ? stop + 1 : end;
+        if (!stop) stop = end;
+        while (at < stop && is_blank(*at)) at++;
+        if (at < stop && *at != '#') {
+            field fields[COLUMNS_MAX];
+            table t = {.dimension = 0};
+            const int count = fields_of(at, stop, separator_of(at, stop), fields);
+            return begin(&t, fields, count) ? t.named : t.dimension >= 2;
+        }
+        at = next;
+    }
+    return false;
+}
+
+static bat_status read_table(const char *text, size_t size, int *dimension, size_t *count, double **points,
+                             bat_problem *problem) {
+    bat_point_rows rows;
+    const bat_status status = bat_point_rows_read(text, size, &rows, problem);
+    if (status != BAT_OK) return status;
+    free(rows.starts);
+    *dimension = rows.dimension, *count = rows.count, *points = rows.points;
     return BAT_OK;
 }
 
