@@ -87,6 +87,12 @@ FILES = {
                     for y, c in ((20, "butt"), (50, "round"), (80, "square"))),
     "miter limit": '<path d="M10 80L50 20L60 80" fill="none" stroke="#246" stroke-width="9" stroke-miterlimit="1.5"/>',
     "opacity over fill and stroke": BOX + 'fill="#e80" stroke="#246" stroke-width="14" opacity=".5"/>',
+    "style, within": f'<style>.a rect,.a>path{{fill:#0a5}} g .b{{fill:#a40}} .a > .b{{stroke:#246;stroke-width:6}}</style><g class="a">'
+                     f'<g><rect width="30" height="20"/>{BOX}/></g><path class="b" d="M40 50H90V90H40Z"/></g>',
+    "style, not": f'<style>path:not(.b){{fill:#a40}} :not(.b):not(svg):first-child+g{{fill:red}} #c:not([fill]){{stroke:#0a5}}</style>'
+                  f'{BOX}/><path class="b" id="c" stroke-width="5" d="M5 5H40V40H5Z"/>',
+    "style, attributes": f'<style>[d^=M20]{{fill:#a40}} path[class="b c"]{{fill:#0a5}} g:last-child>[class~=c]{{opacity:.5}}</style>'
+                         f'{BOX}/><g><path class="b c" d="M5 5H60V60H5Z"/></g>',
     "copies": f'<defs><g id="s">{BOX}stroke="#246"/></g></defs><use href="#s" transform="scale(.5)" fill="#a40"/>'
               '<use href="#s" x="30" y="30" transform="scale(.7)" fill="#0a5"/>',
     "copies of a gradient": f'<linearGradient id="a">{STOPS}</linearGradient><defs><g id="s">{BOX}fill="url(#a)"/></g></defs>'

@@ -116,6 +116,7 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
 void bat_svg_draw_root(bat_svg_walk *w) {
     w->draw = draw;
     bat_svg_scope none = {.style = bat_svg_style_initial(), .opacity = 1, .width = 100, .height = 100};
+    none.style.store = &w->variables;
     bat_matrix_identity(none.matrix);
     double page[4] = {0};
     const char *box = bat_svg_attribute_of(w, 1, "viewBox"),

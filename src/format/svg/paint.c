@@ -44,7 +44,7 @@ static bool resolve_paint(bat_svg_walk *w, uint32_t element, const bat_svg_paint
     return painted;
 }
 
-static bool ends_dashes(char c) { return c == '\0' || c == ';' || c == '!' || c == '}'; }
+static bool ends_dashes(char c) { return c == '\0' || c == ';' || c == '!' || c == '}' || c == ')'; }
 
 /* The dashes in user units, and how many; -1: they are not understood. */
 static int read_dashes(const char *at, double whole, double *dashes) {

@@ -6,11 +6,6 @@
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
-static bool is_name(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || (unsigned char)c >= 0x80;
-}
-
 /* Removes comments and the marks of HTML comments (<!--, -->), in place; returns the new size. */
 static size_t drop_comments(char *text, size_t size) {
     size_t n = 0;
@@ -27,26 +22,6 @@ static size_t drop_comments(char *text, size_t size) {
             text[n++] = text[i++];
     }
     return n;
-}
-
-/* The specificity of "type", ".class", "#id" or a compound of these; 0: any other selector. */
-static uint32_t weigh(const char *selector, size_t size) {
-    uint32_t ids = 0, classes = 0, types = 0;
-    size_t i = 0;
-    if (size == 1 && selector[0] == '*') return 1;
-    if (size > 0 && is_name(selector[0])) types = 1;
-    while (i < size && is_name(selector[i])) i++;
-    while (i < size) {
-        if (selector[i] != '.' && selector[i] != '#') return 0;
-        if (selector[i] == '#')
-            ids++;
-        else
-            classes++;
-        size_t start = ++i;
-        while (i < size && is_name(selector[i])) i++;
-        if (i == start || classes > 100 || ids > 100) return 0;
-    }
-    return 1 + types + (classes << 8) + (ids << 16);
 }
 
 static bat_status add_rule(bat_svg_sheet *sheet, size_t *room, bat_svg_rule rule) {
@@ -77,15 +52,13 @@ static int compare_keys(const void *a, const void *b) {
     return (x->rule > y->rule) - (x->rule < y->rule);
 }
 
-/* The key of a rule: the id in its selector, else the first class, else the type. */
+/* The key of a rule: of the last compound of its selector the id, else the first class, else the type. */
 static bat_svg_key key_of(const bat_svg_sheet *sheet, size_t rule) {
-    const char *s = sheet->text + sheet->rules[rule].selector, *end = s + sheet->rules[rule].selector_size;
-    const char *at = memchr(s, '#', (size_t)(end - s));
-    if (!at) at = memchr(s, '.', (size_t)(end - s));
-    if (!at) at = s;
-    const char *to = at + 1;
-    while (to < end && is_name(*to)) to++;
-    return (bat_svg_key){at, (uint32_t)(to - at), (uint32_t)rule};
+    const bat_svg_rule *r = &sheet->rules[rule];
+    const char *s = sheet->text + r->selector;
+    bat_svg_key key = bat_svg_selector_key(s + r->subject, s + r->selector_size);
+    key.rule = (uint32_t)rule;
+    return key;
 }
 
 static bat_status put_in_order(bat_svg_sheet *sheet) {
@@ -108,11 +81,69 @@ static size_t skip_block(const char *text, size_t size, size_t at) {
     return size;
 }
 
+/* Whether "@media ..." holds for a picture on a screen: one of its queries is "screen" or "all", without conditions. */
+static bool is_shown_media(const char *at, const char *end) {
+    static const char *const shown[] = {"screen", "all", "only screen", "only all"};
+    if (end - at < 6 || memcmp(at, "@media", 6) != 0 || bat_svg_is_name(at[6])) return false;
+    for (at += 6; at <= end;) {
+        const char *comma = memchr(at, ',', (size_t)(end - at)), *to = comma ? comma : end;
+        const char *next = to + 1;
+        while (at < to && is_space(*at)) at++;
+        while (to > at && is_space(to[-1])) to--;
+        if (at == to && !comma) return true; /* nothing is said */
+        for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
+            if (strlen(shown[i]) == (size_t)(to - at) && memcmp(at, shown[i], (size_t)(to - at)) == 0)
+                return true;
+        at = next;
+    }
+    return false;
+}
+
+/* The next comma, or `end`; not one in brackets or quotes. */
+static size_t list_end(const char *text, size_t from, size_t end) {
+    int depth = 0;
+    char quote = 0;
+    for (; from < end; from++) {
+        const char c = text[from];
+        if (quote)
+            quote = c == quote ? 0 : quote;
+        else if (c == '"' || c == '\'')
+            quote = c;
+        else if (c == '(' || c == '[')
+            depth++;
+        else if (c == ')' || c == ']')
+            depth--;
+        else if (c == ',' && depth <= 0)
+            return from;
+    }
+    return end;
+}
+
+/* Adds a rule for each selector from `at` on, of the block that opens at `open`. */
+static bat_status add_rules(bat_svg_sheet *sheet, size_t *room, size_t at, size_t open, size_t close) {
+    const char *text = sheet->text;
+    for (size_t from = at; from < open;) {
+        size_t to = list_end(text, from, open);
+        const size_t next = to + 1;
+        while (from < to && is_space(text[from])) from++;
+        while (to > from && is_space(text[to - 1])) to--;
+        bat_svg_rule rule = {.selector = (uint32_t)from,
+                             .selector_size = (uint32_t)(to - from),
+                             .body = (uint32_t)(open + 1),
+                             .body_size = (uint32_t)(close - open - 1)};
+        rule.weight = bat_svg_selector_weigh(text + from, to - from, &rule.subject);
+        const bat_status status = from < to && rule.weight ? add_rule(sheet, room, rule) : BAT_OK;
+        if (status != BAT_OK) return status;
+        from = next;
+    }
+    return BAT_OK;
+}
+
 static bat_status parse(bat_svg_sheet *sheet, size_t size) {
     const char *text = sheet->text;
     size_t room = 0, at = 0;
     while (at < size) {
-        if (is_space(text[at]) || text[at] == '}') {
+        if (is_space(text[at]) || text[at] == '}') { /* also that of @media */
             at++;
             continue;
         }
@@ -120,7 +151,9 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
         while (open < size && text[open] != '{' && text[open] != ';') open++;
         sheet->blocks++;
         if (text[at] == '@') {
-            at = open < size && text[open] == '{' ? skip_block(text, size, open) : open + 1;
+            const bool block = open < size && text[open] == '{';
+            const bool shown = block && is_shown_media(text + at, text + open);
+            at = block && !shown ? skip_block(text, size, open) : open + 1;
             continue;
         }
         if (open >= size || text[open] != '{') {
@@ -129,19 +162,8 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
         }
         size_t close = open + 1;
         while (close < size && text[close] != '}') close++;
-        for (size_t from = at; from < open;) {
-            size_t to = from;
-            while (to < open && text[to] != ',') to++;
-            size_t next = to + 1;
-            while (from < to && is_space(text[from])) from++;
-            while (to > from && is_space(text[to - 1])) to--;
-            uint32_t weight = weigh(text + from, to - from);
-            bat_svg_rule rule = {(uint32_t)from, (uint32_t)(to - from), (uint32_t)(open + 1),
-                                 (uint32_t)(close - open - 1), weight};
-            bat_status status = from < to && weight ? add_rule(sheet, &room, rule) : BAT_OK;
-            if (status != BAT_OK) return status;
-            from = next;
-        }
+        const bat_status status = add_rules(sheet, &room, at, open, close);
+        if (status != BAT_OK) return status;
         at = close + 1;
     }
     return put_in_order(sheet);
@@ -155,6 +177,7 @@ bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *she
     memcpy(sheet->text, text, size);
     size = drop_comments(sheet->text, size);
     sheet->text[size] = '\0';
+    sheet->variables = strstr(sheet->text, "--") != NULL;
     bat_status status = parse(sheet, size);
     if (status != BAT_OK) bat_svg_sheet_free(sheet);
     return status;
@@ -165,21 +188,6 @@ void bat_svg_sheet_free(bat_svg_sheet *sheet) {
     free(sheet->rules);
     free(sheet->keys);
     *sheet = (bat_svg_sheet){0};
-}
-
-static bool same(const char *text, const char *part, size_t size) {
-    return text && strlen(text) == size && memcmp(text, part, size) == 0;
-}
-
-static bool has_class(const char *classes, const char *part, size_t size) {
-    while (classes && *classes) {
-        while (is_space(*classes)) classes++;
-        size_t n = 0;
-        while (classes[n] && !is_space(classes[n])) n++;
-        if (n == size && memcmp(classes, part, size) == 0) return true;
-        classes += n;
-    }
-    return false;
 }
 
 /* The first rule from `from` on whose key has this mark (0: none) and name. */
@@ -221,18 +229,4 @@ size_t bat_svg_sheet_next(const bat_svg_sheet *sheet, const char *type, const ch
         classes += n;
     }
     return next;
-}
-
-bool bat_svg_rule_matches(const bat_svg_sheet *sheet, const bat_svg_rule *rule, const char *type,
-                          const char *id, const char *classes) {
-    const char *s = sheet->text + rule->selector, *end = s + rule->selector_size;
-    if (*s == '*') return true;
-    while (s < end) {
-        char mark = *s == '.' || *s == '#' ? *s++ : ' ';
-        size_t n = 0;
-        while (s + n < end && is_name(s[n])) n++;
-        if (!(mark == '.' ? has_class(classes, s, n) : same(mark == '#' ? id : type, s, n))) return false;
-        s += n;
-    }
-    return true;
 }

@@ -5,6 +5,7 @@
 #include "format/svg/svg.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 bat_svg_style bat_svg_style_initial(void) {
@@ -165,16 +166,81 @@ static void set_font_size(bat_svg_style *style, const bat_svg_style *parent, bat
     if (number > 0 && number < 1e6) style->font_size = number;
 }
 
+/* `color: currentColor` is what is inherited. */
+static bool set_colour(bat_svg_style *style, const bat_svg_style *parent, const char *value) {
+    const bool current = strcmp(value, "currentColor") == 0 || strcmp(value, "currentcolor") == 0;
+    if (current) style->colour = parent->colour;
+    return current || bat_svg_colour(value, &style->colour);
+}
+
+/* ---- custom properties ---- */
+
+enum { VARIABLES_BACK = 1000, VARIABLES_DEEP = 8, VALUE_MAX = 160 };
+
+static const bat_svg_variable *find_variable(const bat_svg_style *style, const char *name, size_t size) {
+    const bat_svg_variable *at = style->variables;
+    for (int i = 0; at && i < VARIABLES_BACK; i++, at = at->before)
+        if (at->name_size == size && memcmp(at->name, name, size) == 0) return at;
+    return NULL;
+}
+
+/* The bracket that closes the one before `at`; NULL: there is none in this declaration. */
+static const char *closing(const char *at) {
+    for (int depth = 1; *at && *at != ';' && *at != '}'; at++) {
+        if (*at == '(') depth++;
+        if (*at == ')' && --depth == 0) return at;
+    }
+    return NULL;
+}
+
+/* What var(...) at *from stands for becomes [*from, *to); false: nothing. */
+static bool look_up(const bat_svg_style *style, const char **from, const char **to) {
+    const char *name = *from + 4, *close = closing(name);
+    if (!close) return false;
+    while (is_space(*name)) name++;
+    size_t size = 0;
+    while (name + size < close && name[size] != ',' && !is_space(name[size])) size++;
+    const bat_svg_variable *found = find_variable(style, name, size);
+    const char *comma = memchr(name, ',', (size_t)(close - name));
+    if (!found && !comma) return false;
+    *from = found ? found->value : comma + 1;
+    *to = found ? found->value + found->value_size : close;
+    while (*from < *to && is_space(**from)) ++*from;
+    while (*to > *from && is_space((*to)[-1])) --*to;
+    return true;
+}
+
+/* Sets a property to what "var(--name, fallback)" stands for; what stands for nothing is as if nothing was set. */
+static bool set_variable(bat_svg_style *style, const bat_svg_style *parent, double diagonal,
+                         bat_svg_name name, const char *from) {
+    const char *to = from;
+    for (int i = 0; i < VARIABLES_DEEP; i++) {
+        char value[VALUE_MAX];
+        if (!look_up(style, &from, &to)) {
+            inherit(style, parent, name);
+            return true;
+        }
+        const size_t size = (size_t)(to - from);
+        if (size >= 4 && memcmp(from, "var(", 4) == 0) continue;
+        if (size == 0 || size >= sizeof value) return false;
+        memcpy(value, from, size);
+        value[size] = '\0';
+        return !strstr(value, "var(") && bat_svg_style_set(style, parent, diagonal, name, value, from);
+    }
+    return false;
+}
+
 bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double diagonal, bat_svg_name name,
                        const char *value, const char *source) {
     if (name > BAT_SVG_MARKER) return name == BAT_SVG_IDLE;
     while (is_space(*value)) value++, source++;
+    if (strncmp(value, "var(", 4) == 0) return set_variable(style, parent, diagonal, name, source);
     if (strcmp(value, "inherit") == 0) {
         inherit(style, parent, name);
         return true;
     }
     switch (name) {
-    case BAT_SVG_COLOUR: return bat_svg_colour(value, &style->colour);
+    case BAT_SVG_COLOUR: return set_colour(style, parent, value);
     case BAT_SVG_FILL: return set_paint(&style->fill, value, source);
     case BAT_SVG_STROKE: return set_paint(&style->stroke, value, source);
     case BAT_SVG_STOP_COLOUR: return set_paint(&style->stop, value, source);
@@ -233,11 +299,54 @@ static const char *declaration_end(const char *at, const char *end) {
     return end;
 }
 
+static bool is_variable(const char *at, const char *end) {
+    return end - at > 2 && at[0] == '-' && at[1] == '-';
+}
+
+/* name: value, both without blanks around them. */
+static void add_variable(bat_svg_style *style, const char *name, const char *colon, const char *end) {
+    bat_svg_variable *made = malloc(sizeof *made);
+    const char *mark = memchr(colon, '!', (size_t)(end - colon)), *value = colon + 1;
+    if (!made) {
+        style->store->failed = true;
+        return;
+    }
+    if (mark) end = mark;
+    while (colon > name && is_space(colon[-1])) colon--;
+    while (value < end && is_space(*value)) value++;
+    while (end > value && is_space(end[-1])) end--;
+    *made = (bat_svg_variable){style->variables,         style->store->made,     name, value,
+                               (uint32_t)(colon - name), (uint32_t)(end - value)};
+    style->variables = style->store->made = made;
+}
+
+void bat_svg_style_variables(bat_svg_style *style, const char *text, size_t size) {
+    for (const char *at = text, *end = text + size; style->store && at < end;) {
+        const char *stop = declaration_end(at, end), *colon = memchr(at, ':', (size_t)(stop - at));
+        while (at < stop && is_space(*at)) at++;
+        if (colon && is_variable(at, colon)) add_variable(style, at, colon, stop);
+        at = stop < end ? stop + 1 : end;
+    }
+}
+
+void bat_svg_variables_free(bat_svg_variables *variables) {
+    while (variables->made) {
+        bat_svg_variable *next = variables->made->made;
+        free(variables->made);
+        variables->made = next;
+    }
+}
+
 void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *parent, double diagonal,
                                 const char *text, size_t size, bool important) {
     for (const char *at = text, *end = text + size; at < end;) {
         const char *stop = declaration_end(at, end), *colon = memchr(at, ':', (size_t)(stop - at));
-        char name[32], value[160]; /* anything longer is not supported */
+        char name[32], value[VALUE_MAX]; /* anything longer is not supported */
+        while (at < stop && is_space(*at)) at++;
+        if (is_variable(at, stop)) {
+            at = stop < end ? stop + 1 : end;
+            continue;
+        }
         bool named = colon && copy_trimmed(at, colon, name, sizeof name);
         bool known = !colon || (named && name[0] == '-'); /* neither has any effect here */
         bool marked = false;

@@ -3,6 +3,7 @@
 #define BATTEN_FORMAT_SVG_STYLE_H
 
 #include "format/svg/names.h"
+#include "format/svg/tree.h"
 
 #include <batten/document.h>
 
@@ -13,9 +14,24 @@ typedef struct bat_svg_paint {
     bool bare;          /* there is a url() without a fallback */
 } bat_svg_paint;
 
+/* A custom property (--name: value) that is in force, and those set before it or around it. */
+typedef struct bat_svg_variable {
+    const struct bat_svg_variable *before;
+    struct bat_svg_variable *made;
+    const char *name, *value; /* where they were read */
+    uint32_t name_size, value_size;
+} bat_svg_variable;
+
+typedef struct bat_svg_variables {
+    bat_svg_variable *made; /* all that are; owned */
+    bool failed;            /* out of memory */
+} bat_svg_variables;
+
 typedef struct bat_svg_style {
     /* inherited */
-    uint32_t colour; /* currentColor */
+    const bat_svg_variable *variables; /* the last one; NULL: none */
+    bat_svg_variables *store;          /* that owns them; NULL: none can be set */
+    uint32_t colour;                   /* currentColor */
     bat_svg_paint fill, stroke;
     double fill_opacity, stroke_opacity;
     double width;       /* user units */
@@ -52,9 +68,14 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
 void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *parent, double diagonal,
                                 const char *text, size_t size, bool important);
 
-/* A style sheet: rules with one selector each, made of a type, classes and an id without combinators. */
+/* Sets the custom properties among declarations. text must outlive the style. */
+void bat_svg_style_variables(bat_svg_style *style, const char *text, size_t size);
+void bat_svg_variables_free(bat_svg_variables *variables);
+
+/* A style sheet: rules with one selector each (select.c). */
 typedef struct bat_svg_rule {
     uint32_t selector, selector_size, body, body_size; /* in the sheet's text */
+    uint32_t subject;                                  /* where in the selector its last compound begins */
     uint32_t weight;                                   /* specificity */
 } bat_svg_rule;
 
@@ -69,7 +90,8 @@ typedef struct bat_svg_sheet {
     bat_svg_rule *rules; /* ascending weight, then order */
     bat_svg_key *keys;   /* one per rule, sorted by text, then by rule */
     size_t count;
-    int blocks; /* number of "{ ... }" blocks and "@" rules */
+    int blocks;     /* number of "{ ... }" blocks and "@" rules */
+    bool variables; /* it may set some */
 } bat_svg_sheet;
 
 enum { BAT_SVG_RULES_MAX = 20000 };
@@ -80,7 +102,15 @@ void bat_svg_sheet_free(bat_svg_sheet *sheet);
  * there is none. */
 size_t bat_svg_sheet_next(const bat_svg_sheet *sheet, const char *type, const char *id, const char *classes,
                           size_t from);
-bool bat_svg_rule_matches(const bat_svg_sheet *sheet, const bat_svg_rule *rule, const char *type,
-                          const char *id, const char *classes);
+
+/* ---- select.c ---- */
+bool bat_svg_is_name(char c);
+/* The specificity of a selector, and where its last compound begins; 0: it is not supported. */
+uint32_t bat_svg_selector_weigh(const char *selector, size_t size, uint32_t *subject);
+/* The key of that compound; `rule` is not set. */
+bat_svg_key bat_svg_selector_key(const char *compound, const char *end);
+/* In time that grows with the depth of the element, when the selector has more than one compound. */
+bool bat_svg_rule_matches(const bat_svg_sheet *sheet, const bat_svg_rule *rule, const bat_svg_tree *tree,
+                          uint32_t element);
 
 #endif

@@ -69,7 +69,18 @@ static double diagonal(const bat_svg_scope *s) {
     return sqrt((s->width * s->width + s->height * s->height) / 2);
 }
 
-static void match_rules(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, bool important,
+/* What is taken from declarations. */
+typedef enum taken { VARIABLES, NORMAL, IMPORTANT } taken;
+
+static void declare(const bat_svg_scope *outer, const char *text, size_t size, taken what,
+                    bat_svg_style *style) {
+    if (what == VARIABLES)
+        bat_svg_style_variables(style, text, size);
+    else
+        bat_svg_style_declarations(style, &outer->style, diagonal(outer), text, size, what == IMPORTANT);
+}
+
+static void match_rules(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, taken what,
                         bat_svg_style *style) {
     const char *id = bat_svg_attribute_of(w, element, "id"),
                *classes = bat_svg_attribute_of(w, element, "class");
@@ -77,10 +88,9 @@ static void match_rules(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     size_t i = 0;
     while ((i = bat_svg_sheet_next(w->sheet, type, id, classes, i)) < w->sheet->count) {
         const bat_svg_rule *rule = &w->sheet->rules[i++];
-        w->tried++;
-        if (bat_svg_rule_matches(w->sheet, rule, type, id, classes))
-            bat_svg_style_declarations(style, &outer->style, diagonal(outer), w->sheet->text + rule->body,
-                                       rule->body_size, important);
+        w->tried += rule->subject ? 64 : 1; /* it may depend on all that is around the element */
+        if (bat_svg_rule_matches(w->sheet, rule, w->tree, element))
+            declare(outer, w->sheet->text + rule->body, rule->body_size, what, style);
     }
     w->tried++;
 }
@@ -91,6 +101,8 @@ void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *out
     const bat_svg_element *e = &w->tree->elements[element];
     const uint32_t *pair = w->tree->attributes + e->attributes;
     const char *strings = w->tree->strings.data, *own = bat_svg_attribute_of(w, element, "style");
+    if (w->sheet->variables) match_rules(w, element, outer, VARIABLES, style);
+    if (own) bat_svg_style_variables(style, own, strlen(own));
     for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
         const char *value = strings + pair[1];
         bat_svg_name name = bat_svg_name_of(strings + pair[0]);
@@ -98,16 +110,18 @@ void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *out
             !bat_svg_style_set(style, &outer->style, diagonal(outer), name, value, value))
             style->odd |= BAT_SVG_BIT(BAT_SVG_ODD_UNKNOWN);
     }
-    match_rules(w, element, outer, false, style);
-    if (own) bat_svg_style_declarations(style, &outer->style, diagonal(outer), own, strlen(own), false);
-    match_rules(w, element, outer, true, style);
-    if (own) bat_svg_style_declarations(style, &outer->style, diagonal(outer), own, strlen(own), true);
+    match_rules(w, element, outer, NORMAL, style);
+    if (own) declare(outer, own, strlen(own), NORMAL, style);
+    match_rules(w, element, outer, IMPORTANT, style);
+    if (own) declare(outer, own, strlen(own), IMPORTANT, style);
+    if (w->variables.failed) w->status = BAT_MEMORY;
 }
 
 void bat_svg_cascade_in_place(bat_svg_walk *w, uint32_t element, bat_svg_scope *s) {
     uint32_t way[BAT_SVG_DEPTH];
     int depth = 0;
     s->style = bat_svg_style_initial();
+    s->style.store = &w->variables;
     for (uint32_t at = element; at; at = w->tree->elements[at].parent) way[depth++] = at;
     while (depth > 0) {
         bat_svg_style style;

@@ -45,8 +45,9 @@ struct bat_svg_walk {
     bat_document *document;
     bat_svg_report *report;
     bat_svg_notes notes;
-    bat_svg_stops **stops; /* of gradients, by element; NULL: not known yet */
-    bool boxed;            /* a gradient of the shape being drawn is placed by its box */
+    bat_svg_variables variables; /* custom properties of styles */
+    bat_svg_stops **stops;       /* of gradients, by element; NULL: not known yet */
+    bool boxed;                  /* a gradient of the shape being drawn is placed by its box */
     bat_outline outline;
     bat_pictures pictures; /* of the images drawn */
     uint64_t digest;
