@@ -93,6 +93,27 @@ FILES = {
                   f'{BOX}/><path class="b" id="c" stroke-width="5" d="M5 5H40V40H5Z"/>',
     "style, attributes": f'<style>[d^=M20]{{fill:#a40}} path[class="b c"]{{fill:#0a5}} g:last-child>[class~=c]{{opacity:.5}}</style>'
                          f'{BOX}/><g><path class="b c" d="M5 5H60V60H5Z"/></g>',
+    "elements": '<rect x="5" y="5" width="40" height="30" rx="9" fill="#a40"/><circle cx="70" cy="25" r="18" fill="#0a5"/><ellipse '
+                'cx="25" cy="70" rx="20" ry="9" fill="#246"/><polygon points="60,60 95,70 70,95" fill="#e80"/><polyline fill="none" '
+                'points="50,50 60,40 70,50 80,40" stroke="#000" stroke-width="3"/><line x1="5" y1="95" x2="50" y2="88" stroke="#a0f" '
+                'stroke-width="4"/>',
+    "rounded": '<rect x="10" y="10" width="80" height="30" rx="60" ry="8" fill="#a40"/><rect x="10" y="50" width="80" height="40" '
+               'ry="12" fill="none" stroke="#246" stroke-width="5"/>',
+    "arcs": '<path d="M20 50A30 20 30 0 1 80 50A30 20 30 1 1 20 50z" fill="#0a5"/><path d="M10 90a5 5 0 0 0 80-9" fill="none" '
+            'stroke="#246" stroke-width="4"/>',
+    "smooth": '<path d="M5 50Q20 5 35 50T65 50T95 50M5 80C10 60 20 60 30 80S50 100 60 80S80 60 95 80" fill="none" stroke="#246" '
+              'stroke-width="4"/>',
+    "symbol": '<symbol id="s" viewBox="0 0 10 20" preserveAspectRatio="xMinYMax"><rect width="10" height="20" fill="#a40"/><circle '
+              'cx="5" cy="5" r="4" fill="currentColor"/></symbol><use href="#s" x="5" y="5" width="60" height="30" color="#0a5"/><use '
+              'href="#s" x="40" y="40" width="50" height="50" color="#fff"/>',
+    "transforms": f'<g transform="translate(50 50) rotate(30) scale(.5 .8)"><g transform="matrix(1 .3 -.2 1 -50 -50)">{STAR}'
+                  'fill="#a40"/></g></g>',
+    "units": '<rect x="10%" y="5mm" width="0.5in" height="30%" fill="#a40"/><circle cx="2cm" cy="50pt" r="1pc" fill="#246"/>',
+    "hidden": f'{BOX}fill="#a40" display="none"/>{STAR}fill="#0a5" visibility="hidden"/><g visibility="hidden">{WAVE}'
+              'visibility="visible"/></g>',
+    "switch": f'<switch><g systemLanguage="xx">{BOX}/></g><g>{STAR}fill="#0a5"/></g></switch>',
+    "colours": "".join(f'<rect x="{x}" y="10" width="16" height="80" fill="{c}"/>' for x, c in (
+        (2, "rebeccapurple"), (22, "rgb(10%,80%,30%)"), (42, "hsl(200,60%,40%)"), (62, "#abc"), (82, "rgba(255,0,0,.4)"))),
     "copies": f'<defs><g id="s">{BOX}stroke="#246"/></g></defs><use href="#s" transform="scale(.5)" fill="#a40"/>'
               '<use href="#s" x="30" y="30" transform="scale(.7)" fill="#0a5"/>',
     "copies of a gradient": f'<linearGradient id="a">{STOPS}</linearGradient><defs><g id="s">{BOX}fill="url(#a)"/></g></defs>'

@@ -113,7 +113,7 @@ static void styles_cascade(void **state) {
     bat_document *d = read_svg(
         "<svg viewBox='0 0 300 400' color='lime'><style>/* c */ path { stroke-width: 7 } .a, .b { stroke: "
         "#00f; }\n"
-        "#x { stroke: teal } g path { stroke: red } @media print { path { stroke: red } } .c { fill: gold "
+        "#x { stroke: teal } g ~ path { stroke: red } @media print { path { stroke: red } } .c { fill: gold "
         "!important }"
         "path.a { stroke-linecap: round }</style>"
         "<g fill='none' stroke='green' stroke-width='3' opacity='.5' stroke-opacity='50%'>"

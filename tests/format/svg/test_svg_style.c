@@ -145,7 +145,7 @@ static void rules_cascade(void **state) {
         {"path{fill:red} path", "", 0xff0000ffu},
         {"{fill:lime} ,{fill:lime} path{fill:red}", "", 0xff0000ffu},
         {".{fill:lime} path.{fill:lime} #{fill:lime} path{fill:red}", "", 0xff0000ffu},
-        {"path:hover{fill:lime} path[d]{fill:lime} g path{fill:lime} path{fill:red}", "", 0xff0000ffu},
+        {"path:hover{fill:lime} path~path{fill:lime} g path{fill:lime} path{fill:red}", "", 0xff0000ffu},
         {"PATH{fill:lime} _x-9\xc3\xa9{fill:lime} path{fill:red}", "", 0xff0000ffu},
         {"", "", 0},
         {"path", "", 0},
