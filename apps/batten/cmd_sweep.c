@@ -125,7 +125,9 @@ static int fail_sweep(const char *file, bat_status status) {
     switch (status) {
     case BAT_MEMORY: return fail_memory();
     case BAT_UNSUPPORTED:
-        return fail_data(file, "path", "expected a path without corners, found one with a corner");
+        return fail_data(
+            file, "path",
+            "expected corners between straight stretches (and no Frenet frames), found another corner");
     case BAT_SINGULAR:
         return fail_data(file, "path", "expected a path with a length, found one that stays in place");
     default: return fail_data(file, NULL, "%s", bat_status_message(status));

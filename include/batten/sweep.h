@@ -34,8 +34,10 @@ static inline bat_sweep_options bat_sweep_defaults(void) {
 /*
  * A sweep, ready for evaluation: S(u, v) = C(u) + g(u) (x(v) s(u) + y(v) r(u)), with C the path, (x, y) the profile
  * (of 2 coordinates), g the scale and s, r the frame turned by the twist. Rotation-minimising frames are converged to
- * 1e-8 radians; round a closed path what is left of a turn is spread along it. Copies what it needs. BAT_DIMENSION: the
- * profile does not have 2 coordinates; BAT_UNSUPPORTED: the path has a corner; BAT_SINGULAR: the path has no length;
+ * 1e-8 radians; round a closed path what is left of a turn is spread along it. At a corner between straight stretches of the
+ * path both sides are cut by the plane that halves it; frames that are fixed go round every corner. Copies what it needs.
+ * BAT_DIMENSION: the profile does not have 2 coordinates; BAT_UNSUPPORTED: the path has another corner, turns back in one, or
+ * has one and the frames are Frenet's; BAT_SINGULAR: the path has no length;
  * BAT_NUMBER: first, twist or scale are not finite; BAT_PARAMETER: as bat_function_check. Source: multilevel-2016,
  * section 5; docs/math/surfaces.md.
  */

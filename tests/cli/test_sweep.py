@@ -113,7 +113,7 @@ class Sweep(Made):
         for change, word in (({"path": None}, "path"), ({"twist": {"degree": 1, "knots": [0, 0, 2, 2], "values": [0, 1]}}, "twist"),
                              ({"frame": "best"}, "frame"), ({"scale": "big"}, "scale"), ({"first": {}}, "s"),
                              ({"profile": self.SWEEP["path"]}, "profile"), ({"scale": {"degree": 1, "knots": [0, 0, 1, 1]}}, "values"),
-                             ({"path": {"degree": 1, "knots": [0, 0, 1, 2, 2], "points": [[0, 0], [1, 0], [1, 1]]}}, "corner")):
+                             ({"path": {"degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 2], "points": [[0, 0], [1, 2], [3, 0], [4, 3], [5, 3]]}}, "corner")):
             sweep = {k: v for k, v in {**self.SWEEP, **change}.items() if v is not None}
             self.assertIn(word, self.refused(1, "sweep", self.file("s.json", sweep)))
         name = self.file("s.json", self.SWEEP)

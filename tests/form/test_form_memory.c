@@ -162,6 +162,24 @@ static bat_status line_drawn(int which, bool *made) {
     return status;
 }
 
+/* A frame with mitres, open at a corner of the path, and closed. */
+static bat_status frames(int which, bool *made) {
+    const double points[12] = {0, 0, 0, 5, 0, 1, 5, 4, 0, 1, 3, 2}, flat[6] = {0, 0, 0.4, 0.1, 0, 0.3};
+    const double knots[6] = {0, 0, 1, 2, 3, 3}, loop[5] = {0, 1, 2, 3, 4}, loops[4] = {0, 1, 2, 3};
+    bat_curve *path = NULL, *profile = NULL;
+    bat_sweep *sweep = NULL;
+    bat_surface *out = NULL;
+    bat_status status = bat_curve_create(3, 1, which == 1, 4, points, which ? 5 : 6, which ? loop : knots,
+                                         &path);
+    if (status == BAT_OK) status = bat_curve_create(2, 1, true, 3, flat, 4, loops, &profile);
+    if (status == BAT_OK) status = bat_sweep_create(path, profile, NULL, &sweep);
+    if (status == BAT_OK) status = bat_sweep_surface(sweep, 1e-2, &out, NULL);
+    *made = out != NULL;
+    bat_surface_free(out), bat_sweep_free(sweep);
+    bat_curve_free(path), bat_curve_free(profile);
+    return status;
+}
+
 typedef struct job {
     const char *name;
     work *work;
@@ -177,6 +195,7 @@ static const job jobs[] = {
     {"outlines", outlines, 4, false},
     {"lifts", lifts, 2, false},
     {"a line drawn", line_drawn, 8, true},
+    {"frames", frames, 2, false},
 };
 
 static void memory_may_end_in_any_work(void **state) {

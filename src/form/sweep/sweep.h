@@ -4,6 +4,7 @@
 
 #include "base/vec.h"
 #include "curve/curve.h"
+#include "form/sweep/mitre.h"
 
 #include <batten/sweep.h>
 
@@ -15,6 +16,7 @@ struct bat_sweep {
     bat_function twist, scale; /* with curves of their own */
     double domain[2];          /* of u */
     double turning;            /* by how much the frames turn along the path, per length; 0 on open paths */
+    bat_mitres mitres;         /* where the path has corners */
 };
 
 /* At u: the path C and its derivative, and the vectors a, b that the profile's x and y go along, with derivatives. */

@@ -438,15 +438,45 @@ static void folds_are_told(void **state) {
     bat_editor_free(editor);
 }
 
-/* A path with a corner makes no sweep, and when it gets one later, the surface is free. */
-static void corners_in_a_path(void **state) {
+/* Along straight lines a sweep goes round the corner: what is swept there lies in the plane that halves it. */
+static void corners_are_mitred(void **state) {
     (void)state;
     scene s = {2, {3, -4}, {{300, 300, 400, 300, 400, 400}, {600, 300, 640, 300, 640, 340, 600, 340}}};
     bat_editor *editor = open(&s);
     const uint64_t first = digest(editor);
+    assert_int_equal(bat_editor_command(editor, "surface-sweep"), BAT_OK);
+    const bat_document *document = bat_editor_document(editor);
+    const bat_surface *made = NULL;
+    for (int i = 0; i < bat_document_count(document); i++)
+        if (bat_object_surface(bat_document_at(document, i)))
+            made = bat_object_surface(bat_document_at(document, i));
+    assert_non_null(made);
+    double u[2], v[2], at[3];
+    bat_surface_domain(made, BAT_U, u), bat_surface_domain(made, BAT_V, v);
+    for (int k = 0; k < 9; k++) {
+        bat_surface_eval(made, (u[0] + u[1]) / 2, v[0] + (v[1] - v[0]) * k / 9, 0, at);
+        assert_true(fabs((at[0] - 400) + (at[1] - 300)) < 1e-9 && fabs(at[0] - 400) < 30);
+    }
+    assert_int_equal(round_trip(editor, first), 1);
+    bat_editor_free(editor);
+}
+
+/* A corner beside a bend makes no sweep. */
+static void corners_in_a_path(void **state) {
+    (void)state;
+    const double path[] = {300, 300, 340, 360, 400, 300, 440, 380, 500, 400},
+                 knots[] = {0, 0, 0, 1, 1, 2, 2, 2}, around[] = {600, 300, 640, 300, 640, 340, 600, 340},
+                 even[] = {0, 1, 2, 3, 4};
+    bat_curve *curves[2] = {NULL, NULL};
+    assert_int_equal(bat_curve_create(2, 2, false, 5, path, 8, knots, &curves[0]), BAT_OK);
+    assert_int_equal(bat_curve_create(2, 2, true, 4, around, 5, even, &curves[1]), BAT_OK);
+    bat_editor *editor = editor_with(2, curves);
+    bat_editor_command(editor, "tool-select");
+    bat_editor_command(editor, "select-all");
+    const uint64_t first = digest(editor);
     assert_int_equal(bat_editor_command(editor, "surface-sweep"), BAT_UNSUPPORTED);
     assert_string_equal(bat_editor_frame(editor)->notice,
-                        "The path has a corner, or the profile lies in no plane");
+                        "The path has a corner beside a bend, or the profile lies in no plane");
     assert_true(digest(editor) == first);
     bat_editor_free(editor);
 }
@@ -465,6 +495,7 @@ int main(void) {
                                        cmocka_unit_test(corners),
                                        cmocka_unit_test(splines_make_a_patch),
                                        cmocka_unit_test(folds_are_told),
+                                       cmocka_unit_test(corners_are_mitred),
                                        cmocka_unit_test(corners_in_a_path)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -347,7 +347,10 @@ static void refuses(void **state) {
     bat_curve *loop = ring(2, (double[]){0, 0, 0}, (double[]){9, 0, 0}, (double[]){0, 9, 0}, 0, false);
     bat_curve *knot = polyline(3, 5, (double[]){0, 0, 0, 9, 1, 4, 3, 8, -7, 1, -4, 9, 5, 5, 5});
     bat_curve *bent = NULL;
-    const double corner[] = {0, 0, 50, 0, 50, 50};
+    const double corner[] = {0, 0, 50, 0, 50, 50}, kink[] = {0, 0, 9, 30, 50, 0, 60, 40, 70, 50},
+                 kinks[] = {0, 0, 0, 1, 1, 2, 2, 2};
+    bat_curve *kinked = NULL;
+    assert_int_equal(bat_curve_create(2, 2, false, 5, kink, 8, kinks, &kinked), BAT_OK);
     assert_int_equal(bat_curve_create_clamped(2, 1, 3, corner, &bent), BAT_OK);
     const struct {
         bat_recipe_kind kind;
@@ -368,7 +371,7 @@ static void refuses(void **state) {
                  {BAT_RECIPE_COONS, 4, {line, other, bent, loop}, BAT_ARGUMENT},
                  {BAT_RECIPE_REVOLVE, 2, {other, loop}, BAT_ARGUMENT},
                  {BAT_RECIPE_REVOLVE, 2, {line, line}, BAT_SINGULAR},
-                 {BAT_RECIPE_SWEEP, 2, {bent, loop}, BAT_UNSUPPORTED},
+                 {BAT_RECIPE_SWEEP, 2, {kinked, loop}, BAT_UNSUPPORTED},
                  {BAT_RECIPE_SWEEP, 2, {line, knot}, BAT_UNSUPPORTED}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bat_surface *before = out;
@@ -393,7 +396,7 @@ static void refuses(void **state) {
     assert_int_equal(bat_recipe_surface(&recipe, 2, NULL, &out, NULL), BAT_ARGUMENT);
     assert_int_equal(bat_recipe_surface(&recipe, 2, (const bat_curve *[]){line, other}, NULL, NULL),
                      BAT_ARGUMENT);
-    drop(5, (bat_curve *[]){line, other, loop, knot, bent});
+    drop(6, (bat_curve *[]){line, other, loop, knot, bent, kinked});
 }
 
 /* A product of too many points is refused before memory is taken for it. */
