@@ -49,23 +49,77 @@ int shot_view(const char *file, const bat_document *document, const char *view, 
                            pose.fov);
 }
 
+/* ---- what a camera sees ---- */
+
+/* What is shown, and its meshes, which become one. */
+typedef struct gathering {
+    bat_model *model;
+    size_t count, vertices, faces, corners;
+    const bat_polymesh **meshes;
+} gathering;
+
+static bat_status add_mesh(gathering *g, const bat_polymesh *mesh) {
+    const bat_polymesh **more = realloc(g->meshes, (g->count + 1) * sizeof *more);
+    if (!more) return BAT_MEMORY;
+    g->meshes = more;
+    g->meshes[g->count++] = mesh;
+    g->vertices += bat_polymesh_vertex_count(mesh), g->faces += bat_polymesh_face_count(mesh);
+    for (size_t f = 0; f < bat_polymesh_face_count(mesh); f++) {
+        size_t n;
+        bat_polymesh_face(mesh, f, &n);
+        g->corners += n;
+    }
+    return BAT_OK;
+}
+
 static bat_status add_to_model(const bat_object *object, void *user) {
-    bat_model *model = user;
+    gathering *g = user;
     const bat_surface *surface = bat_object_surface(object);
     bat_surface *copy = NULL;
     bat_status status = BAT_OK;
+    if (bat_object_mesh(object)) return add_mesh(g, bat_object_mesh(object));
     if (surface) {
         status = bat_surface_copy(surface, &copy);
-        return status == BAT_OK ? bat_model_add_surface(model, copy) : status;
+        return status == BAT_OK ? bat_model_add_surface(g->model, copy) : status;
     }
     for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
         bat_curve *curve = NULL;
         status = bat_curve_copy(bat_object_curve(object, i), &curve);
-        if (status == BAT_OK) status = bat_model_add_curve(model, curve);
+        if (status == BAT_OK) status = bat_model_add_curve(g->model, curve);
     }
     return status;
 }
 
+/* Faces and vertices of all, one after the other. */
+static bat_status join(const gathering *g, bat_polymesh **out) {
+    double *vertices = malloc((3 * g->vertices + 1) * sizeof *vertices), *to = vertices;
+    int *sizes = malloc((g->faces + g->corners + 1) * sizeof *sizes), *size = sizes;
+    int first = 0, *corners = sizes ? sizes + g->faces : NULL, *corner = corners;
+    for (size_t i = 0; i < g->count && vertices && sizes; i++) {
+        const bat_polymesh *mesh = g->meshes[i];
+        const size_t count = bat_polymesh_vertex_count(mesh);
+        memcpy(to, bat_polymesh_vertices(mesh), 3 * count * sizeof *to);
+        to += 3 * count;
+        for (size_t f = 0; f < bat_polymesh_face_count(mesh); f++) {
+            size_t n;
+            const int *face = bat_polymesh_face(mesh, f, &n);
+            *size++ = (int)n;
+            for (size_t k = 0; k < n; k++) *corner++ = first + face[k];
+        }
+        first += (int)count;
+    }
+    const bat_status status = vertices && sizes ? bat_polymesh_create(g->vertices, vertices, g->faces, sizes,
+                                                                      corners, out, NULL)
+                                                : BAT_MEMORY;
+    free(vertices), free(sizes);
+    return status;
+}
+
 bat_status model_shown(const bat_document *document, bat_model *out) {
-    return bat_seen_each(document, add_to_model, out);
+    gathering g = {.model = out};
+    bat_status status = bat_seen_each(document, add_to_model, &g);
+    if (status == BAT_OK && g.vertices > BAT_POINTS_MAX) status = BAT_COUNT;
+    if (status == BAT_OK && g.count > 0) status = join(&g, &out->mesh);
+    free(g.meshes);
+    return status;
 }

@@ -10,7 +10,7 @@ bool is_shot(const bat_document *document, const char *view);
 /* The view of that camera then. size 0: 960 x 540. Clamps the time to the move. Returns a status of the program. */
 int shot_view(const char *file, const bat_document *document, const char *view, const long size[2],
               bat_viewpoint *out);
-/* The visible surfaces, and the curves of all else that is painted; copies. */
+/* The visible surfaces, the meshes as one, and the curves of all else that is painted; copies. BAT_COUNT: too many vertices. */
 bat_status model_shown(const bat_document *document, bat_model *out);
 
 #endif

@@ -1,16 +1,21 @@
-// Open CASCADE: surfaces on grids, as triangles, and hit by rays.
+// Open CASCADE: surfaces on grids, as triangles, and hit by rays; sweeps, and where surfaces meet.
+#include "../made.h"
 #include "../timing.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_IntSS.hxx>
+#include <GeomFill_Pipe.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <IntCurvesFace_Intersector.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
@@ -105,6 +110,75 @@ static void rays(void *context) {
     }
 }
 
+// A clamped or a periodic cubic with even knots.
+static Handle(Geom_BSplineCurve) cubic_of(const TColgp_Array1OfPnt &poles, bool closed) {
+    const int n = poles.Length(), knots = closed ? n + 1 : n - 2;
+    TColStd_Array1OfReal values(1, knots);
+    TColStd_Array1OfInteger many(1, knots);
+    for (int i = 1; i <= knots; i++) {
+        values.SetValue(i, i - 1);
+        many.SetValue(i, !closed && (i == 1 || i == knots) ? 4 : 1);
+    }
+    return new Geom_BSplineCurve(poles, values, many, 3, closed);
+}
+
+struct Made {
+    Handle(Geom_BSplineCurve) path, ring;
+    Handle(Geom_BSplineSurface) tubes[2];
+    size_t count;
+    double error;
+};
+
+static Handle(Geom_BSplineSurface) tube_of(int which) {
+    double points[6 * BENCH_TUBE];
+    bench_tube(which, points);
+    TColgp_Array2OfPnt poles(1, 2, 1, BENCH_TUBE);
+    for (int i = 0; i < 2 * BENCH_TUBE; i++)
+        poles.SetValue(1 + i / BENCH_TUBE, 1 + i % BENCH_TUBE,
+                       gp_Pnt(points[3 * i], points[3 * i + 1], points[3 * i + 2]));
+    TColStd_Array1OfReal ends(1, 2), round(1, BENCH_TUBE + 1);
+    TColStd_Array1OfInteger twice(1, 2), once(1, BENCH_TUBE + 1);
+    for (int i = 1; i <= 2; i++) ends.SetValue(i, i - 1), twice.SetValue(i, 2);
+    for (int i = 1; i <= BENCH_TUBE + 1; i++) round.SetValue(i, i - 1), once.SetValue(i, 1);
+    return new Geom_BSplineSurface(poles, ends, round, twice, once, 1, 3, false, true);
+}
+
+static Made made_of() {
+    Made m = {};
+    double path[3 * BENCH_PATH], ring[2 * BENCH_RING];
+    bench_path(path), bench_ring(ring);
+    TColgp_Array1OfPnt along(1, BENCH_PATH), around(1, BENCH_RING);
+    for (int i = 0; i < BENCH_PATH; i++)
+        along.SetValue(i + 1, gp_Pnt(path[3 * i], path[3 * i + 1], path[3 * i + 2]));
+    m.path = cubic_of(along, false);
+    // Its profile stands where the path begins.
+    gp_Pnt start;
+    gp_Vec way;
+    m.path->D1(m.path->FirstParameter(), start, way);
+    const gp_Ax2 frame(start, gp_Dir(way));
+    for (int i = 0; i < BENCH_RING; i++)
+        around.SetValue(i + 1, start.Translated(gp_Vec(frame.XDirection()) * ring[2 * i] +
+                                                gp_Vec(frame.YDirection()) * ring[2 * i + 1]));
+    m.ring = cubic_of(around, true);
+    for (int k = 0; k < 2; k++) m.tubes[k] = tube_of(k);
+    return m;
+}
+
+static void sweeps(void *context) {
+    Made *m = static_cast<Made *>(context);
+    GeomFill_Pipe pipe(m->path, m->ring, GeomFill_IsCorrectedFrenet);
+    pipe.Perform(BENCH_SWEEP_TOLERANCE, false, GeomAbs_C1, 11, 200);
+    const Handle(Geom_BSplineSurface) out = Handle(Geom_BSplineSurface)::DownCast(pipe.Surface());
+    m->count = out.IsNull() ? 0 : size_t(out->NbUPoles()) * size_t(out->NbVPoles());
+    m->error = pipe.ErrorOnSurf();
+}
+
+static void meets(void *context) {
+    Made *m = static_cast<Made *>(context);
+    GeomAPI_IntSS found(m->tubes[0], m->tubes[1], BENCH_MEET_TOLERANCE);
+    m->count = found.IsDone() ? size_t(found.NbLines()) : 0;
+}
+
 static void row(Work *w, const char *name, const char *unit, void (*run)(void *), double per, double scale,
                 const char *note) {
     char text[80];
@@ -129,5 +203,13 @@ int main() {
     w.tolerance = 0.5;
     row(&w, "ray, bicubic 32 x 32", "us", rays, RAYS, 1e6, "%zu hits");
     row(&w, "bicubic 32 x 32, triangles to 0.5", "ms", triangles, 1, 1e3, "%zu triangles");
+    Made m = made_of();
+    char text[80];
+    bench_time time = bench_measure(sweeps, &m);
+    snprintf(text, sizeof text, "%zu points, within %.1e", m.count, m.error);
+    bench_print("occt", "sweep of a ring along a bent path", "us", time, 1, 1e6, text);
+    time = bench_measure(meets, &m);
+    snprintf(text, sizeof text, "%zu curves", m.count);
+    bench_print("occt", "intersection of two tubes", "us", time, 1, 1e6, text);
     return 0;
 }

@@ -356,6 +356,18 @@ class Player(Camera):
         told = subprocess.run(["assimp", "info", str(self.folder / "scene.glb")], capture_output=True).stdout.decode()
         self.assertRegex(told, r"Meshes:\s+3\n")
         self.assertRegex(told, r"Cameras:\s+1\n")
+        pyramid = {"vertices": [[0, 0, 0], [6, 0, 0], [0, 6, 0], [0, 0, 6]], "faces": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]}
+        square = {"vertices": [[10, 0, 0], [14, 0, 0], [14, 4, 1], [10, 4, 1]], "faces": [[0, 1, 2, 3]]}
+        solid = self.file("meshes.batten", {"batten": 6, "objects": [
+            {"id": 1, "kind": "mesh", "mesh": pyramid}, {"id": 2, "kind": "mesh", "mesh": square},
+            {"id": 3, "kind": "mesh", "mesh": square, "hidden": True}, {"id": 4, "kind": "surface", "surface": sheet}]})
+        scene, tracks = self.played(move, "--scene", solid)  # meshes come as triangles, not as lines along their edges
+        modes = [m["primitives"][0]["mode"] for m in scene["meshes"]]
+        self.assertEqual(sorted(modes), [3, 4, 4])
+        (faces,) = [m["primitives"][0] for m in scene["meshes"]
+                    if m["primitives"][0]["mode"] == 4 and scene["accessors"][m["primitives"][0]["indices"]]["count"] == 18]
+        place = scene["accessors"][faces["attributes"]["POSITION"]]
+        self.assertEqual((place["count"], place["min"], place["max"]), (8, [0, 0, 0], [14, 6, 6]))
         name = self.file("move.json", move)
         self.refused(2, "camera", name, "--fps", "2", "--scene", drawing)
         self.refused(2, "camera", name, "--fps", "2", "--out", "x.csv", "--scene", drawing)
