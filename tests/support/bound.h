@@ -8,16 +8,18 @@
 
 enum { SHEET = 1, WIRE = 2, OTHER = 3, SIDE = 12 };
 
-/* A bicubic sheet over the page from (200, 200) to (600, 600). */
+/* A bicubic sheet over the page from (180, 180) to (620, 620). */
 static inline bat_surface *sheet_of(void) {
     double points[3 * SIDE * SIDE], knots[SIDE + 4];
     bat_surface *sheet = NULL;
-    for (int i = 0; i < SIDE; i++)
-        for (int j = 0; j < SIDE; j++) {
-            double *p = points + 3 * (i * SIDE + j);
-            p[0] = 200 + 400.0 * i / (SIDE - 1), p[1] = 200 + 400.0 * j / (SIDE - 1), p[2] = 0;
-        }
     for (int k = 0; k < SIDE + 4; k++) knots[k] = k < 4 ? 0 : k > SIDE ? SIDE - 3 : k - 3;
+    for (int i = 0; i < SIDE; i++)
+        for (int j = 0; j < SIDE; j++) { /* at the means of the knots, so that parameters go evenly */
+            double *p = points + 3 * (i * SIDE + j);
+            p[0] = 180 + 440 * (knots[i + 1] + knots[i + 2] + knots[i + 3]) / (3 * (SIDE - 3));
+            p[1] = 180 + 440 * (knots[j + 1] + knots[j + 2] + knots[j + 3]) / (3 * (SIDE - 3));
+            p[2] = 0;
+        }
     assert_int_equal(bat_surface_create((int[]){3, 3}, (bool[]){false, false}, (size_t[]){SIDE, SIDE}, points,
                                         (int[]){SIDE + 4, SIDE + 4}, knots, knots, &sheet),
                      BAT_OK);

@@ -6,10 +6,10 @@ import { after, before, test } from 'node:test';
 import { bezier, launch, open, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
-const SIDE = 12;
+const SIDE = 20; // fine enough not to be refined when it is bound
 const even = [0, 0, 0, ...Array.from({ length: SIDE - 2 }, (_, i) => i), SIDE - 3, SIDE - 3, SIDE - 3];
 const points = Array.from({ length: SIDE }, (_, i) => Array.from({ length: SIDE }, (_, j) => [
-  200 + 50 * i, 120 + 40 * j, 30 * Math.cos(i / 3),
+  200 + (550 * i) / (SIDE - 1), 120 + (440 * j) / (SIDE - 1), 30 * Math.cos((11 * i) / (3 * (SIDE - 1))),
 ]));
 const bytes = Buffer.from(JSON.stringify({
   batten: 2, page: [0, 0, 1000, 700], next: 3, objects: [

@@ -5,6 +5,7 @@
 #include "editor/choice/choice.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
+#include "form/wire/refine.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -125,14 +126,36 @@ static size_t felt(const bat_object *object) {
     return hold ? bat_binding_count(hold->bound->binding) : 0;
 }
 
-/* Of a spline the curve is bound. */
+/* The surface with knots where the wires need them; *out NULL with BAT_OK: as it is. */
+static bat_status refine(const bat_object *target, const bundle *b, bat_object **out) {
+    bat_surface *fine = NULL;
+    bat_status status = BAT_OK;
+    *out = NULL;
+    for (int i = 0; i < b->count && status == BAT_OK; i++) {
+        bat_surface *finer = NULL;
+        status = bat_wire_refine(fine ? fine : bat_object_surface(target), &b->wires[i], &finer);
+        if (!finer) continue;
+        bat_surface_free(fine);
+        fine = finer;
+    }
+    if (status == BAT_OK && fine) status = bat_object_with_surface(target, fine, out);
+    bat_surface_free(fine);
+    return status;
+}
+
+/* What is bound in its place: of a spline the curve, of a surface that is too coarse a finer one. One that is bound already
+ * keeps its points. */
+static bat_status stand_in(const bat_object *target, const bundle *b, bat_object **out) {
+    *out = NULL;
+    if (bat_object_spline(target)) return bat_object_to_path(target, out);
+    return bat_object_surface(target) && !bat_object_hold(target) ? refine(target, b, out) : BAT_OK;
+}
+
 static bat_status bind_object(const bat_object *target, const bundle *b, bat_object **out) {
     const bat_wire_options *options;
     bat_object *path = NULL;
-    if (bat_object_spline(target)) {
-        const bat_status status = bat_object_to_path(target, &path);
-        if (status != BAT_OK) return status;
-    }
+    const bat_status stood = stand_in(target, b, &path);
+    if (stood != BAT_OK) return stood;
     bat_object_wires(target, NULL, &options);
     const bat_status status = bat_object_bind(path ? path : target, (size_t)b->count, b->wires, b->curves,
                                               b->domains, options, out);
@@ -140,13 +163,26 @@ static bat_status bind_object(const bat_object *target, const bundle *b, bat_obj
     return status;
 }
 
-static bat_status bind_one(bat_context *c, int index, const chosen *of, size_t *reached) {
+static size_t points_in(const bat_object *object) {
+    const bat_surface *surface = bat_object_surface(object);
+    return surface ? bat_surface_count(surface, BAT_U) * bat_surface_count(surface, BAT_V) : 0;
+}
+
+/* What is told: how many points follow, and how many control points refined surfaces have now. */
+typedef struct tally {
+    size_t reached, refined;
+} tally;
+
+static bat_status bind_one(bat_context *c, int index, const chosen *of, tally *told) {
     const bat_object *target = bat_document_at(c->session->document, index);
     bundle b;
     bat_object *made = NULL;
     bat_status status = gather(c->session->document, target, of, &b);
     if (status == BAT_OK) status = bind_object(target, &b, &made);
-    if (status == BAT_OK) *reached += felt(made);
+    if (status == BAT_OK) {
+        told->reached += felt(made);
+        if (points_in(made) != points_in(target)) told->refined += points_in(made);
+    }
     if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
     bat_object_release(made);
     return status;
@@ -155,8 +191,8 @@ static bat_status bind_one(bat_context *c, int index, const chosen *of, size_t *
 bat_status bat_bind_to(bat_context *c, int index, bat_id curve) {
     const bat_document *document = c->session->document;
     chosen of = {.wire_count = 1, .wires = {bat_document_at(document, bat_document_find(document, curve))}};
-    size_t reached = 0;
-    return of.wires[0] ? bind_one(c, index, &of, &reached) : BAT_ARGUMENT;
+    tally told = {0};
+    return of.wires[0] ? bind_one(c, index, &of, &told) : BAT_ARGUMENT;
 }
 
 static void select_wires(bat_context *c, const chosen *of) {
@@ -167,17 +203,21 @@ static void select_wires(bat_context *c, const chosen *of) {
 
 bat_status bat_bind_selection(bat_context *c) {
     chosen of;
-    size_t reached = 0;
+    tally told = {0};
     bat_status status = find(c, &of) ? bat_transaction_begin(c) : BAT_STATE;
     if (status == BAT_OK) {
         for (int i = 0; i < of.target_count && status == BAT_OK; i++)
-            status = bind_one(c, of.targets[i], &of, &reached);
+            status = bind_one(c, of.targets[i], &of, &told);
         status = bat_transaction_end(c, status, BAT_STRING_STEP_BIND);
         c->session->freed = BAT_STRING_COUNT;
         if (status == BAT_OK) {
-            char text[24];
-            snprintf(text, sizeof text, "%zu", reached);
-            bat_notice_value(c, BAT_STRING_NOTICE_BOUND, text);
+            char text[48];
+            if (told.refined > 0)
+                snprintf(text, sizeof text, "%zu / %zu", told.reached, told.refined);
+            else
+                snprintf(text, sizeof text, "%zu", told.reached);
+            bat_notice_value(c, told.refined > 0 ? BAT_STRING_NOTICE_BOUND_FINER : BAT_STRING_NOTICE_BOUND,
+                             text);
             select_wires(c, &of);
         } else {
             bat_notice_failure(c, status);

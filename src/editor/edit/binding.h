@@ -12,8 +12,8 @@
 /* Whether the selection can be bound. */
 bool bat_bind_fits(const bat_context *c);
 /* Binds it, as one step. What is bound already keeps the wires it has. The radius is a quarter of a wire's size. A surface
- * keeps its knots: what moves are its control points within reach, and the notice says how many they are, so that of a coarse
- * surface none may be. BAT_STATE: it does not fit. Tells what there is to be told. */
+ * that is too coarse to show it gets knots within reach (form/wire/refine.h). What moves are its control points; the notice says
+ * how many, and of how many if they have become more. BAT_STATE: it does not fit. Tells what there is to be told. */
 bat_status bat_bind_selection(bat_context *c);
 /* Within an open transaction: binds the object at index to the first curve of another, too. */
 bat_status bat_bind_to(bat_context *c, int index, bat_id curve);
