@@ -48,6 +48,11 @@ static void check_drawn(const bat_motion *motion) {
     size_t size;
     if (bat_motion_copy(motion, &copy) != BAT_OK) abort();
     if (bat_motion_take(copy) != bat_motion_take(motion) || !(bat_motion_duration(copy) > 0)) abort();
+    const double stroke[6] = {-1, 20, 0.3 * bat_motion_duration(copy), -40, bat_motion_duration(copy), 5};
+    double degrees = 0;
+    for (int level = 0; level <= bat_motion_levels(copy); level++)
+        bat_motion_redraw(copy, level % JOINTS_MOST, level % 3, level, 3, stroke);
+    if (bat_motion_angle(copy, 0, 0, 0.1, &degrees) == BAT_OK && !isfinite(degrees)) abort();
     if (bat_motion_positions(copy, 0.4 * bat_motion_duration(copy), at) != BAT_OK) abort();
     if (bat_object_create_skeleton(3, "", &style, motion, NULL, &object) == BAT_OK) {
         if (!bat_object_motion(object, place) || place[0] != 1) abort();

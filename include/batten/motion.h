@@ -103,6 +103,21 @@ BAT_API const bat_shape *bat_motion_path(const bat_motion *motion);
 /* Scales the details of a level, 1 to bat_motion_levels, of one joint, or -1: of all, and of the path. 0 mutes it, 1 leaves it
  * as it is. BAT_ARGUMENT: no such joint or level; BAT_NUMBER: beyond +-1e6. */
 BAT_API bat_status bat_motion_set_gain(bat_motion *motion, int joint, int level, double gain);
+/* One of the angles of a joint at a time in seconds: angle 0 is its first channel that is one. Of all angles that give the rotation,
+ * those nearest to the recorded ones. BAT_ARGUMENT: no such angle; BAT_NUMBER: the time is not finite. */
+BAT_API bat_status bat_motion_angle(const bat_motion *motion, int joint, int angle, double time,
+                                    double *degrees);
+/*
+ * Redraws an angle of a joint by a stroke over its graph: points[2 i] is a time in seconds, points[2 i + 1] the angle then, in
+ * degrees. The stretch is from the least to the largest time among them, within the take's, and where the stroke runs back the
+ * later part counts; beyond its ends the joint goes over into what it was, within two spans of the level and a tenth of a second.
+ * The other angles of the joint stay. By the least squares change of one level (math 3.6): 1 to the last of the joint's, or 0, its
+ * base; points of the level that do not meet the stretch keep every bit. BAT_COUNT: fewer than 2 points; BAT_ARGUMENT: no such angle
+ * or level, or one that is silent; BAT_NUMBER: a number is not finite, or an angle beyond 1e6; BAT_TOLERANCE: the base can't. On
+ * failure the motion is as it was. O(frames * count) at most.
+ */
+BAT_API bat_status bat_motion_redraw(bat_motion *motion, int joint, int angle, int level, size_t count,
+                                     const double *points);
 /* Puts another base under the path, in space, to whose domain the time is mapped: the details of the path and the body's
  * direction ride in its rotation-minimising frames. BAT_UNSUPPORTED: the root stays, or does not turn freely. */
 BAT_API bat_status bat_motion_bend(bat_motion *motion, const bat_curve *path);

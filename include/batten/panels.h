@@ -76,7 +76,10 @@ BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done
  * camera),"name","cameras": in the drawing,"at": seconds of the playhead,"duration","length": of its path,"rate": frames a
  * second,"playing","through": the drawing is seen through it,"loop","lens": what it sees is shown beside the drawing; the last four are 0 or 1. "gaze":[{"gain","muted","solo","active"}],
  * its levels, the base first; "path": the same of the curve that it follows, empty when that has no levels; "graph": the share
- * of the distance at 97 even times; empty for a path without length}. Owned by the editor, valid
+ * of the distance at 97 even times; empty for a path without length}. "sees": 1 for a camera; 0 for a skeleton, whose motion is looked
+ * at likewise: "gaze" are the levels of its chosen joint, "path" those of its root's path, "joints":[{"id","name"}] those that turn,
+ * "joint": the chosen one, -1: none; then "angles":["X", ...] of it, "angle": which the graph shows, "degrees": that at the playhead,
+ * "range":[low, high] in degrees, of which the graph has shares. Owned by the editor, valid
  * until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_move(bat_editor *editor);
 /* Moves the playhead, which stays within the move; what plays stops. Nothing enters the history or the journal, here and
@@ -94,14 +97,17 @@ typedef enum bat_move_act {
     BAT_MOVE_EASE_IN,  /* value: seconds within which it begins gently */
     BAT_MOVE_EASE_OUT, /* and ends gently */
     BAT_MOVE_EASE,     /* both */
-    BAT_MOVE_CHOOSE    /* makes the level the active one, which drags change: no edit */
+    BAT_MOVE_CHOOSE,   /* makes the level the active one, which drags change: no edit, as the next two */
+    BAT_MOVE_JOINT,    /* of a skeleton: chooses the joint with the number `level` */
+    BAT_MOVE_ANGLE     /* and that one of its angles: the graph shows it, and a stroke redraws it */
 } bat_move_act;
-/* Edits the camera (path: the levels of the curve that it follows instead). Shown at once, from what the camera was before the first
+/* Edits the camera (path: the levels of the curve that it follows instead), or the levels of a skeleton's joint or path. Shown at once, from what the camera was before the first
  * of them; one step of the history when `done` comes, command "cancel" takes it back. What plays stops. BAT_STATE: there
  * is no camera, or something else is under way; BAT_ARGUMENT: no such level; else as camera.h says. */
 BAT_API bat_status bat_editor_move_set(bat_editor *editor, bat_move_act act, bool path, int level,
                                        double value, bool done);
-/* Redraws a stretch of the graph by a stroke, as bat_camera_retime; as bat_editor_move_set. */
+/* Redraws a stretch of the graph by a stroke, as bat_camera_retime; of a skeleton as bat_motion_redraw, at the active level, in shares
+ * of the graph's range; as bat_editor_move_set. */
 BAT_API bat_status bat_editor_retime(bat_editor *editor, size_t count, const double *points, bool done);
 
 typedef enum bat_correction {

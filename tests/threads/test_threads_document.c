@@ -126,7 +126,8 @@ static uint64_t look_at_object(uint64_t d, const bat_object *object) {
         d = add(d, (uint64_t)bat_motion_positions(motion, 0.1, joints));
         d = add_doubles(add_doubles(d, joints, 3 * WALKER_JOINTS), place, 12);
         d = add(bat_digest_double(d, bat_motion_duration(motion)), (uint64_t)bat_motion_copy(motion, &own));
-        d = bat_digest_double(d, bat_take_frame_time(bat_motion_take(own)));
+        d = add(d, (uint64_t)bat_motion_angle(motion, 1, 0, 0.1, place));
+        d = bat_digest_double(bat_digest_double(d, place[0]), bat_take_frame_time(bat_motion_take(own)));
         bat_motion_free(own);
     }
     const bat_picture *picture = bat_object_picture(object);

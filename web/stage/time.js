@@ -23,7 +23,12 @@ import { Timing } from './timing.js';
  * @property {number} lens
  * @property {import('./timing.js').Row[]} gaze its levels, the base first
  * @property {import('./timing.js').Row[]} path those of the curve that it follows
- * @property {number[]} graph the share of the distance at even times
+ * @property {number[]} graph the share of the distance at even times; of a skeleton that of the range of an angle
+ * @property {{id: number, name: string}[]} [joints] of a skeleton, those that turn
+ * @property {number} [joint] the one that is chosen
+ * @property {string[]} [angles] its axes
+ * @property {number} [angle] which of them the graph shows
+ * @property {number} [degrees] that at the playhead
  */
 
 const NONE = /** @type {Move} */ ({ id: 0, name: '', cameras: 0, at: 0, duration: 0, sees: 0, length: 0, rate: 24, playing: 0, through: 0, loop: 0, lens: 0, gaze: [], path: [], graph: [] });

@@ -7,7 +7,7 @@ import { word } from '../page/words.js';
 /** @typedef {{gain: number, muted: number, solo: number, active: number}} Row */
 
 /** As bat_move_act (panels.h). */
-const Do = Object.freeze({ GAIN: 0, MUTE: 1, SOLO: 2, DURATION: 3, EASE_IN: 4, EASE_OUT: 5, EASE: 6, CHOOSE: 7 });
+const Do = Object.freeze({ GAIN: 0, MUTE: 1, SOLO: 2, DURATION: 3, EASE_IN: 4, EASE_OUT: 5, EASE: 6, CHOOSE: 7, JOINT: 8, ANGLE: 9 });
 const LOUDEST = 2;  // upper end of a fader; the engine accepts more
 const STILL = 4;    // px that a tap may travel
 const LONGEST = 1e9; // seconds
@@ -22,6 +22,16 @@ function make(tag, name) {
   const element = document.createElement(tag);
   element.className = name;
   return element;
+}
+
+/** @param {HTMLSelectElement} select @param {[string, string][]} values @param {string} chosen */
+function options(select, values, chosen) {
+  const key = JSON.stringify(values);
+  if (select.dataset.values !== key) {
+    select.dataset.values = key;
+    select.replaceChildren(...values.map(([value, text]) => new Option(text, value)));
+  }
+  select.value = chosen;
 }
 
 export class Timing {
@@ -50,8 +60,13 @@ export class Timing {
     this.word = make('span', '');
     label.append(this.word, this.seconds);
     this.ease = this.#command('move-ease');
+    this.label = label;
+    this.joint = make('select', 'timing-joint');
+    this.joint.addEventListener('change', () => this.#set(Do.JOINT, 0, true, false, Number(this.joint.value)));
+    this.angle = make('select', 'timing-angle');
+    this.angle.addEventListener('change', () => this.#set(Do.ANGLE, 0, true, false, this.angle.selectedIndex));
     const row = make('div', 'timing-row');
-    row.append(label, this.speed, this.ease);
+    row.append(this.joint, this.angle, label, this.speed, this.ease);
     this.columns = { path: make('ul', 'timing-levels'), gaze: make('ul', 'timing-levels') };
     const levels = make('div', 'timing-columns');
     levels.append(this.columns.path, this.columns.gaze);
@@ -242,10 +257,31 @@ export class Timing {
     for (const button of [this.ease, this.shake, this.copy]) {
       button.textContent = word(`command.${button.dataset.command}`);
     }
-    this.ease.hidden = !graph.length;
+    this.ease.hidden = !graph.length || !move.sees;
+    this.label.hidden = this.shake.hidden = !move.sees;
+    this.#body(move);
     this.copy.hidden = move.cameras < 2;
     this.#fill(this.columns.path, move.path, word('moves.path'), true);
-    this.#fill(this.columns.gaze, move.gaze, word('moves.gaze'), false);
+    this.#fill(this.columns.gaze, move.gaze, move.sees ? word('moves.gaze') : word('moves.joint'), false);
+  }
+
+  /** What is said of a skeleton instead of a camera: its joints, and the angle that the graph shows. @param {Move} move */
+  #body({ sees, joints = [], joint = -1, angles = [], angle = 0, degrees = 0 }) {
+    const chosen = joints.find(({ id }) => id === joint);
+    this.joint.hidden = Boolean(sees);
+    this.angle.hidden = Boolean(sees) || angles.length < 2;
+    for (const end of Object.values(this.ends)) {
+      end.hidden = !sees;
+    }
+    this.graph.classList.toggle('body', !sees);
+    if (sees) {
+      return;
+    }
+    options(this.joint, joints.map(({ id, name }) => [String(id), name]), String(joint));
+    options(this.angle, angles.map((axis, i) => [String(i), axis]), String(angle));
+    this.joint.ariaLabel = word('moves.joint');
+    this.angle.ariaLabel = this.graph.ariaLabel = word('moves.angle', `${chosen?.name ?? ''} ${angles[angle] ?? ''}`);
+    this.speed.textContent = chosen ? word('moves.degrees', degrees.toFixed(1)) : '';
   }
 
   /** @param {HTMLUListElement} list @param {Row[]} rows @param {string} name @param {boolean} path */

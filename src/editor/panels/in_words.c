@@ -16,7 +16,9 @@
 #include "editor/session/session.h"
 #include "editor/tables/tables.h"
 #include "editor/show/moves.h"
+#include "editor/show/body.h"
 #include "editor/tools/gazes/find.h"
+#include "editor/tools/gazes/joint.h"
 #include "editor/tools/gazes/words.h"
 #include "editor/tools/keyed/range.h"
 #include "editor/tools/keyed/waypoints.h"
@@ -57,6 +59,7 @@ static void fill_number(const bat_context *c, bat_text *text, bat_string words, 
 static int points_of(const bat_object *object) {
     const bat_camera *camera = bat_object_camera(object); /* its keys */
     if (camera) return (int)bat_gazing_keys(camera);
+    if (bat_joints_of(object)) return bat_joints_of(object);
     const bat_spline *spline = bat_object_spline(object);
     int count = spline ? bat_spline_count(spline) : 0;
     for (int i = 0; !spline && i < bat_object_curve_count(object); i++)
@@ -106,6 +109,10 @@ static void point_words(const bat_context *c, bat_text *text, const bat_object *
         char words[BAT_KEY_ROOM];
         bat_key_in_words(c, bat_object_camera(object), (size_t)index, words);
         bat_text_string(text, words);
+        return;
+    }
+    if (bat_joints_of(object)) {
+        bat_joint_in_words(object, index, text);
         return;
     }
     if (place_of(object, index, at))
@@ -216,6 +223,7 @@ const char *bat_panel_outline(bat_context *c, int first, int count) {
 static int chosen_of(const bat_context *c, const bat_object *object) {
     const bat_pointing *p = bat_pointing_of(c);
     bat_id id = bat_object_id(object);
+    if (bat_joints_of(object)) return id == c->moves->camera ? bat_body_chosen(c) : -1;
     if (bat_object_camera(object)) return id == c->moves->camera ? (int)bat_gazing_chosen(c) : -1;
     if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES && bat_object_spline(object))
         return bat_splining_of(c)->object == id ? bat_splining_of(c)->point : -1;
@@ -249,6 +257,7 @@ bat_status bat_panel_choose(bat_context *c, bat_id id, int point) {
                                                bat_document_find(c->session->document, id));
     double at[2];
     if (object && bat_object_camera(object)) return bat_key_choose(c, id, point);
+    if (object && bat_joints_of(object)) return bat_joint_choose_of(c, id, point);
     if (!object || !place_of(object, point, at)) return BAT_ARGUMENT;
     bool spline = bat_object_spline(object) != NULL;
     bat_tool_id tool = bat_tool_that(spline ? BAT_EDITS_SPLINES : BAT_EDITS_POINTS);

@@ -3,6 +3,8 @@
 #include "editor/choice/choice.h"
 #include "editor/session/session.h"
 
+#include <limits.h>
+
 static bool moves(const bat_document *document, bat_id id) {
     const int at = id ? bat_document_find(document, id) : -1;
     return at >= 0 && bat_object_is(bat_document_at(document, at), BAT_MOVES);
@@ -34,7 +36,9 @@ void bat_moves_sync(bat_context *c) {
         m->at = 0;
         m->playing = m->through = false;
         m->level[0] = m->level[1] = 0;
-        m->joint = 0;
+        if (now && bat_object_motion(bat_document_at(document, bat_document_find(document, now)), NULL))
+            m->level[1] = INT_MAX; /* the finest of whichever joint */
+        m->joint = m->angle = 0;
         m->version++;
     }
     if (changed) {

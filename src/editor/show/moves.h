@@ -13,7 +13,7 @@ typedef struct bat_moves {
     double since;  /* ms: when the playhead was there; below 0: not yet known */
     bool through;  /* the drawing is seen through the camera */
     int level[2]; /* that drags change, of its path and of its gaze; what is above the finest is the finest */
-    int joint;    /* of a skeleton: the one that is chosen */
+    int joint, angle; /* of a skeleton: the one that is chosen, and which of its angles the graph shows */
     uint32_t version; /* grows whenever any of this changes */
     uint64_t revision;
     uint32_t selection; /* of the document and the selection, as last seen */

@@ -195,21 +195,45 @@ static void angles_of(quat q, const int axis[3], double angles[3]) {
     memcpy(angles, found[off[1] < off[0]], 3 * sizeof *angles);
 }
 
-void bat_take_set_turn(bat_take *take, int joint, size_t frame, quat turn) {
-    const bat_bone *j = &take->joints[joint];
-    double *values = values_of(take, joint, frame), angles[3] = {0, 0, 0};
-    int axis[3] = {0, 1, 2}, at[3], count = 0;
-    for (int k = 0; k < j->channel_count; k++)
-        if (is_turn(j->channels[k])) axis[count] = (int)j->channels[k] - BAT_X_ROTATION, at[count++] = k;
-    for (int k = 0; k < count; k++) angles[k] = values[at[k]];
+void bat_bone_angles(const bat_bone *joint, quat turn, double angles[3]) {
+    int axis[3] = {0, 1, 2}, count = 0;
+    for (int k = 0; k < joint->channel_count; k++)
+        if (is_turn(joint->channels[k])) axis[count++] = (int)joint->channels[k] - BAT_X_ROTATION;
     if (count == 1) {
         const double v[3] = {turn.x, turn.y, turn.z};
-        values[at[0]] = near(2 * bat_atan2(v[axis[0]], turn.w) * 180 / BAT_PI, angles[0]);
+        angles[0] = near(2 * bat_atan2(v[axis[0]], turn.w) * 180 / BAT_PI, angles[0]);
         return;
     }
-    if (count == 2) axis[2] = 3 - axis[0] - axis[1];
+    if (count == 2) axis[2] = 3 - axis[0] - axis[1], angles[2] = 0;
     if (count >= 2) angles_of(turn, axis, angles);
-    for (int k = 0; k < count; k++) values[at[k]] = angles[k];
+}
+
+quat bat_bone_turn(const bat_bone *joint, const double angles[3]) {
+    quat q = quat_one;
+    int at = 0;
+    for (int k = 0; k < joint->channel_count; k++)
+        if (is_turn(joint->channels[k]))
+            q = quat_mul(q, about((int)joint->channels[k] - BAT_X_ROTATION, angles[at++]));
+    return quat_unit(q);
+}
+
+void bat_take_angles(const bat_take *take, int joint, size_t frame, double angles[3]) {
+    const bat_bone *j = &take->joints[joint];
+    const double *values = values_of(take, joint, frame);
+    int count = 0;
+    for (int k = 0; k < j->channel_count; k++)
+        if (is_turn(j->channels[k])) angles[count++] = values[k];
+    while (count < 3) angles[count++] = 0;
+}
+
+void bat_take_set_turn(bat_take *take, int joint, size_t frame, quat turn) {
+    const bat_bone *j = &take->joints[joint];
+    double *values = values_of(take, joint, frame), angles[3];
+    int count = 0;
+    bat_take_angles(take, joint, frame, angles);
+    bat_bone_angles(j, turn, angles);
+    for (int k = 0; k < j->channel_count; k++)
+        if (is_turn(j->channels[k])) values[k] = angles[count++];
 }
 
 void bat_take_set_place(bat_take *take, int joint, size_t frame, vec place) {

@@ -111,7 +111,134 @@ static void plays(void **state) {
     bat_editor_free(editor);
 }
 
+static void pixel_of(bat_editor *editor, const double at[2], double pixel[2]) {
+    const double *view = bat_editor_frame(editor)->view;
+    for (int k = 0; k < 2; k++) pixel[k] = (at[k] - view[k]) * view[2];
+}
+
+static void choose(bat_editor *editor, int joint, int angle) {
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_JOINT, false, joint, 0, true), BAT_OK);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_ANGLE, false, angle, 0, true), BAT_OK);
+}
+
+/* A tap on a joint selects the skeleton and the joint; the outline names it; what moves goes to the tool. */
+static void a_tap_chooses_a_joint(void **state) {
+    (void)state;
+    bat_editor *editor = with_skeleton();
+    const uint64_t before = digest(editor);
+    double at[3 * WALKER_JOINTS], pixel[2];
+    pen p = pen_for(editor);
+    bat_editor_command(editor, "tool-select");
+    assert_int_equal(bat_editor_seek(editor, LAST / 2), BAT_OK);
+    for (int joint = 1; joint <= 2; joint++) {
+        assert_int_equal(bat_motion_positions(motion_of(editor), LAST / 2, at), BAT_OK);
+        pixel_of(editor, (double[]){at[3 * joint], -at[3 * joint + 1]}, pixel);
+        tap(&p, pixel[0], pixel[1]);
+        assert_true(value(editor, "joint") == joint);
+        assert_int_equal(bat_editor_frame(editor)->selected, 1);
+        char words[32];
+        snprintf(words, sizeof words, "{\"at\":%d,", joint);
+        assert_non_null(strstr(bat_editor_outline_points(editor, 5), words));
+    }
+    assert_non_null(strstr(bat_editor_outline_points(editor, 5), "[\"hips\",\"thigh\",\"knee\","));
+    assert_int_equal(bat_editor_choose(editor, 5, 4), BAT_OK);
+    assert_true(value(editor, "joint") == 4);
+    assert_int_equal(bat_editor_choose(editor, 5, 3), BAT_ARGUMENT); /* an end does not turn */
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_ANGLE, false, 3, 0, true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_JOINT, false, 9, 0, true), BAT_ARGUMENT);
+    assert_true(digest(editor) == before);
+    check(editor);
+    bat_editor_free(editor);
+}
+
+/* Faders, mutes and solo of a joint's levels are steps that move only what hangs on the joint; undone, all is as it was. */
+static void levels_of_a_joint_are_mixed(void **state) {
+    (void)state;
+    bat_editor *editor = with_skeleton();
+    const uint64_t before = digest(editor);
+    double was[3 * WALKER_JOINTS], is[3 * WALKER_JOINTS];
+    choose(editor, 1, 0);
+    assert_int_equal(bat_motion_positions(motion_of(editor), .2, was), BAT_OK);
+    const bat_camera *joint = bat_motion_joint(motion_of(editor), 1);
+    const int top = bat_camera_levels(joint);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, top, 1.5, false), BAT_OK);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, top, 2, false), BAT_OK);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, top, 2, true), BAT_OK);
+    assert_true(bat_camera_gain(bat_motion_joint(motion_of(editor), 1), top) == 2);
+    assert_true(bat_camera_gain(bat_motion_joint(motion_of(editor), 0), top) == 1);
+    assert_int_equal(bat_motion_positions(motion_of(editor), .2, is), BAT_OK);
+    for (int k = 0; k < 6; k++) assert_true(is[k] == was[k]); /* hips and the thigh's beginning */
+    assert_true(fabs(is[6] - was[6]) + fabs(is[7] - was[7]) + fabs(is[8] - was[8]) > 1e-6);
+    assert_true(is[12] == was[12]); /* the head */
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == before);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_MUTE, false, top, 1, true), BAT_OK);
+    assert_true(bat_camera_is_muted(bat_motion_joint(motion_of(editor), 1), top));
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_SOLO, false, 0, 0, true), BAT_OK);
+    for (int l = 1; l <= top; l++)
+        assert_true(bat_camera_is_muted(bat_motion_joint(motion_of(editor), 1), l));
+    /* those of the root's path */
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, true, 1, 0.5, true), BAT_OK);
+    assert_true(bat_shape_gain(bat_motion_path(motion_of(editor)), 1) == 0.5);
+    assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_DURATION, false, 0, 2, true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_command(editor, "shake-add"), BAT_STATE);
+    check(editor);
+    while (bat_editor_command(editor, "undo") == BAT_OK && digest(editor) != before) check(editor);
+    assert_true(digest(editor) == before);
+    bat_editor_free(editor);
+}
+
+/* A stroke over the graph is the angle, at once and not only when the pen goes up; Esc takes it back, undo too. */
+static void a_stroke_redraws_an_angle(void **state) {
+    (void)state;
+    bat_editor *editor = with_skeleton();
+    const uint64_t before = digest(editor);
+    double points[2 * 41], range[2], was[3 * WALKER_JOINTS], is[3 * WALKER_JOINTS];
+    choose(editor, 1, 2);
+    const char *at = strstr(bat_editor_move(editor), "\"range\":[");
+    assert_non_null(at);
+    char *next = NULL;
+    range[0] = strtod(at + 9, &next), range[1] = strtod(next + 1, NULL);
+    assert_true(range[1] - range[0] >= 30);
+    assert_int_equal(bat_motion_positions(motion_of(editor), LAST / 2, was), BAT_OK);
+    for (int i = 0; i <= 40; i++) {
+        points[2 * i] = .25 + .5 * i / 40.0;
+        double degrees = 0;
+        assert_int_equal(bat_motion_angle(motion_of(editor), 1, 2, points[2 * i] * LAST, &degrees), BAT_OK);
+        const double s = sin(3.141592653589793 * i / 40.0);
+        points[2 * i + 1] = (degrees + 12 * s * s - range[0]) / (range[1] - range[0]);
+    }
+    for (int way = 0; way < 2; way++) {
+        for (size_t n = 2; n <= 41; n += 13) {
+            assert_int_equal(bat_editor_retime(editor, n, points, false), BAT_OK);
+            bat_editor_frame(editor);
+            check(editor);
+        }
+        assert_int_equal(bat_motion_positions(motion_of(editor), LAST / 2, is), BAT_OK);
+        assert_true(fabs(is[6] - was[6]) + fabs(is[7] - was[7]) + fabs(is[8] - was[8]) > .1);
+        shows_bones(editor, 0);
+        if (way) break;
+        assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+        assert_true(digest(editor) == before);
+    }
+    assert_int_equal(bat_editor_retime(editor, 41, points, true), BAT_OK);
+    for (int i = 0; i <= 40; i++) {
+        double degrees = 0;
+        assert_int_equal(bat_motion_angle(motion_of(editor), 1, 2, points[2 * i] * LAST, &degrees), BAT_OK);
+        assert_true(fabs(degrees - (range[0] + (range[1] - range[0]) * points[2 * i + 1])) < .5);
+    }
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == before);
+    assert_int_equal(bat_editor_command(editor, "redo"), BAT_OK);
+    assert_true(digest(editor) != before);
+    check(editor);
+    bat_editor_free(editor);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(is_shown_at_the_playhead), cmocka_unit_test(plays)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(is_shown_at_the_playhead), cmocka_unit_test(plays),
+                                       cmocka_unit_test(a_tap_chooses_a_joint),
+                                       cmocka_unit_test(levels_of_a_joint_are_mixed),
+                                       cmocka_unit_test(a_stroke_redraws_an_angle)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -120,6 +120,7 @@ static bat_status begin(bat_context *c) {
     const int at = c->moves->camera ? bat_document_find(c->session->document, c->moves->camera) : -1;
     if (at < 0 || bat_seen_out_of_reach(c, at)) return BAT_STATE;
     const bat_object *object = bat_document_at(c->session->document, at);
+    if (!bat_object_camera(object)) return BAT_STATE;
     const bat_object *path = path_of(c, object, &own);
     const bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) return status;

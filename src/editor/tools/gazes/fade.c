@@ -9,26 +9,38 @@
 #include "editor/show/flight.h"
 #include "editor/show/moves.h"
 #include "editor/tables/settings.h"
+#include "editor/tools/gazes/joint.h"
 #include "editor/tools/gazes/state.h"
 #include "editor/tools/toolbox.h"
 #include "form/camera/camera.h"
+#include "form/motion/motion.h"
 #include "hands/levels/shape.h"
 
 #include <math.h>
 
-enum { GRAPH = 97 };
 static const double EASE = 0.5, EASE_SHARE = 0.25; /* seconds, of the duration at most: one tap */
 
 /* ---- what is changed ---- */
 
-/* The camera, or the curve that it follows. NULL: none that can be changed. */
+/* The camera, or the curve that it follows; or the skeleton, whatever of it. NULL: none that can be changed. */
 static const bat_object *object_of(const bat_context *c, bool path) {
     const bat_document *document = c->session->document;
     int at = c->moves->camera ? bat_document_find(document, c->moves->camera) : -1;
+    const bat_motion *motion = at >= 0 ? bat_object_motion(bat_document_at(document, at), NULL) : NULL;
+    if (motion)
+        return bat_seen_out_of_reach(c, at) || (path && !bat_motion_path(motion))
+                   ? NULL
+                   : bat_document_at(document, at);
     if (at >= 0 && path) at = bat_document_find(document, bat_object_followed(bat_document_at(document, at)));
     if (at < 0 || bat_seen_out_of_reach(c, at)) return NULL;
     const bat_object *object = bat_document_at(document, at);
     return path && !bat_object_shape(object, 0) ? NULL : object;
+}
+
+/* The path whose levels are changed. */
+static const bat_shape *path_of(const bat_object *object) {
+    const bat_motion *motion = bat_object_motion(object, NULL);
+    return motion ? motion->first : bat_object_shape(object, 0);
 }
 
 /* Levels of a gaze or of a shape, alike. */
@@ -83,9 +95,12 @@ static bat_status set_time(bat_camera *camera, bat_move_act act, double value) {
 /* ---- the active level ---- */
 
 static stack stack_of(const bat_context *c, bool path) {
-    const bat_object *followed = path ? object_of(c, true) : NULL;
-    return (stack){path ? NULL : (bat_camera *)bat_flight_camera(c),
-                   followed ? (bat_shape *)bat_object_shape(followed, 0) : NULL};
+    const bat_document *document = c->session->document;
+    const int at = c->moves->camera ? bat_document_find(document, c->moves->camera) : -1;
+    const bat_object *object = at < 0 ? NULL : bat_document_at(document, at),
+                     *way = path ? object_of(c, true) : NULL;
+    return (stack){path || !object ? NULL : (bat_camera *)bat_turner_of(c, object),
+                   way ? (bat_shape *)path_of(way) : NULL};
 }
 
 static int top_level(const stack *s) { return s->camera || s->shape ? top_of(s) : -1; }
@@ -115,16 +130,23 @@ typedef struct change {
     const double *points;
 } change;
 
-static bat_status apply(const change *what, const bat_object *from, bat_object **out) {
-    const bat_camera *camera = bat_object_camera(from);
+static bat_status apply(const bat_context *c, const change *what, bool path, const bat_object *from,
+                        bat_object **out) {
+    const bat_camera *camera = path ? NULL : bat_turner_of(c, from);
+    const bool skeleton = bat_object_motion(from, NULL) != NULL;
     stack s = {NULL, NULL};
-    bat_status status = camera ? bat_camera_copy(camera, &s.camera)
-                               : bat_shape_copy(bat_object_shape(from, 0), &s.shape);
+    if (!path && !camera) return BAT_ARGUMENT;
+    if (skeleton && what->act >= BAT_MOVE_DURATION) return BAT_ARGUMENT;
+    if (skeleton && what->count)
+        return bat_joint_redrawn(c, from, bat_move_level(c, false), what->count, what->points, out);
+    bat_status status = camera ? bat_camera_copy(camera, &s.camera) : bat_shape_copy(path_of(from), &s.shape);
     if (status == BAT_OK)
         status = what->count                     ? bat_camera_retime(s.camera, what->count, what->points)
                  : what->act < BAT_MOVE_DURATION ? set_level(&s, what->act, what->level, what->value)
                                                  : set_time(s.camera, what->act, what->value);
-    if (status == BAT_OK && camera)
+    if (status == BAT_OK && skeleton)
+        status = camera ? bat_joint_put(c, from, s.camera, out) : bat_joint_put_path(from, s.shape, out);
+    else if (status == BAT_OK && camera)
         status = bat_object_with_camera(from, s.camera, bat_object_followed(from), out);
     else if (status == BAT_OK)
         status = bat_object_with_shape(from, 0, s.shape, out), s.shape = NULL;
@@ -152,19 +174,19 @@ bool bat_move_let_go(bat_context *c) {
 
 static bat_status begin(bat_context *c, bool path) {
     bat_gazing *g = bat_gazing_of(c);
-    if (g->fading)
-        return !g->correcting && (bat_object_camera(g->fading) == NULL) == path ? BAT_OK : BAT_STATE;
+    if (g->fading) return !g->correcting && g->path == path ? BAT_OK : BAT_STATE;
     bat_moves_sync(c);
     if (bat_toolbox_busy(c) || c->session->transaction.open) return BAT_STATE;
     if (bat_session_refuses(c)) return BAT_STATE;
     const bat_object *object = object_of(c, path);
     if (!object) return BAT_STATE;
     const bat_status status = bat_transaction_begin(c);
-    if (status == BAT_OK) g->fading = bat_object_retain(object);
+    if (status == BAT_OK) g->fading = bat_object_retain(object), g->path = path;
     return status;
 }
 
-static bat_string step_of(const change *what) {
+static bat_string step_of(const change *what, bool skeleton) {
+    if (what->count && skeleton) return BAT_STRING_STEP_ANGLE;
     if (what->count || what->act >= BAT_MOVE_DURATION) return BAT_STRING_STEP_TIMING;
     return what->act == BAT_MOVE_GAIN   ? BAT_STRING_STEP_GAIN
            : what->act == BAT_MOVE_MUTE ? BAT_STRING_STEP_MUTE
@@ -176,7 +198,7 @@ static bat_status make(bat_context *c, const change *what, bool path, bool done)
     bat_object *after = NULL;
     bat_status status = begin(c, path);
     if (status != BAT_OK) return status;
-    status = apply(what, g->fading, &after);
+    status = apply(c, what, path, g->fading, &after);
     if (status == BAT_OK)
         status = bat_transaction_replace(c, bat_document_find(c->session->document, bat_object_id(g->fading)),
                                          after);
@@ -187,13 +209,16 @@ static bat_status make(bat_context *c, const change *what, bool path, bool done)
         return status;
     }
     if (!done) return BAT_OK;
+    const bool skeleton = bat_object_motion(g->fading, NULL) != NULL;
     bat_move_forget(c);
-    return bat_transaction_commit(c, step_of(what), NULL);
+    return bat_transaction_commit(c, step_of(what, skeleton), NULL);
 }
 
 bat_status bat_move_set(bat_context *c, bat_move_act act, bool path, int level, double value, bool done) {
     const change what = {.act = act, .level = level, .value = value};
     if (act == BAT_MOVE_CHOOSE) return choose(c, path, level);
+    if (act == BAT_MOVE_JOINT) return bat_joint_choose(c, level);
+    if (act == BAT_MOVE_ANGLE) return bat_joint_choose_angle(c, level);
     if ((unsigned)act > BAT_MOVE_EASE || (path && act >= BAT_MOVE_DURATION)) return BAT_ARGUMENT;
     if (isnan(value)) return BAT_NUMBER;
     return make(c, &what, path, done);
@@ -216,13 +241,9 @@ bat_status bat_command_move_ease(bat_context *c, bat_command_id id) {
     return bat_move_set(c, BAT_MOVE_EASE, false, 0, seconds, true);
 }
 
-/* Puts a camera in the place of another as one step; takes it over. */
-static bat_status put(bat_context *c, const bat_object *object, bat_status status, bat_camera *camera,
-                      bat_string step) {
-    bat_object *after = NULL;
-    if (status == BAT_OK)
-        status = bat_object_with_camera(object, camera, bat_object_followed(object), &after);
-    bat_camera_free(camera);
+/* Puts an object in the place of another as one step; takes it over. */
+static bat_status replace(bat_context *c, const bat_object *object, bat_status status, bat_object *after,
+                          bat_string step) {
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         const int at = bat_document_find(c->session->document, bat_object_id(object));
@@ -233,13 +254,23 @@ static bat_status put(bat_context *c, const bat_object *object, bat_status statu
     return status;
 }
 
+/* The same with another camera. */
+static bat_status put(bat_context *c, const bat_object *object, bat_status status, bat_camera *camera,
+                      bat_string step) {
+    bat_object *after = NULL;
+    if (status == BAT_OK)
+        status = bat_object_with_camera(object, camera, bat_object_followed(object), &after);
+    bat_camera_free(camera);
+    return replace(c, object, status, after, step);
+}
+
 /* The seed is the camera's own, and how many levels it has, so that each shake differs and every replay agrees. */
 bat_status bat_command_shake(bat_context *c, bat_command_id id) {
     bat_camera *camera = NULL;
     (void)id;
     bat_moves_sync(c);
     const bat_object *object = object_of(c, false);
-    if (!object) return BAT_STATE;
+    if (!object || !bat_object_camera(object)) return BAT_STATE;
     const double amount = c->settings->values[BAT_PROPERTY_SHAKE_AMOUNT] * BAT_PI / 180,
                  rate = c->settings->values[BAT_PROPERTY_SHAKE_RATE];
     bat_status status = bat_camera_copy(bat_object_camera(object), &camera);
@@ -250,7 +281,18 @@ bat_status bat_command_shake(bat_context *c, bat_command_id id) {
     return put(c, object, status, camera, BAT_STRING_STEP_SHAKE);
 }
 
-/* From the first selected camera to the one selected after it. */
+/* The levels of detail of one walk for another, of the same skeleton. */
+static bat_status copy_style(bat_context *c, const bat_object *from, const bat_object *to) {
+    bat_motion *motion = NULL;
+    bat_object *after = NULL;
+    bat_status status = bat_motion_copy(bat_object_motion(to, NULL), &motion);
+    if (status == BAT_OK) status = bat_motion_take_style(motion, bat_object_motion(from, NULL));
+    if (status == BAT_OK) status = bat_object_with_motion(to, motion, &after);
+    bat_motion_free(motion);
+    return replace(c, to, status, after, BAT_STRING_STEP_GAZE_COPY);
+}
+
+/* From the first selected camera, or skeleton, to the one selected after it. */
 bat_status bat_command_gaze_copy(bat_context *c, bat_command_id id) {
     const bat_selection *selection = &c->choice->selection;
     const bat_document *document = c->session->document;
@@ -261,8 +303,11 @@ bat_status bat_command_gaze_copy(bat_context *c, bat_command_id id) {
         const int at = bat_document_find(document, selection->ids[i]);
         const bat_object *object = at < 0 || bat_seen_out_of_reach(c, at) ? NULL
                                                                           : bat_document_at(document, at);
-        both[i] = object && bat_object_camera(object) ? object : NULL;
+        both[i] = object && (bat_object_camera(object) || bat_object_motion(object, NULL)) ? object : NULL;
     }
+    if (both[0] && both[1] && bat_object_motion(both[0], NULL) && bat_object_motion(both[1], NULL))
+        return copy_style(c, both[0], both[1]);
+    if (both[0] && both[1] && (!bat_object_camera(both[0]) || !bat_object_camera(both[1]))) both[0] = NULL;
     if (!both[0] || !both[1]) {
         bat_notice(c, BAT_STRING_NOTICE_TWO_CAMERAS);
         return BAT_STATE;
@@ -300,9 +345,13 @@ void bat_move_rows(const bat_context *c, bat_text *text) {
     const bat_camera *camera = bat_flight_camera(c);
     rows(c, text, ",\"gaze\":[", false);
     rows(c, text, ",\"path\":[", true);
+    if (!camera) {
+        bat_joint_rows(c, text);
+        return;
+    }
     bat_text_string(text, ",\"graph\":[");
-    for (int i = 0; i < GRAPH && camera && bat_camera_length(camera) > 0; i++) {
-        double share[3] = {(double)i / (GRAPH - 1)};
+    for (int i = 0; i < BAT_GRAPH && bat_camera_length(camera) > 0; i++) {
+        double share[3] = {(double)i / (BAT_GRAPH - 1)};
         if (bat_camera_timing(camera)->curve) bat_function_eval(bat_camera_timing(camera), share[0], share);
         number(text, i ? "," : "", share[0]);
     }

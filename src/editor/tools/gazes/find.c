@@ -6,10 +6,12 @@
 #include "editor/pick/surface.h"
 #include "editor/scene/seen.h"
 #include "editor/session/session.h"
+#include "editor/show/body.h"
 #include "editor/show/flight.h"
 #include "editor/show/moves.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/gazes/find.h"
+#include "editor/tools/gazes/joint.h"
 #include "editor/view/stage.h"
 #include "form/camera/camera.h"
 #include "form/camera/pyramid.h"
@@ -116,6 +118,13 @@ static bool on_path(bat_context *c, const bat_object *object, const double pixel
     return near.distance <= reach * bat_stage_pixel(c->stage);
 }
 
+/* A skeleton is looked at, whose joints a tap chooses. */
+static bool chooses_joints(const bat_context *c) {
+    const int at = c->moves->camera ? bat_document_find(c->session->document, c->moves->camera) : -1;
+    return at >= 0 && bat_body_motion(c, NULL) && !bat_seen_out_of_reach(c, at) && !c->session->read_only &&
+           bat_tool_at(c->choice->tool)->traits & BAT_CHOOSES;
+}
+
 bat_gaze_hold bat_gazing_find(bat_context *c, const double pixel[2], bat_device device, long *key,
                               double *u) {
     const bat_object *object = bat_gazing_object(c);
@@ -123,7 +132,11 @@ bat_gaze_hold bat_gazing_find(bat_context *c, const double pixel[2], bat_device 
     double best = touch ? REACH_TOUCH : REACH, end[3];
     const double line = touch ? REACH_LINE_TOUCH : REACH_LINE;
     bat_gaze_hold part = BAT_GAZE_NOTHING;
-    if (!object) return part;
+    if (!object) {
+        const int joint = chooses_joints(c) ? bat_joint_near(c, pixel, best) : -1;
+        *key = joint;
+        return joint < 0 ? part : BAT_GAZE_JOINT;
+    }
     const bat_camera *camera = bat_object_camera(object);
     bat_camera_pose pose;
     for (size_t i = 0; i < bat_gazing_keys(camera); i++) {

@@ -15,6 +15,7 @@
 #include "editor/tools/gazes/change.h"
 #include "editor/tools/gazes/fade.h"
 #include "editor/tools/gazes/find.h"
+#include "editor/tools/gazes/joint.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
 #include "editor/view/way.h"
@@ -201,7 +202,7 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     if (event->predicted) return;
     g->at[0] = event->x, g->at[1] = event->y;
     if (!g->moved && bat_hypot(g->at[0] - g->start[0], g->at[1] - g->start[1]) <= STILL) return;
-    if (!g->moved && g->part == BAT_GAZE_PATH) {
+    if (!g->moved && (g->part == BAT_GAZE_PATH || g->part == BAT_GAZE_JOINT)) {
         hand_over(c, g, event);
         return;
     }
@@ -233,8 +234,12 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     const bat_gaze_hold part = g->part;
     const bool began = g->before != NULL, failed = g->failed;
     const double u = g->u;
+    const int joint = (int)g->key;
+    if (part == BAT_GAZE_JOINT) g->chosen = -1;
     stop(g);
-    if (began) {
+    if (part == BAT_GAZE_JOINT) {
+        bat_joint_choose_of(c, g->camera, joint);
+    } else if (began) {
         const bat_string step = part == BAT_GAZE_EDGE ? BAT_STRING_STEP_FOV : BAT_STRING_STEP_GAZE;
         const bat_status status = bat_transaction_end(c, failed ? BAT_TOLERANCE : BAT_OK, step);
         if (status != BAT_OK) bat_notice_failure(c, status);
@@ -279,6 +284,7 @@ static bat_string hint(const bat_context *c, const void *state) {
     switch (((const bat_gazing *)state)->part) {
     case BAT_GAZE_EDGE: return BAT_STRING_HINT_FOV;
     case BAT_GAZE_PATH: return BAT_STRING_HINT_KEY;
+    case BAT_GAZE_JOINT: return BAT_STRING_HINT_JOINT;
     case BAT_GAZE_TARGET: return BAT_STRING_HINT_TARGET;
     default: return BAT_STRING_HINT_GAZE;
     }

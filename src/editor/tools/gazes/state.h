@@ -12,7 +12,8 @@ typedef enum bat_gaze_hold {
     BAT_GAZE_END,    /* of the ray of a key */
     BAT_GAZE_TARGET, /* what the camera looks at */
     BAT_GAZE_EDGE,   /* of the picture at the playhead */
-    BAT_GAZE_PATH
+    BAT_GAZE_PATH,
+    BAT_GAZE_JOINT /* of a skeleton; key: which */
 } bat_gaze_hold;
 
 typedef struct bat_gazing {
@@ -27,6 +28,7 @@ typedef struct bat_gazing {
     bat_object *before;     /* NULL: the drag has not begun */
     bat_pointer pressed;
     bat_object *fading;  /* what a panel's control changes, as it was; owned. NULL: nothing */
+    bool path;           /* of that the path's levels, not the gaze's */
     bool correcting;     /* it is corrected in the picture that it sees, with: */
     bat_object *bending; /* what it follows, as it was; owned. NULL: nothing, or what is out of reach */
     double time, far;    /* of the playhead then; how far away is what was taken hold of, 0: not yet known */
