@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { expectFaults, launch, MALFORMED, open, place, settle, state } from './page.mjs';
+import { drop, expectFaults, launch, MALFORMED, open, place, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -17,28 +17,6 @@ after(async () => {
 });
 
 /** Drops a file on the drawing. */
-/** Drops a file, and waits until it is opened or refused, or a question appears. */
-async function drop(page, name, text) {
-  await page.evaluate(([title, content]) => new Promise((done) => {
-    const { files } = batten;
-    files.open = (...words) => {
-      delete files.open;
-      const opened = files.open(...words);
-      done();
-      return opened;
-    };
-    const question = document.getElementById('question');
-    new MutationObserver(() => question.open && done()).observe(question, { attributes: true });
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([content], title));
-    for (const type of ['dragover', 'drop']) {
-      const event = new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer });
-      document.getElementById('stage').dispatchEvent(event);
-    }
-  }), [name, text]);
-  await settle(page);
-}
-
 const count = (page) => page.evaluate(() => batten.painter.list.length);
 
 test('a page without a server starts empty and says what to do', async () => {

@@ -15,6 +15,20 @@ after(() => browser.close());
 
 const journal = (page) => page.evaluate(() => globalThis.batten.engine.journal.length);
 
+/**
+ * The space bar goes down and up at once, as soon as the playhead is past a time: on a busy machine what lies between two calls from
+ * outside can be longer than a tap, or than what is left of the move.
+ */
+const tapSpace = (page, after = -1) => page.evaluate(async (time) => {
+  const { engine } = globalThis.batten;
+  while (JSON.parse(engine.string(engine.wasm.editor_move(engine.editor))).at <= time) {
+    await new Promise(requestAnimationFrame);
+  }
+  for (const type of ['keydown', 'keyup']) {
+    document.getElementById('stage').dispatchEvent(new KeyboardEvent(type, { key: ' ', code: 'Space', bubbles: true, cancelable: true }));
+  }
+}, after);
+
 async function begin(t, options) {
   const server = await serve({ name: 'tori.batten', bytes: SCENE });
   t.after(() => server.close());
@@ -60,14 +74,11 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press(',');
     assert.ok(Math.abs((await move(page)).at - (stepped - 1 / 24)) < 1e-9);
 
-    await page.keyboard.press(' ', { delay: 60 });
+    await tapSpace(page);
     assert.equal((await move(page)).playing, 1, 'a tap of the space bar plays');
-    await page.waitForFunction((at) => {
-      const { engine } = globalThis.batten;
-      return JSON.parse(engine.string(engine.wasm.editor_move(engine.editor))).at > at + 0.3;
-    }, stepped);
-    await page.keyboard.press(' ', { delay: 60 });
-    assert.equal((await move(page)).playing, 0);
+    await tapSpace(page, stepped + 0.3);
+    assert.equal((await move(page)).playing, 0, 'and stops');
+    assert.ok((await move(page)).at < 4, 'before the end');
     await page.keyboard.down(' ');
     await hand.stroke([[500, 300], [520, 320]], { pointerType: 'mouse' });
     await page.keyboard.up(' ');

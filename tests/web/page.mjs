@@ -327,3 +327,25 @@ export async function stillColours(page, points) {
     return [...still.getContext('2d').getImageData((x - box.left) * ratio, (y - box.top) * ratio, 1, 1).data];
   }), places);
 }
+
+/** Drops a file, and waits until it is opened or refused, or a question appears. */
+export async function drop(page, name, text) {
+  await page.evaluate(([title, content]) => new Promise((done) => {
+    const { files } = batten;
+    files.open = (...words) => {
+      delete files.open;
+      const opened = files.open(...words);
+      done();
+      return opened;
+    };
+    const question = document.getElementById('question');
+    new MutationObserver(() => question.open && done()).observe(question, { attributes: true });
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], title));
+    for (const type of ['dragover', 'drop']) {
+      const event = new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer });
+      document.getElementById('stage').dispatchEvent(event);
+    }
+  }), [name, text]);
+  await settle(page);
+}

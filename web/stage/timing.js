@@ -136,7 +136,8 @@ export class Timing {
       if (!this.stroke.length || !graph.hasPointerCapture(event.pointerId)) {
         return;
       }
-      this.stroke.push(...this.#place(event));
+      const all = event.getCoalescedEvents(); // all that the pen said since the last frame
+      this.stroke.push(...(all.length ? all : [event]).flatMap((one) => this.#place(one)));
       this.#retime(this.stroke, false);
     });
     graph.addEventListener('pointerup', () => {

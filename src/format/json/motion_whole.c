@@ -125,8 +125,9 @@ static bat_status read_take(const bat_fields *f, uint32_t node, bat_take **out) 
     if (count < 1 || count > BAT_JOINTS_MAX)
         return bat_fields_complain(f, list ? list : node, "joints", "a list of 1 to 10000 objects");
     bat_bone *joints = calloc(count, sizeof *joints);
-    bat_status status = joints ? BAT_OK : bat_fields_say(f, node, BAT_MEMORY);
+    bat_status status = BAT_OK;
     int i = 0;
+    if (!joints) return bat_fields_say(f, node, BAT_MEMORY);
     for (uint32_t at = bat_json_first(f->json, list); at && status == BAT_OK; at = f->json->nodes[at].next) {
         status = read_joint(f, at, i, joints, &joints[i]);
         channels += (size_t)joints[i++].channel_count;
@@ -199,7 +200,7 @@ bat_status bat_motion_from_json(const bat_json *json, uint32_t node, bat_motion 
     if (status == BAT_OK && levels != (int)levels)
         status = bat_fields_complain(&f, bat_json_member(json, node, "levels"), "levels", "a whole number");
     if (status == BAT_OK) status = read_take(&f, node, &take);
-    if (status == BAT_OK) {
+    if (take) {
         count = take->joint_count; /* 1 to BAT_JOINTS_MAX */
         joints = calloc((size_t)(unsigned)count, sizeof *joints);
         status = joints ? read_turns(&f, node, take, joints) : bat_fields_say(&f, node, BAT_MEMORY);

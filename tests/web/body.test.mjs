@@ -1,0 +1,106 @@
+// Human motion in the page: a BVH file is dropped and is a skeleton; it plays; a pen chooses a joint, its levels are mixed, and a stroke over
+// the graph redraws its angle; undo gives the drawing back as it was.
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { drop, launch, move, open, quiet, SCREENSHOTS, state } from './page.mjs';
+import { serve } from './server.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+const FRAMES = 48;
+const BONES = /** name, depth, offset, swing in degrees */ [['Hips', 0, [0, 0, 0], 4], ['Chest', 1, [0, 40, 0], 5], ['Head', 2, [0, 30, 0], 6],
+  ['LeftArm', 2, [16, 20, 0], 25], ['LeftHand', 3, [0, -50, 0], 20], ['RightArm', 2, [-16, 20, 0], -25], ['RightHand', 3, [0, -50, 0], 20],
+  ['LeftLeg', 1, [9, -4, 0], -30], ['LeftFoot', 2, [0, -44, 0], 20], ['RightLeg', 1, [-9, -4, 0], 30], ['RightFoot', 2, [0, -44, 0], 20]];
+
+/** A walk of eleven joints. */
+function walk() {
+  const lines = ['HIERARCHY'];
+  BONES.forEach(([name, depth, offset], i) => {
+    const tab = '\t'.repeat(depth);
+    lines.push(`${tab}${depth ? 'JOINT' : 'ROOT'} ${name}`, `${tab}{`, `${tab}\tOFFSET ${offset.join(' ')}`);
+    lines.push(`${tab}\tCHANNELS ${depth ? 3 : '6 Xposition Yposition Zposition'} Zrotation Xrotation Yrotation`);
+    const next = BONES[i + 1]?.[1] ?? 0;
+    if (next <= depth) {
+      lines.push(`${tab}\tEnd Site`, `${tab}\t{`, `${tab}\t\tOFFSET 0 ${name === 'Head' ? 20 : -40} 0`, `${tab}\t}`);
+    }
+    for (let d = depth; d >= next; d--) {
+      lines.push(`${'\t'.repeat(d)}}`);
+    }
+  });
+  lines.push('MOTION', `Frames: ${FRAMES}`, 'Frame Time: 0.041666666666666664');
+  for (let f = 0; f < FRAMES; f++) {
+    const t = (2 * Math.PI * f) / 24;
+    const turns = BONES.flatMap(([, , , swing]) => [0.2 * swing * Math.cos(t), swing * Math.sin(t), 3 * Math.sin(2 * t)]);
+    lines.push([1.5 * f, 90 + 2 * Math.cos(2 * t), 2 * f, ...turns].join(' '));
+  }
+  return lines.join('\n');
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`a walk: dropped, played, a joint chosen, mixed, redrawn, undone, ${colorScheme}`, async (t) => {
+    const server = await serve();
+    t.after(() => server.close());
+    const { page, hand, context } = await open(browser, server.address, { colorScheme });
+    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `body-${name}-${colorScheme}.png`) });
+    await drop(page, 'walk.bvh', walk());
+    await page.waitForSelector('.time:not([hidden])');
+    await quiet(page);
+    await shot('opened');
+    const first = await state(page);
+    const opened = await move(page);
+    assert.ok(Math.abs(opened.duration - (FRAMES - 1) / 24) < 1e-9);
+    assert.equal(opened.joints.length, BONES.length);
+    assert.equal(await page.locator('.time [data-command=look-through]').isVisible(), false, 'it sees nothing');
+
+    await page.click('.time-more');
+    await quiet(page);
+    assert.deepEqual(await page.locator('.timing-joint option').allTextContents(), BONES.map(([name]) => name));
+    await page.selectOption('.timing-joint', { label: 'LeftLeg' });
+    await page.selectOption('.timing-angle', { label: 'X' });
+    const slider = await page.locator('.time-row input').boundingBox();
+    await hand.stroke([[slider.x + 8, slider.y + slider.height / 2], [slider.x + 0.3 * slider.width, slider.y + slider.height / 2]], { pointerType: 'pen' });
+    await quiet(page);
+    await shot('joint');
+    assert.equal((await move(page)).angles[(await move(page)).angle], 'X');
+    assert.equal((await state(page)).digest, first.digest, 'looking and choosing are not editing');
+
+    const box = await page.locator('.timing-graph').boundingBox();
+    const { graph, range } = await move(page);
+    const stroke = Array.from({ length: 13 }, (_, i) => {
+      const x = 0.25 + i / 24;
+      return [box.x + x * box.width, box.y + (1 - graph[Math.round(96 * x)] - 0.2 * Math.sin((Math.PI * i) / 12)) * box.height];
+    });
+    await hand.stroke(stroke, { pointerType: 'pen' });
+    await quiet(page);
+    await shot('redrawn');
+    const redrawn = await move(page);
+    const degrees = (share, [low, high]) => low + share * (high - low); // the range may have grown
+    const change = graph.map((share, i) => degrees(redrawn.graph[i], redrawn.range) - degrees(share, range));
+    const wanted = 0.2 * (range[1] - range[0]);
+    assert.ok(Math.abs(change[48] - wanted) < 0.05 * wanted, `the angle is where the stroke is: ${change[48]} degrees, not ${wanted}`);
+    assert.ok(Math.max(...change.slice(0, 10).map(Math.abs)) < 1e-6, 'and elsewhere where it was');
+    assert.notEqual((await state(page)).digest, first.digest);
+
+    const muted = page.locator('.timing-levels').nth(1).locator('li').first().locator('button').nth(1);
+    await muted.click();
+    await quiet(page);
+    assert.equal(await muted.getAttribute('aria-pressed'), 'true');
+    for (const target of await page.locator('.timing button:visible, .timing select:visible').all()) {
+      const size = await target.boundingBox();
+      assert.ok(size.height >= 32, `${size.height} px high`);
+    }
+    await page.locator('#stage').focus();
+    await page.keyboard.press('Control+Z');
+    await page.keyboard.press('Control+Z');
+    await quiet(page);
+    const now = await state(page);
+    assert.equal(now.digest, first.digest, 'undone');
+    assert.equal(now.check, '');
+    await context.close();
+  });
+}
