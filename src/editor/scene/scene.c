@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const float PALE = 0.2F;          /* factor on the opacity of what is not isolated */
+static const float PALE = 0.2F;          /* factor on the opacity of what is not isolated, or a ghost */
 static const uint32_t BARE = 0x707880ff; /* of surfaces without a stroke */
 static const uint32_t ITEM_PAGE = 0xffffffff;
 
@@ -252,6 +252,13 @@ void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolati
     dirty_all(scene);
 }
 
+void bat_scene_ghost(bat_scene *scene, bat_id id) {
+    if (scene->ghost == id) return;
+    scene->ghost = id;
+    scene->revision = UINT64_MAX;
+    dirty_all(scene);
+}
+
 bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry) {
     bat_item item = entry->item;
     if (scene->outline && item.role == BAT_ROLE_OBJECT) {
@@ -261,7 +268,7 @@ bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry)
         item.stroke = 0x000000ff;
         item.width = item.opacity = 1;
     }
-    if (entry->pale) item.opacity *= PALE;
+    if (entry->pale || (scene->ghost && bat_object_id(entry->object) == scene->ghost)) item.opacity *= PALE;
     return item;
 }
 

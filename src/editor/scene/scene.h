@@ -48,6 +48,7 @@ typedef struct bat_scene {
     bool outline;                   /* outline mode: thin lines without fill */
     const bat_isolation *isolation; /* borrowed; NULL: everything is within reach */
     uint32_t isolated;              /* the isolation's version as shown */
+    bat_id ghost;                   /* is shown by something else as it is now, and painted pale; 0: none */
     bool surfaces;                  /* some are shown */
     bool stale;                     /* some path could not be made, or the origin has moved */
     struct bat_space_kept *space;   /* scene/space.h; NULL until requested */
@@ -58,6 +59,8 @@ void bat_scene_init(bat_scene *scene);
 void bat_scene_free(bat_scene *scene);
 /* Sets how the next sync shows the document: in outline mode; with everything not isolated pale. */
 void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation);
+/* The object that something else shows as it is now, such as a skeleton at the playhead: it is painted pale. 0: none. */
+void bat_scene_ghost(bat_scene *scene, bat_id id);
 /* A surface without a stroke: thin lines show it face-on. */
 bool bat_scene_is_bare(const bat_object *object);
 /* The item of an entry as it is painted: in outline mode, or pale. */

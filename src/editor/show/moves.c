@@ -1,9 +1,14 @@
 #include "editor/show/moves.h"
 #include "document/kind.h"
 #include "editor/choice/choice.h"
+#include "editor/scene/scene.h"
 #include "editor/session/session.h"
 
 #include <limits.h>
+
+static bool is_body(const bat_document *document, bat_id id) {
+    return id && bat_object_motion(bat_document_at(document, bat_document_find(document, id)), NULL);
+}
 
 static bool moves(const bat_document *document, bat_id id) {
     const int at = id ? bat_document_find(document, id) : -1;
@@ -36,8 +41,7 @@ void bat_moves_sync(bat_context *c) {
         m->at = 0;
         m->playing = m->through = false;
         m->level[0] = m->level[1] = 0;
-        if (now && bat_object_motion(bat_document_at(document, bat_document_find(document, now)), NULL))
-            m->level[1] = INT_MAX; /* the finest of whichever joint */
+        if (is_body(document, now)) m->level[1] = INT_MAX; /* the finest of whichever joint */
         m->joint = m->angle = 0;
         m->version++;
     }
@@ -46,6 +50,7 @@ void bat_moves_sync(bat_context *c) {
         m->version++;
     }
     m->camera = now;
+    bat_scene_ghost(c->scene, is_body(document, now) ? now : 0); /* it is shown at the playhead */
     m->seen = true;
     m->revision = (uint64_t)c->session->revision;
     m->selection = selection->version;

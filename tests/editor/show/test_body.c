@@ -92,6 +92,33 @@ static void is_shown_at_the_playhead(void **state) {
     bat_editor_free(editor);
 }
 
+/* What the skeleton itself looks like, in the picture of what is still. */
+static const bat_item *still(bat_editor *editor) {
+    const bat_frame *frame = bat_editor_frame(editor);
+    for (uint32_t i = 0; i < frame->still_count; i++)
+        if (frame->still[i].id == 5) return &frame->still[i];
+    return NULL;
+}
+
+/* One body is seen: the first pose is pale behind what the playhead shows, until the skeleton is gone, and after undo. */
+static void its_first_pose_is_pale(void **state) {
+    (void)state;
+    bat_editor *editor = with_skeleton();
+    bat_editor_frame(editor);
+    assert_non_null(still(editor));
+    assert_true(still(editor)->opacity < 0.3F);
+    bat_editor_command(editor, "tool-select");
+    bat_editor_select(editor, 5, false);
+    assert_int_equal(bat_editor_command(editor, "delete"), BAT_OK);
+    bat_editor_frame(editor);
+    assert_null(still(editor));
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    bat_editor_frame(editor);
+    assert_true(still(editor) && still(editor)->opacity < 0.3F);
+    check(editor);
+    bat_editor_free(editor);
+}
+
 static void plays(void **state) {
     (void)state;
     bat_editor *editor = with_skeleton();
@@ -236,7 +263,9 @@ static void a_stroke_redraws_an_angle(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(is_shown_at_the_playhead), cmocka_unit_test(plays),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(is_shown_at_the_playhead),
+                                       cmocka_unit_test(its_first_pose_is_pale),
+                                       cmocka_unit_test(plays),
                                        cmocka_unit_test(a_tap_chooses_a_joint),
                                        cmocka_unit_test(levels_of_a_joint_are_mixed),
                                        cmocka_unit_test(a_stroke_redraws_an_angle)};
