@@ -93,7 +93,7 @@ export function show(engine, wake) {
       wake();
     };
     sheet.append(tell(document.createElement('p'), { text: 'shell.unshown-objects.help' }), objects(unshown, choose),
-      tell(document.createElement('h2'), { text: 'shell.unshown-file.help' }));
+      tell(document.createElement('h2'), { text: 'shell.unshown-file' }));
   }
   sheet.append(list(engine.losses));
   sheet.showPopover();
