@@ -175,7 +175,8 @@ static bat_status bind(source *s, const bat_document *document, const bat_object
         wires[i] = (bat_wire){.reference = bat_object_curve(curves[i], 0),
                               .radius = bat_function_of(number(s)),
                               .scale = bat_function_of(way & 64 ? number(s) / 50 : 1),
-                              .domain = way & 128 ? bat_object_curve(object, 0) : NULL};
+                              .domain = way & 128 ? bat_object_curve(object, 0) : NULL,
+                              .turn = (bat_wire_turn)(first / 2 % 2)};
         domains[i] = way & 4 ? bat_document_at(document, (first + 3) % all) : NULL;
     }
     const bat_status status = bat_object_bind(object, count, wires, curves, first & 1 ? domains : NULL,

@@ -202,7 +202,8 @@ const cli_command command_wire = {
                "wire, the "
                "reference it\nwas bound to, the curve it is now, and a radius; a scale, a curve that bounds "
                "the reach, "
-               "and how wires blend\nmay be given. The result has a \"report\": points, how many moved, by "
+               "by what it turns (\"turn\": \"tangent\"\nor \"frames\"), and how wires blend may be given. "
+               "The result has a \"report\": points, how many moved, by "
                "how much at "
                "most, and torn edges.",
     .example = "batten wire body.obj wires.json > shaped.json",

@@ -17,7 +17,7 @@ extern "C" {
  * memory. */
 BAT_API const char *bat_editor_layers(bat_editor *editor);
 /* The names of the commands that arrange or mend what is selected, as far as this selection makes them possible,
- * separated by spaces. Empty unless the select tool is in force, which shows what is selected. Owned by the
+ * separated by spaces, with a star behind the name of a switch that is on. Empty unless the select tool is in force, which shows what is selected. Owned by the
  * editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_actions(bat_editor *editor);
 /* Moves a layer to the place of another one beside it: in front of it when it comes from behind, otherwise behind

@@ -4,7 +4,8 @@
  * point P feels a wire by F = f(|P - R(p)| / r(p)), where p is the parameter of the point of R that is closest to P, r
  * the radius, and f(x) = (x^2 - 1)^2 up to 1, 0 beyond. It is scaled about R(p) by 1 + (s(p) - 1) F, turned about R(p) by F
  * times the least turn from R'(p) to W'(p), and moved by F (W(p) - R(p)) (docs/math/surfaces.md). Points of R go to W,
- * points that do not move keep every bit, and W equal to R moves none.
+ * points that do not move keep every bit, and W equal to R moves none. The least turn knows no twist; a wire may turn by
+ * frames instead, and then what is close to it is moved rigidly when it is.
  *
  * Binding finds p and F once; then wires can be shaped and applied at some tens of nanoseconds a point.
  */
@@ -17,6 +18,15 @@
 extern "C" {
 #endif
 
+/* By what a wire turns the points about it. */
+typedef enum bat_wire_turn {
+    BAT_TURN_TANGENT, /* the least turn from R' to W' */
+    /* The rotation F_W F_R^T of rotation-minimising frames along both curves, which are joined so that they follow the best
+     * rigid fit of R to W (Horn 1987) as closely as they can: that of a rigid motion is the motion's own. It changes
+     * steadily along the wire. A change at one place may turn all of it: what is bound then moves along the whole wire. */
+    BAT_TURN_FRAMES
+} bat_wire_turn;
+
 /* Curves and functions are borrowed for the duration of the call that they are given to. */
 typedef struct bat_wire {
     const bat_curve *reference;
@@ -24,6 +34,7 @@ typedef struct bat_wire {
     /* May be NULL. It bounds the reach on its side: with d its distance from R(p) and c the cosine at R(p) between P and
      * its nearest point there, the radius is r + (d - r) c^2 (3 - 2c) for c > 0. */
     const bat_curve *domain;
+    bat_wire_turn turn;
 } bat_wire;
 
 /* How the movements of several wires are joined where their reaches overlap: the mean by weights. */
@@ -52,8 +63,8 @@ typedef struct bat_binding bat_binding;
  * Binds points, 3 numbers each, to wires. Copies what it needs. options may be NULL: the defaults. wrong (may be NULL) is
  * filled in on failure: which wire, or which point, is meant. BAT_COUNT: no wires, or over BAT_POINTS_MAX points;
  * BAT_PARAMETER: a radius that is not above 0, or a function whose domain is not [0, 1]; BAT_NUMBER: a point or a function
- * that is not finite; BAT_ARGUMENT: a blend that does not exist, or an exponent that is not above 0. Cost: that of
- * bat_finder_nearest for each point in the box around each reference.
+ * that is not finite; BAT_ARGUMENT: a blend that does not exist, a turn that does not exist, or an exponent that is not above 0.
+ * Cost: that of bat_finder_nearest for each point in the box around each reference.
  */
 BAT_API bat_status bat_wires_bind(size_t wire_count, const bat_wire *wires, size_t point_count,
                                   const double *points, const bat_wire_options *options, bat_binding **out,

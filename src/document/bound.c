@@ -22,6 +22,7 @@ static bat_status copy_wire(const bat_wire *from, bat_wire *to) {
     to->reference = reference;
     if (status == BAT_OK && from->domain) status = bat_curve_copy(from->domain, &domain);
     to->domain = domain;
+    to->turn = from->turn;
     if (status == BAT_OK) status = copy_function(&from->radius, &to->radius);
     if (status == BAT_OK) status = copy_function(&from->scale, &to->scale);
     return status;
@@ -56,6 +57,7 @@ static uint64_t digest_of(const bat_bound *bound) {
         digest = bat_digest_curve(digest, wire->reference);
         digest = digest_function(digest_function(digest, &wire->radius), &wire->scale);
         digest = wire->domain ? bat_digest_curve(digest, wire->domain) : bat_digest_number(digest, 0);
+        if (wire->turn != BAT_TURN_TANGENT) digest = bat_digest_number(digest, (uint64_t)wire->turn);
     }
     digest = bat_digest_number(digest, (uint64_t)bound->options.blend);
     digest = bat_digest_double(digest, bound->options.exponent);
@@ -375,6 +377,7 @@ static bat_status image_hold(const bat_hold *hold, const double matrix[6], bat_h
         bat_curve *reference = NULL, *domain = NULL;
         status = image_curve(bound->wires[i].reference, matrix, &reference);
         wires[i].scale = bound->wires[i].scale; /* borrowed */
+        wires[i].turn = bound->wires[i].turn;
         wires[i].reference = reference;
         if (status == BAT_OK) status = image_curve(bound->wires[i].domain, matrix, &domain);
         wires[i].domain = domain;

@@ -62,6 +62,21 @@ class Wire(ProgramTest):
         moved = foot + turned + f[:, None] * (foot[:, [1, 2, 0]] - foot)
         self.assertLess(numpy.abs(moved - result["vertices"]).max(), 1e-12)
 
+    def test_turns_by_frames_carry_rigidly(self):
+        bow = {"degree": 3, "closed": False, "knots": [0, 0, 0, 0, 1, 2, 2, 2, 2], "points": RANDOM.uniform(-5, 5, (5, 3)).tolist()}
+        axis, angle, shift = numpy.array([2, -1, 2]) / 3, 1.2, numpy.array([1, 2, 3])
+        cross = numpy.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
+        turn = numpy.eye(3) + numpy.sin(angle) * cross + (1 - numpy.cos(angle)) * cross @ cross
+        moved = dict(bow, points=(numpy.array(bow["points"]) @ turn.T + shift).tolist())
+        cloud = {"vertices": RANDOM.uniform(-5, 5, (60, 3)).tolist(), "faces": []}
+        want = numpy.array(cloud["vertices"]) @ turn.T + shift
+        wire = {"reference": bow, "curve": moved, "radius": 1e8}  # so wide that everything counts as on the wire
+        result = self.wire(cloud, dict(wire, turn="frames"))
+        self.assertLess(numpy.abs(want - result["vertices"]).max(), 1e-9)
+        plain = self.wire(cloud, wire)
+        self.assertEqual(plain, self.wire(cloud, dict(wire, turn="tangent")))
+        self.assertGreater(numpy.abs(want - plain["vertices"]).max(), 0.1)
+
     def test_blends(self):
         other = line([0, 1, 0], [10, 1, 0])
         up, aside = line([0, 0, 1], [10, 0, 1]), line([0, 2, 0], [10, 2, 0])

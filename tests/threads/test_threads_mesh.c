@@ -57,7 +57,7 @@ static void const_calls_on_a_binding(void **state) {
     bound b = {NULL, NULL};
     assert_int_equal(bat_curve_create_clamped(3, 1, 2, line, &reference), BAT_OK);
     assert_int_equal(bat_curve_create_clamped(3, 1, 2, other, &b.curve), BAT_OK);
-    const bat_wire wire = {reference, bat_function_of(2), bat_function_of(2), NULL};
+    const bat_wire wire = {reference, bat_function_of(2), bat_function_of(2), NULL, BAT_TURN_FRAMES};
     assert_int_equal(bat_wires_bind(1, &wire, 4, points, NULL, &b.binding, NULL), BAT_OK);
     assert_alike(look_at_binding, &b, 2);
     bat_binding_free(b.binding);

@@ -53,7 +53,11 @@ export class Offers {
     const possible = frame.selected > 0 ? this.engine.actions() : [];
     this.row.hidden = possible.length === 0;
     for (const [name, button] of this.buttons) {
-      button.hidden = !possible.includes(name);
+      const on = possible.includes(`${name}*`);
+      button.hidden = !on && !possible.includes(name);
+      if (name === 'wire-frames') {
+        button.setAttribute('aria-pressed', String(on));
+      }
     }
     for (const group of this.row.children) {
       /** @type {HTMLElement} */ (group).hidden = [...group.children].every((one) => /** @type {HTMLElement} */ (one).hidden);

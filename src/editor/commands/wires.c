@@ -9,6 +9,7 @@ bool bat_wire_command_fits(const bat_context *c, bat_command_id id) {
     switch (id) {
     case BAT_COMMAND_WIRE_BIND: return bat_bind_fits(c);
     case BAT_COMMAND_WIRE_DOMAIN: return bat_bind_has_domain(c);
+    case BAT_COMMAND_WIRE_FRAMES: return bat_bind_turns(c, &(bool){false});
     case BAT_COMMAND_SURFACE_MEET:
     case BAT_COMMAND_WIRE_MEET: return bat_meet_fits(c);
     default: return bat_bind_can_free(c);
@@ -25,6 +26,7 @@ bat_status bat_command_wire(bat_context *c, bat_command_id id) {
     }
     if (id == BAT_COMMAND_WIRE_BIND) return bat_bind_selection(c);
     if (id == BAT_COMMAND_WIRE_DOMAIN) return bat_bind_domain(c);
+    if (id == BAT_COMMAND_WIRE_FRAMES) return bat_bind_switch_turn(c);
     return bat_bind_free(c, id == BAT_COMMAND_WIRE_REVERT);
 }
 

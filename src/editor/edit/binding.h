@@ -32,5 +32,8 @@ bat_status bat_bind_set_radius(bat_context *c, bool end, double value);
  * it, as one step. */
 bool bat_bind_has_domain(const bat_context *c);
 bat_status bat_bind_domain(bat_context *c);
+/* Whether one wire is selected, and whether it turns by frames; switching that is one step. */
+bool bat_bind_turns(const bat_context *c, bool *by_frames);
+bat_status bat_bind_switch_turn(bat_context *c);
 
 #endif

@@ -1,4 +1,4 @@
-/* What can be set of a wire: its radius, and the curve that bounds its reach. */
+/* What can be set of a wire: its radius, the curve that bounds its reach, and by what it turns. */
 #include "document/bound.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -11,11 +11,12 @@
 
 #include <string.h>
 
-/* Binds everything that is bound to the wire again, with another radius or (domain) another domain curve. */
+/* Binds everything that is bound to the wire again, with another radius, another domain curve or another turn. */
 typedef struct change {
     const bat_function *radius; /* NULL: as it is */
     bool bounds;                /* the domain curve changes, to: */
     const bat_object *domain;   /* the first curve of; NULL: none */
+    const bat_wire_turn *turn;  /* NULL: as it is */
 } change;
 
 static bat_status rebind(bat_context *c, int index, int which, const change *to) {
@@ -31,6 +32,7 @@ static bat_status rebind(bat_context *c, int index, int which, const change *to)
     bat_bound_domains(hold->bound, from, domains);
     memcpy(wires, had, (size_t)count * sizeof *wires);
     if (to->radius) wires[which].radius = *to->radius;
+    if (to->turn) wires[which].turn = *to->turn;
     if (to->bounds) wires[which].domain = NULL, domains[which] = to->domain;
     bat_status status = bat_object_bind(object, (size_t)count, wires, from, domains, options, &made);
     if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
@@ -157,6 +159,31 @@ bat_status bat_bind_domain(bat_context *c) {
                                  BAT_STRING_STEP_DOMAIN);
     if (status == BAT_OK)
         bat_notice(c, domain ? BAT_STRING_NOTICE_DOMAIN : BAT_STRING_NOTICE_NO_DOMAIN);
+    else
+        bat_notice_failure(c, status);
+    return status;
+}
+
+/* ---- the turn ---- */
+
+bool bat_bind_turns(const bat_context *c, bool *by_frames) {
+    bat_id curve;
+    if (!bat_document_has_followers(c->session->document)) return false;
+    const bat_wire *wire = selected(c, &curve);
+    if (wire) *by_frames = wire->turn == BAT_TURN_FRAMES;
+    return wire != NULL;
+}
+
+bat_status bat_bind_switch_turn(bat_context *c) {
+    bool frames;
+    if (!bat_bind_turns(c, &frames)) return BAT_STATE;
+    const bat_wire_turn turn = frames ? BAT_TURN_TANGENT : BAT_TURN_FRAMES;
+    bat_status status = bat_transaction_begin(c);
+    if (status != BAT_OK) return status;
+    status = bat_transaction_end(c, rebind_all(c, c->choice->selection.ids[0], &(change){.turn = &turn}),
+                                 BAT_STRING_STEP_TURN);
+    if (status == BAT_OK)
+        bat_notice(c, frames ? BAT_STRING_NOTICE_TURN_TANGENT : BAT_STRING_NOTICE_TURN_FRAMES);
     else
         bat_notice_failure(c, status);
     return status;

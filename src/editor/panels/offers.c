@@ -1,6 +1,7 @@
 /* Which commands the selection makes possible: the contents of a row of buttons. */
 #include "document/document.h"
 #include "editor/edit/arrange.h"
+#include "editor/edit/binding.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/surfaces.h"
 #include "editor/commands/wires.h"
@@ -81,6 +82,7 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_WIRE_MEET:
         return f->roots == 2 && f->open + f->closed == 0 && bat_wire_command_fits(c, id);
     case BAT_COMMAND_WIRE_DOMAIN:
+    case BAT_COMMAND_WIRE_FRAMES:
         return bat_document_has_followers(c->session->document) && bat_wire_command_fits(c, id);
     case BAT_COMMAND_WIRE_BIND: return f->roots > 1 && bat_wire_command_fits(c, id);
     case BAT_COMMAND_WIRE_BAKE:
@@ -94,6 +96,11 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     }
 }
 
+static bool is_on(const bat_context *c, bat_command_id id) {
+    bool on = false;
+    return id == BAT_COMMAND_WIRE_FRAMES && bat_bind_turns(c, &on) && on;
+}
+
 const char *bat_panel_actions(bat_context *c) {
     bat_text text = {0};
     facts f;
@@ -102,6 +109,7 @@ const char *bat_panel_actions(bat_context *c) {
         if (!possible(c, &f, (bat_command_id)i, bat_selecting_of(c)->has_point)) continue;
         if (text.size) bat_text_string(&text, " ");
         bat_text_string(&text, bat_command_at((bat_command_id)i)->name);
+        if (is_on(c, (bat_command_id)i)) bat_text_string(&text, "*");
     }
     bat_text_add(&text, "", 1);
     if (text.failed) {

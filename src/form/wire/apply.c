@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COEFFICIENTS = BAT_DEGREE_MAX + 1, BATCH = 64 };
+enum { COEFFICIENTS = BAT_DEGREE_MAX + 1, BATCH = BAT_TURNER_BATCH };
 
 /* ---- D on one piece ---- */
 
@@ -65,10 +65,15 @@ typedef struct batch {
 } batch;
 
 /* The influences are of one span, which `pieces` divide. */
+static const piece *piece_at(const piece *p, double u) {
+    while (u >= p->end && !p->last) p++;
+    return p;
+}
+
+/* Turns by parts of the least turn from R' to W'. */
 static void prepare(const piece *pieces, const bat_influence *from, int count, batch *b) {
     for (int i = 0; i < count; i++) {
-        const piece *p = pieces;
-        while (from[i].at >= p->end && !p->last) p++;
+        const piece *p = piece_at(pieces, from[i].at);
         const double x = (from[i].at - p->middle) * p->rate;
         const vec slope = horner(p->slope, p->degree - 1, x), axis = vec_cross(from[i].tangent, slope);
         const double cosine = vec_dot(from[i].tangent, vec_add(from[i].tangent, slope));
@@ -83,6 +88,23 @@ static void prepare(const piece *pieces, const bat_influence *from, int count, b
         b->sine[i] = sine, b->cosine[i] = cosine, b->parts[i] = from[i].strength;
     }
     bat_turns((size_t)count, b->parts, b->sine, b->cosine);
+}
+
+/* Turns by parts of those that the frames make; frames: of the influences. */
+static void prepare_frames(const bat_turner *turner, const piece *pieces, const bat_influence *from,
+                           const quat *frames, int count, batch *b) {
+    vec turns[BATCH];
+    double at[BATCH];
+    for (int i = 0; i < count; i++) at[i] = from[i].at;
+    bat_turner_at(turner, count, at, frames, turns);
+    for (int i = 0; i < count; i++) {
+        const piece *p = piece_at(pieces, at[i]);
+        const double angle = vec_norm(turns[i]), part = from[i].strength * angle;
+        b->shift[i] = horner(p->d, p->degree, (at[i] - p->middle) * p->rate);
+        b->turns[i] = angle > 0;
+        b->axis[i] = b->turns[i] ? vec_scale(turns[i], 1 / angle) : (vec){0, 0, 0};
+        b->sine[i] = bat_sin(part), b->cosine[i] = bat_cos(part);
+    }
 }
 
 /* Scaled, turned and moved, less where the point was. */
@@ -172,12 +194,17 @@ static bool rests(const piece *p) {
     return false;
 }
 
-static void apply_span(work *w, const piece *pieces, const bat_influence *from, const bat_influence *to) {
-    const bool resting = rests(pieces);
+/* turner: NULL where nothing turns by frames. */
+static void apply_span(work *w, const bat_bound_wire *wire, const bat_turner *turner, const piece *pieces,
+                       const bat_influence *from, const bat_influence *to) {
+    const bool resting = !turner && rests(pieces);
     batch b;
     while (from < to) {
         const int count = to - from < BATCH ? (int)(to - from) : BATCH;
-        if (!resting) prepare(pieces, from, count, &b);
+        if (turner)
+            prepare_frames(turner, pieces, from, wire->frames.at + (from - wire->influences), count, &b);
+        else if (!resting)
+            prepare(pieces, from, count, &b);
         for (int i = 0; i < count; i++)
             give(w, &from[i], resting ? vec_scale(from[i].away, from[i].stretch) : movement(&b, i, &from[i]));
         from += count;
@@ -185,39 +212,48 @@ static void apply_span(work *w, const piece *pieces, const bat_influence *from, 
 }
 
 /* The pieces, all those of a span of the reference one after the other. */
-static bat_status divide(const bat_bound_wire *wire, const bat_curve *curve, piece **out) {
+static bat_status divide(const bat_bound_wire *wire, const bat_curve *curve, piece **out, bool *moves) {
     const size_t most = (size_t)bat_curve_knot_count(wire->reference) + (size_t)bat_curve_knot_count(curve);
     double domain[2];
     int at[2] = {0, 0};
     piece *p = malloc(most * sizeof *p);
     if (!p) return BAT_MEMORY;
-    *out = p;
+    *out = p, *moves = false;
     bat_curve_domain(wire->reference, domain);
     for (double u = domain[0]; u < domain[1]; u = p++->end) {
         const double own = bat_wire_next_knot(wire->reference, u, domain[1], &at[0]),
                      other = bat_wire_next_knot(curve, u, domain[1], &at[1]);
         begin_piece(wire, curve, u, fmin(own, other), p);
         p->last = own <= other;
+        *moves = *moves || p->degree >= 0;
     }
     return BAT_OK;
 }
 
-static bat_status apply_wire(work *w, const bat_bound_wire *wire, const bat_curve *curve) {
-    piece *pieces, *p;
-    if (wire->count == 0) return BAT_OK;
+static void apply_pieces(work *w, const bat_bound_wire *wire, const bat_turner *turner, const piece *p) {
     const bat_influence *next = wire->influences, *last = next + wire->count;
-    bat_status status = divide(wire, curve, &pieces);
-    if (status != BAT_OK) return status;
-    p = pieces;
     for (int span = 0; next < last; span++) {
         const bat_influence *first = next;
         while (next < last && next->span == span) next++;
-        if (next > first) apply_span(w, p, first, next);
+        if (next > first) apply_span(w, wire, turner, p, first, next);
         while (!p++->last) {
         }
     }
+}
+
+static bat_status apply_wire(work *w, const bat_bound_wire *wire, const bat_curve *curve) {
+    piece *pieces;
+    bool moves;
+    bat_turner turner = {.chain = NULL};
+    if (wire->count == 0) return BAT_OK;
+    bat_status status = divide(wire, curve, &pieces, &moves);
+    if (status != BAT_OK) return status;
+    const bool frames = wire->turn == BAT_TURN_FRAMES && moves;
+    if (frames) status = bat_turner_begin(wire->reference, &wire->frames, curve, &turner);
+    if (status == BAT_OK) apply_pieces(w, wire, frames ? &turner : NULL, pieces);
+    bat_turner_end(&turner);
     free(pieces);
-    return BAT_OK;
+    return status;
 }
 
 /* How many ends of an open wire left the place, tangent or curvature of the reference. */

@@ -19,6 +19,7 @@ void bat_binding_free(bat_binding *binding) {
     if (!binding) return;
     for (size_t w = 0; binding->wires && w < binding->wire_count; w++) {
         bat_finder_free(binding->wires[w].finder);
+        bat_wire_frames_end(&binding->wires[w].frames);
         bat_curve_free(binding->wires[w].reference);
         free(binding->wires[w].influences);
     }
@@ -45,7 +46,7 @@ static void range_of(const bat_function *f, double range[2]) {
 
 static bat_status check_wire(const bat_wire *wire) {
     double range[2];
-    if (!wire->reference) return BAT_ARGUMENT;
+    if (!wire->reference || (unsigned)wire->turn > BAT_TURN_FRAMES) return BAT_ARGUMENT;
     bat_status status = bat_function_check(&wire->radius);
     if (status == BAT_OK) status = bat_function_check(&wire->scale);
     if (status != BAT_OK) return status;
@@ -216,7 +217,12 @@ static bat_status fasten(const bat_wire *wire, size_t point_count, const double 
     }
     bat_finder_free(f.beside);
     bat_curve_free(f.domain);
-    return status == BAT_OK ? order(to) : status;
+    if (status == BAT_OK) status = order(to);
+    to->turn = wire->turn;
+    if (status == BAT_OK && to->turn == BAT_TURN_FRAMES && to->count > 0)
+        status = bat_wire_frames_begin(to->reference, to->count, &to->influences->at, sizeof *to->influences,
+                                       &to->frames);
+    return status;
 }
 
 /* ---- several wires ---- */

@@ -2,7 +2,7 @@
 #ifndef BATTEN_FORM_WIRE_H
 #define BATTEN_FORM_WIRE_H
 
-#include "base/vec.h"
+#include "form/wire/turner.h"
 
 #include <batten/nearest.h>
 #include <batten/wires.h>
@@ -25,6 +25,8 @@ typedef struct bat_bound_wire {
     bat_finder *finder;   /* of the reference */
     double rounding;      /* of the reference's coordinates */
     size_t count;
+    bat_wire_turn turn;
+    bat_wire_frames frames;    /* of turns by frames: with one for each influence */
     bat_influence *influences; /* by span, then in the order of the points: memory is written in order */
 } bat_bound_wire;
 

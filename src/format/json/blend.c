@@ -2,6 +2,7 @@
 #include "format/json/word.h"
 
 static const char *const BLENDS[] = {"cross", "magnitude", "local", NULL};
+static const char *const TURNS[] = {"tangent", "frames", NULL};
 
 bat_status bat_blend_read(const bat_fields *f, uint32_t node, bat_wire_options *out) {
     const uint32_t blend = bat_json_member(f->json, node, "blend");
@@ -22,4 +23,19 @@ void bat_blend_write(const bat_wire_options *options, bat_text *text) {
     bat_text_string(text, "\",\"exponent\":");
     bat_text_number(text, options->exponent);
     bat_text_string(text, "}");
+}
+
+bat_status bat_turn_read(const bat_fields *f, uint32_t node, bat_wire_turn *out) {
+    int turn = BAT_TURN_TANGENT;
+    const bat_status status = bat_word_from_json(f->json, node, "turn", TURNS, "\"tangent\" or \"frames\"",
+                                                 &turn, f->problem);
+    *out = (bat_wire_turn)turn;
+    return status;
+}
+
+void bat_turn_write(bat_wire_turn turn, bat_text *text) {
+    if (turn == BAT_TURN_TANGENT) return;
+    bat_text_string(text, ",\"turn\":\"");
+    bat_text_string(text, TURNS[turn]);
+    bat_text_string(text, "\"");
 }

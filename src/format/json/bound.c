@@ -57,6 +57,7 @@ static bat_status read_wire(const bat_fields *f, uint32_t node, reading *r) {
         status = bat_fields_complain(f, node, "domain", "a curve");
     if (status == BAT_OK) status = bat_fields_function(f, node, "radius", &wire->radius);
     if (status == BAT_OK) status = bat_fields_function(f, node, "scale", &wire->scale);
+    if (status == BAT_OK) status = bat_turn_read(f, node, &wire->turn);
     return status;
 }
 
@@ -134,6 +135,7 @@ static void write_wire(const bat_wire *wire, bat_id id, bat_id domain, bat_text 
         bat_text_string(text, ",\"scale\":");
         bat_function_to_json(&wire->scale, text);
     }
+    bat_turn_write(wire->turn, text);
     bat_text_string(text, ",\n   \"reference\":");
     bat_curve_to_json(wire->reference, 4, text);
     if (wire->domain) {

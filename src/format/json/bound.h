@@ -1,5 +1,5 @@
 /* Internal: what an object is bound to, in JSON: {"wires":[{"curve":7,"reference":CURVE,"radius":FUNCTION,"scale":FUNCTION,
- * "domain":CURVE},..],"blend":{"kind":"cross","exponent":1},"rest":[[i,x,y,z],..]}. "curve": the id of the object whose first
+ * "turn":"frames","domain":CURVE},..],"blend":{"kind":"cross","exponent":1},"rest":[[i,x,y,z],..]}. "curve": the id of the object whose first
  * curve the wire is; "rest": those of its points that were elsewhere when it was bound. */
 #ifndef BATTEN_FORMAT_JSON_BOUND_H
 #define BATTEN_FORMAT_JSON_BOUND_H

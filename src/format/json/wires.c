@@ -1,5 +1,5 @@
-/* WIRES as JSON: {"wires":[{"reference":CURVE, "curve":CURVE, "radius":FUNCTION, "scale":FUNCTION, "domain":CURVE}, ...],
- * "blend":{"kind":"cross", "exponent":1}}. */
+/* WIRES as JSON: {"wires":[{"reference":CURVE, "curve":CURVE, "radius":FUNCTION, "scale":FUNCTION, "domain":CURVE,
+ * "turn":"tangent"}, ...], "blend":{"kind":"cross", "exponent":1}}. */
 #include "format/json/blend.h"
 #include "format/json/curve.h"
 #include "format/json/function.h"
@@ -64,7 +64,8 @@ static bat_status read_wire(const bat_fields *f, uint32_t node, size_t i, bat_wi
     }
     wire->reference = own[0], out->curves[i] = own[1], wire->domain = own[2];
     bat_status status = compare(f, bat_json_member(f->json, node, "curve"), own[0], own[1]);
-    return status == BAT_OK ? read_functions(f, node, wire) : status;
+    if (status == BAT_OK) status = read_functions(f, node, wire);
+    return status == BAT_OK ? bat_turn_read(f, node, &wire->turn) : status;
 }
 
 static bat_status read_wires(const bat_fields *f, bat_wires_source *out) {

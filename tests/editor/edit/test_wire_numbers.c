@@ -122,6 +122,46 @@ static void a_curve_bounds_the_reach(void **state) {
     bat_editor_free(editor);
 }
 
+/* A switch of the wire that is selected; all that is bound to it is taken where it goes now, as one step. */
+static void a_wire_turns_by_frames(void **state) {
+    (void)state;
+    for (int thing = A_SHEET; thing <= A_MESH; thing++) {
+        bat_editor *editor = open((what)thing, 1);
+        double *rest = rest_of(editor), *plain;
+        const uint64_t first = digest(editor);
+        const bat_wire *wires;
+        assert_false(offers(editor, "wire-frames"));
+        bat_editor_command(editor, "wire-bind");
+        assert_true(offers(editor, "wire-frames"));
+        assert_null(strstr(bat_editor_actions(editor), "wire-frames*"));
+        bat_editor_command(editor, "select-none");
+        redraw(editor, rest);
+        bat_editor_command(editor, "tool-select");
+        bat_editor_select(editor, WIRE, false);
+        const uint64_t by_tangents = digest(editor);
+        plain = rest_of(editor);
+        assert_int_equal(bat_editor_command(editor, "wire-frames"), BAT_OK);
+        assert_non_null(strstr(bat_editor_actions(editor), "wire-frames*"));
+        assert_string_equal(bat_editor_frame(editor)->notice, "What is bound turns with the wire's twist");
+        bat_object_wires(found(editor, SHEET), &wires, NULL);
+        assert_int_equal(wires[0].turn, BAT_TURN_FRAMES);
+        assert_true(digest(editor) != by_tangents);
+        double far = 0, now[3];
+        for (size_t i = 0; i < points_of(editor); i++) {
+            point_at(editor, (int)i, now);
+            for (int k = 0; k < 3; k++) far = fmax(far, fabs(now[k] - plain[3 * i + (size_t)k]));
+        }
+        assert_true(far < 5); /* in the plane both turn alike, but for the side of the straight wire */
+        check(editor);
+        replays(editor, 1);
+        assert_int_equal(bat_editor_command(editor, "wire-frames"), BAT_OK);
+        assert_true(digest(editor) == by_tangents);
+        assert_int_equal(round_trip(editor, first), 4);
+        free(rest), free(plain);
+        bat_editor_free(editor);
+    }
+}
+
 /* A copy with a line at x as OTHER. */
 static bat_editor *with_other(bat_editor *editor, double x) {
     bat_document *document = NULL;
@@ -320,6 +360,7 @@ int main(void) {
         cmocka_unit_test(the_wall_of_the_tube_is_dragged),
         cmocka_unit_test(a_drag_is_cancelled),
         cmocka_unit_test(radii_are_numbers),
+        cmocka_unit_test(a_wire_turns_by_frames),
         cmocka_unit_test(a_curve_bounds_the_reach),
         cmocka_unit_test(a_domain_curve_is_followed),
         cmocka_unit_test(a_deleted_domain_curve_stays),

@@ -56,7 +56,7 @@ static void fill(random_source *r, double *points, int count) {
 }
 
 static bat_wire wire_of(const bat_curve *reference, double radius) {
-    return (bat_wire){reference, bat_function_of(radius), bat_function_of(1), NULL};
+    return (bat_wire){reference, bat_function_of(radius), bat_function_of(1), NULL, BAT_TURN_TANGENT};
 }
 
 static bat_binding *bound(size_t count, const bat_wire *wires, const bat_wire_options *options, int points,
@@ -208,7 +208,8 @@ static void formulas(void **state) {
             const double low = random_between(&r, 3, 5), high = random_between(&r, 4, 9);
             references[k] = smooth_curve(&r, run % 4 == 3);
             curves[k] = shaken(&r, references[k], 3);
-            wires[k] = (bat_wire){references[k], slope_of(low, high), slope_of(1, 0.5 + 0.1 * low), NULL};
+            wires[k] = (bat_wire){references[k], slope_of(low, high), slope_of(1, 0.5 + 0.1 * low), NULL,
+                                  BAT_TURN_TANGENT};
             if (run % 5 == 4) wires[k].domain = domain;
         }
         check_against_formulas(count, wires, curves, &options, &r);
