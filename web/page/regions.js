@@ -2,7 +2,7 @@
 // tab stop. Fetched once the page has loaded.
 
 /** In page order. */
-const REGIONS = ['#tools', '#rail', '#stage', '#mirror', '.foot', '.sheet:popover-open', '#asked', '#pending', '.chips'];
+const REGIONS = ['#tools', '#rail', '#stage', '#mirror', '#actions', '.foot', '.sheet:popover-open', '#asked', '#pending', '.chips'];
 const STOPS = 'button, input, select, textarea, [tabindex]';
 
 /** @param {Element} element */
@@ -28,7 +28,7 @@ export function walk(step) {
 }
 
 /** Makes a toolbar a single tab stop, with arrow keys inside. @param {HTMLElement} bar */
-function rove(bar) {
+export function rove(bar) {
   const buttons = () => [...bar.querySelectorAll('button')].filter(usable);
   const settle = () => {
     const there = buttons();

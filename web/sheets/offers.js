@@ -13,8 +13,10 @@ const FAMILIES = [/^(un)?group$/, /^(curve-|to-page$)/, /^(surface|wire)-/, /^ca
 export class Offers {
   /** @param {Panel} panel */
   static async make(panel) {
-    await Promise.all([dress('styles/offers.css'), loadIcons('arrange')]);
-    return new Offers(panel);
+    const [{ rove }] = await Promise.all([import('../page/regions.js'), dress('styles/offers.css'), loadIcons('arrange')]);
+    const offers = new Offers(panel);
+    rove(offers.row);
+    return offers;
   }
 
   /** @param {Panel} panel */
