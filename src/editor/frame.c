@@ -77,16 +77,17 @@ static const char *whole_hint(bat_editor *editor) {
     return editor->hint;
 }
 
-/* Behind the hint, while a curve is being drawn: what follows it, in numbers. */
+/* Behind the hint, in numbers: while a curve is being drawn what follows it, else the surface that is selected. */
 static const char *hint_with_numbers(bat_editor *editor, const bat_readout *made) {
     const char *text = whole_hint(editor);
     const bat_context *c = &editor->context;
     char written[BAT_FOLLOWERS_ROOM];
     bat_follow_numbers numbers;
-    if (!bat_document_has_followers(c->session->document) ||
-        !(made->followers || c->session->transaction.open))
-        return text;
-    if (!made->followers) bat_follow_numbers_now(c, &numbers);
+    if (!bat_document_has_followers(c->session->document)) return text;
+    if (c->session->transaction.open)
+        bat_follow_numbers_now(c, &numbers);
+    else
+        bat_follow_numbers_selected(c, &numbers);
     bat_follow_numbers_write(c, made->followers ? &made->followers->numbers : &numbers, written);
     if (!written[0]) return text;
     size_t used = strlen(text);

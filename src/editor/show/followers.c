@@ -39,7 +39,9 @@ static void measure(const bat_object *object, bat_follow_numbers *f) {
 }
 
 static void count_in(const bat_object *follower, bat_follow_numbers *f) {
+    const bat_recipe *recipe = bat_object_recipe(follower);
     measure(follower, f);
+    if (recipe && !f->made) f->made = true, f->recipe = *recipe;
     f->folds += bat_object_folds(follower, NULL);
     f->freed += bat_object_sources(follower, NULL) == 0;
 }
@@ -86,6 +88,15 @@ void bat_follow_numbers_now(const bat_context *c, bat_follow_numbers *out) {
         if (delta->before && delta->after && bat_object_sources(delta->before, NULL) > 0)
             count_in(delta->after, out);
     }
+}
+
+void bat_follow_numbers_selected(const bat_context *c, bat_follow_numbers *out) {
+    const bat_document *document = c->session->document;
+    *out = (bat_follow_numbers){.moved = 0};
+    if (c->choice->selection.count != 1) return;
+    const bat_object *object = bat_document_at(document,
+                                               bat_document_find(document, c->choice->selection.ids[0]));
+    if (object && bat_object_recipe(object)) count_in(object, out);
 }
 
 void bat_followers_clear(bat_followers *f) {
@@ -182,7 +193,7 @@ static void show_mesh(const bat_context *c, const bat_polymesh *before, const ba
 static void show_one(const bat_context *c, const bat_object *before, const bat_object *now,
                      bat_overlay *overlay) {
     const bat_polymesh *mesh = bat_object_mesh(now);
-    bat_overlay_item(overlay, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, 1);
+    bat_overlay_item(overlay, BAT_ROLE_FIT, BAT_ITEM_STROKED, 1.5F);
     if (bat_object_surface(now))
         show_surface(c, bat_object_surface(before), bat_object_surface(now), overlay);
     else if (mesh)
@@ -216,6 +227,19 @@ static void say(const bat_context *c, bat_string word, const char *number, char 
              number, hole + 1);
 }
 
+static void say_recipe(const bat_context *c, const bat_recipe *recipe, char text[BAT_FOLLOWERS_ROOM]) {
+    char number[BAT_UNIT_ROOM];
+    if (recipe->kind == BAT_RECIPE_SWEEP) {
+        bat_unit_number(recipe->twist, number);
+        say(c, BAT_STRING_NUMBER_TWIST, number, text);
+        bat_unit_number(recipe->scale, number);
+        say(c, BAT_STRING_NUMBER_SCALE, number, text);
+    } else if (recipe->kind == BAT_RECIPE_REVOLVE) {
+        bat_unit_number(recipe->angle, number);
+        say(c, BAT_STRING_NUMBER_ANGLE, number, text);
+    }
+}
+
 void bat_follow_numbers_write(const bat_context *c, const bat_follow_numbers *n,
                               char text[BAT_FOLLOWERS_ROOM]) {
     const size_t counts[] = {n->torn, n->folds, n->freed};
@@ -232,6 +256,7 @@ void bat_follow_numbers_write(const bat_context *c, const bat_follow_numbers *n,
         snprintf(number, sizeof number, "%zu", counts[k]);
         if (counts[k] > 0) say(c, words[k], number, text);
     }
+    if (n->made) say_recipe(c, &n->recipe, text);
 }
 
 /* ---- folds ---- */

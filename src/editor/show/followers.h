@@ -6,6 +6,7 @@
 #include "editor/session/context.h"
 
 #include <batten/document.h>
+#include <batten/recipe.h>
 
 enum { BAT_FOLLOWERS = 16, BAT_FOLLOWERS_ROOM = 128 };
 
@@ -14,6 +15,8 @@ typedef struct bat_follow_numbers {
     double farthest;    /* how far the one that was moved most */
     size_t torn, folds; /* edges, stretches */
     size_t freed;       /* things that follow no longer */
+    bool made;          /* a surface made from curves is among them: */
+    bat_recipe recipe;  /* that of the first one */
 } bat_follow_numbers;
 
 typedef struct bat_followers {
@@ -29,7 +32,9 @@ void bat_followers_clear(bat_followers *f);
 void bat_followers_show(const bat_context *c, bat_followers *f, bat_overlay *overlay);
 /* The numbers of what has followed in the transaction that is open; zeros: nothing has. */
 void bat_follow_numbers_now(const bat_context *c, bat_follow_numbers *out);
-/* As text: "84 points move, by up to 28 px"; empty: nothing follows. */
+/* Those of the surface that is selected, if it is made from curves; zeros: it is not. */
+void bat_follow_numbers_selected(const bat_context *c, bat_follow_numbers *out);
+/* As text: "84 points move, by up to 28 px", "twist 90°, scale 0.5"; empty: nothing follows. */
 void bat_follow_numbers_write(const bat_context *c, const bat_follow_numbers *numbers,
                               char text[BAT_FOLLOWERS_ROOM]);
 

@@ -54,6 +54,14 @@ static size_t items_of(const bat_frame *frame, bat_role role) {
     return found;
 }
 
+/* Thinner than the curve that is drawn, which has the same colour: what follows it. */
+static size_t followers_shown(const bat_frame *frame) {
+    size_t found = 0;
+    for (uint32_t i = 0; i < frame->live_count; i++)
+        found += frame->live[i].role == BAT_ROLE_FIT && frame->live[i].width == 1.5F;
+    return found;
+}
+
 /* While the pen is down: what is bound is shown where it will be, with its numbers behind the hint, and they are those of what
  * is kept, within half a pixel: the sketch hand fits a little closer when the pen is lifted. The document waits. */
 static void follows_while_the_pen_is_down(void **state) {
@@ -67,7 +75,7 @@ static void follows_while_the_pen_is_down(void **state) {
         pen p = pen_for(editor);
         p.time += 1000;
         pen_event(&p, BAT_POINTER_HOVER, 400, 290);
-        const size_t quiet = items_of(bat_editor_frame(editor), BAT_ROLE_PREDICTED);
+        assert_int_equal(followers_shown(bat_editor_frame(editor)), 0);
         pen_event(&p, BAT_POINTER_DOWN, 400, 290);
         for (int i = 1; i <= 40; i++) {
             const double t = i / 40.0;
@@ -78,7 +86,7 @@ static void follows_while_the_pen_is_down(void **state) {
         const bat_frame *frame = bat_editor_frame(editor);
         char said[256];
         snprintf(said, sizeof said, "%s", frame->hint);
-        assert_true(items_of(frame, BAT_ROLE_PREDICTED) > quiet);
+        assert_int_equal(followers_shown(frame), 1);
         assert_true(digest(editor) == bound);
         pen_event(&p, BAT_POINTER_UP, 400, 510);
         bat_editor_frame(editor);

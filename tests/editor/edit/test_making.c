@@ -315,6 +315,8 @@ static void numbers(void **state) {
     assert_int_equal(bat_editor_enter(editor, "surface-twist", "90"), BAT_OK);
     assert_int_equal(bat_editor_enter(editor, "surface-scale", "0.5"), BAT_OK);
     assert_string_equal(bat_editor_number(editor, "surface-twist"), "90°");
+    assert_non_null(
+        strstr(bat_editor_frame(editor)->hint, "twist 90°, scale 0.5 at the end")); /* beside the hint, too */
     assert_string_equal(bat_editor_number(editor, "surface-scale"), "0.5");
     is_fresh(editor);
     assert_true(bat_object_recipe(surface_in(editor))->twist == 90);
@@ -327,7 +329,9 @@ static void numbers(void **state) {
     editor = open(&JUG);
     assert_int_equal(bat_editor_command(editor, "surface-revolve"), BAT_OK);
     assert_string_equal(bat_editor_number(editor, "surface-angle"), "360°");
+    assert_non_null(strstr(bat_editor_frame(editor)->hint, "angle 360°"));
     assert_int_equal(bat_editor_enter(editor, "surface-angle", "180"), BAT_OK);
+    assert_non_null(strstr(bat_editor_frame(editor)->hint, "angle 180°"));
     assert_false(bat_surface_is_closed(bat_object_surface(surface_in(editor)), BAT_U));
     is_fresh(editor);
     bat_editor_free(editor);

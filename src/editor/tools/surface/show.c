@@ -52,7 +52,7 @@ static void show_made(bat_context *c, const bat_surfacing *s, bat_overlay *list,
                       bat_direction d, double value, const double moved[2]) {
     const bat_direction other = d == BAT_U ? BAT_V : BAT_U;
     double points[3 * ACROSS];
-    bat_overlay_item(list, BAT_ROLE_PREDICTED, BAT_ITEM_STROKED, 1);
+    bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 1.25F);
     for (double at = -INFINITY; (at = next_knot(surface, d, at)) < INFINITY;)
         if (at > moved[0] && at < moved[1]) add_line(c, list, &s->seen, surface, d, at);
     for (double at = -INFINITY; (at = next_knot(surface, other, at)) < INFINITY;) {
