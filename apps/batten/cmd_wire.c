@@ -202,10 +202,9 @@ const cli_command command_wire = {
                "wire, the "
                "reference it\nwas bound to, the curve it is now, and a radius; a scale, a curve that bounds "
                "the reach, "
-               "by what it turns (\"turn\": \"tangent\"\nor \"frames\"), and how wires blend may be given. "
-               "The result has a \"report\": points, how many moved, by "
-               "how much at "
-               "most, and torn edges.",
+               "by what it turns\n(\"turn\": \"tangent\" or \"frames\"), and how wires blend may be given. "
+               "The result has a "
+               "\"report\": points, how many\nmoved, by how much at most, and torn edges.",
     .example = "batten wire body.obj wires.json > shaped.json",
     .operands = 2,
     .run = run,
