@@ -271,6 +271,8 @@ static bat_status cut(mirroring *w, const change *pieces, int count) {
 
 static bat_status mirror_one(mirroring *w, const change *now) {
     const int count = curves_in(now->after);
+    if (now->before && now->after && bat_object_sources(now->after, NULL) > 0)
+        return BAT_OK; /* it goes where its wires take it, and these are mirrored */
     bat_status status = BAT_OK;
     if (w->ways & BAT_MIRROR_PIECES && now->before && count == 1 && curves_in(now->before) == 1) {
         int pieces = 1;
@@ -304,4 +306,17 @@ bat_status bat_mirror_preview(bat_context *c, const bat_mirror *mirror, double p
     if (before && !own && !twin_of(&w, before).object) return BAT_STATE;
     bat_status status = whole(&w, after, own ? changed_side(&w, before, after) : 0, out);
     return status == BAT_STATE && !own ? bat_mirror_curve(mirror, after, out) : status;
+}
+
+bat_id bat_mirror_twin(bat_context *c, const bat_mirror *mirror, double pixel, bat_id object, int curve,
+                       int *out) {
+    mirroring w = {.c = c, .mirror = mirror, .pixel = pixel};
+    const bat_object *of = found(&w, object);
+    if (curve >= curves_in(of)) return 0;
+    const bat_curve *before = bat_object_curve(of, curve);
+    *out = curve;
+    if (bat_mirror_twins(mirror, before, before, pixel)) return object;
+    const twin t = twin_of(&w, before);
+    *out = t.curve;
+    return t.object;
 }

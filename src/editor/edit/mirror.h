@@ -30,5 +30,8 @@ bat_status bat_mirror_changes(bat_context *c, const bat_mirror *mirror, unsigned
  * image, or the whole curve that both become. BAT_STATE: nothing changes there. */
 bat_status bat_mirror_preview(bat_context *c, const bat_mirror *mirror, double pixel, double tolerance,
                               const bat_curve *before, const bat_curve *after, bat_curve **out);
+/* The object and the number of the curve that is the image of the object's curve, which may be itself; 0: none. */
+bat_id bat_mirror_twin(bat_context *c, const bat_mirror *mirror, double pixel, bat_id object, int curve,
+                       int *out);
 
 #endif

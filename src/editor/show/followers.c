@@ -46,38 +46,50 @@ static void count_in(const bat_object *follower, bat_follow_numbers *f) {
     f->freed += bat_object_sources(follower, NULL) == 0;
 }
 
-/* What would become of it if the first curve of the object `id` were `curve`, by the same call; NULL: nothing. */
-static bat_status would_follow(const bat_document *document, int index, bat_id id, const bat_curve *curve,
-                               bat_object **out) {
-    const bat_object *object = bat_document_at(document, index), *from[BAT_RECIPE_CURVES];
-    const bat_object *now = bat_document_at(document, bat_document_find(document, id));
-    bat_object *then = NULL;
-    bat_curve *copy = NULL;
-    *out = NULL;
-    if (!now || !bat_document_sources(document, object, from)) return BAT_OK;
-    const int count = bat_object_sources(object, NULL);
-    bool follows = false;
-    for (int i = 0; i < count; i++) follows = follows || from[i] == now;
-    if (!follows) return BAT_OK;
-    bat_status status = bat_curve_copy(curve, &copy);
-    if (status == BAT_OK) status = bat_object_with_curve(now, 0, copy, &then);
-    for (int i = 0; i < count; i++)
-        if (from[i] == now) from[i] = then;
-    if (status == BAT_OK) status = bat_object_type(object)->remake(object, NULL, from, out);
-    bat_object_release(then);
-    return status;
+enum { CHANGES = 2 };
+
+/* The objects as they would be; NULL: none such. */
+static void would_be(const bat_document *document, int count, const bat_follow_change *changes,
+                     bat_object *then[CHANGES]) {
+    for (int k = 0; k < count; k++) {
+        const bat_object *now = bat_document_at(document, bat_document_find(document, changes[k].id));
+        bat_curve *copy = NULL;
+        then[k] = NULL;
+        if (now && bat_curve_copy(changes[k].curve, &copy) == BAT_OK)
+            bat_object_with_curve(now, 0, copy, &then[k]); /* on failure what follows it is not shown */
+    }
 }
 
-void bat_followers_of(const bat_context *c, bat_id id, const bat_curve *curve, bat_followers *out) {
+/* What would become of it if these objects were put in, by the same call as in the end; NULL: nothing. */
+static bat_status would_follow(const bat_document *document, int index, int count, bat_object *const *then,
+                               bat_object **out) {
+    const bat_object *object = bat_document_at(document, index), *from[BAT_RECIPE_CURVES];
+    *out = NULL;
+    if (!bat_document_sources(document, object, from)) return BAT_OK;
+    const int sources = bat_object_sources(object, NULL);
+    bool follows = false;
+    for (int i = 0; i < sources; i++)
+        for (int k = 0; k < count; k++)
+            if (then[k] && bat_object_id(from[i]) == bat_object_id(then[k])) {
+                from[i] = then[k], follows = true;
+                break;
+            }
+    return follows ? bat_object_type(object)->remake(object, NULL, from, out) : BAT_OK;
+}
+
+void bat_followers_of(const bat_context *c, int count, const bat_follow_change *changes, bat_followers *out) {
     const bat_document *document = c->session->document;
+    bat_object *then[CHANGES] = {NULL};
     *out = (bat_followers){.count = 0};
     if (!bat_document_has_followers(document)) return;
+    would_be(document, count < CHANGES ? count : CHANGES, changes, then);
     for (int i = 0; i < bat_document_count(document) && out->count < BAT_FOLLOWERS; i++) {
         bat_object *made = NULL;
-        if (would_follow(document, i, id, curve, &made) != BAT_OK || !made) continue;
+        if (would_follow(document, i, CHANGES, then, &made) != BAT_OK || !made) continue;
         out->objects[out->count++] = made;
         count_in(made, &out->numbers);
     }
+    for (int k = 0; k < CHANGES; k++) bat_object_release(then[k]);
 }
 
 void bat_follow_numbers_now(const bat_context *c, bat_follow_numbers *out) {

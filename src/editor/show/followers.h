@@ -25,9 +25,15 @@ typedef struct bat_followers {
     bat_follow_numbers numbers;         /* torn: once they have been shown */
 } bat_followers;
 
-/* What would become of those that follow the first curve of the object `id` if it were `curve`; they stay at most
- * BAT_FOLLOWERS. What cannot be made is left out. To be cleared. */
-void bat_followers_of(const bat_context *c, bat_id id, const bat_curve *curve, bat_followers *out);
+/* An object, and what its first curve would be. */
+typedef struct bat_follow_change {
+    bat_id id;
+    const bat_curve *curve;
+} bat_follow_change;
+
+/* What would become of those that follow objects if these changed; they stay at most BAT_FOLLOWERS. What cannot be made is
+ * left out. To be cleared. */
+void bat_followers_of(const bat_context *c, int count, const bat_follow_change *changes, bat_followers *out);
 void bat_followers_clear(bat_followers *f);
 void bat_followers_show(const bat_context *c, bat_followers *f, bat_overlay *overlay);
 /* The numbers of what has followed in the transaction that is open; zeros: nothing has. */

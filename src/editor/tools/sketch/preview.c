@@ -1,5 +1,7 @@
 /* The preview of the stroke so far: its samples are fitted while the pen is down, once per frame. */
+#include "document/document.h"
 #include "editor/edit/curves_of.h"
+#include "editor/edit/mirror.h"
 #include "editor/input/samples.h"
 #include "editor/session/session.h"
 #include "editor/tools/sketch/parts.h"
@@ -89,10 +91,31 @@ static void fit(bat_context *c, bat_sketching *s) {
     if (curve && bat_sketching_one_changes(&s->edit)) keep_blends(&s->preview, &s->edit.stage, &info);
 }
 
+/* What follows the curve; with symmetry, also what follows its twin, which becomes its image. */
+static void follow(bat_context *c, bat_sketching *s) {
+    const bat_mirror *mirror = &s->edit.mirror;
+    const double pixel = s->edit.options.pixel;
+    bat_follow_change changes[2] = {{s->edit.object, s->preview.curve}};
+    bat_curve *image = NULL;
+    int count = 1, curve = 0;
+    const bool doubles = mirror->on && bat_document_has_followers(c->session->document);
+    const bat_id twin = doubles ? bat_mirror_twin(c, mirror, pixel, s->edit.object, 0, &curve) : 0;
+    if (twin == s->edit.object) {
+        const bat_object *object = bat_document_at(c->session->document,
+                                                   bat_document_find(c->session->document, twin));
+        bat_mirror_preview(c, mirror, pixel, s->edit.options.tolerance, bat_object_curve(object, 0),
+                           s->preview.curve, &image);
+        if (image) changes[0].curve = image;
+    } else if (twin && curve == 0 && bat_mirror_curve(mirror, s->preview.curve, &image) == BAT_OK) {
+        changes[count++] = (bat_follow_change){twin, image};
+    }
+    bat_followers_of(c, count, changes, &s->preview.followers);
+    bat_curve_free(image);
+}
+
 void bat_sketching_refresh_preview(bat_context *c, bat_sketching *s) {
     s->preview_due = false;
     bat_sketching_drop_preview(s);
     fit(c, s);
-    if (s->preview.curve && s->edit.curve == 0 && bat_sketching_one_changes(&s->edit))
-        bat_followers_of(c, s->edit.object, s->preview.curve, &s->preview.followers);
+    if (s->preview.curve && s->edit.curve == 0 && bat_sketching_one_changes(&s->edit)) follow(c, s);
 }
