@@ -314,7 +314,7 @@ bat_status bat_binding_apply(const bat_binding *binding, const bat_curve *const 
         for (size_t i = 0; i < wire->count; i++)
             if (wire->influences[i].sum >= 0) w.slots[wire->influences[i].sum] = wire->influences[i].slot;
         status = apply_wire(&w, wire, curves[k]);
-        w.report.kinks += kinks_of(wire, curves[k]);
+        if (wire->count > 0) w.report.kinks += kinks_of(wire, curves[k]);
     }
     if (status == BAT_OK) move_sums(&w);
     free(w.sums), free(w.slots);

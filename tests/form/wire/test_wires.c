@@ -523,6 +523,27 @@ static void torn_edges(void **state) {
 
 /* ---- what is refused ---- */
 
+/* A wire that reaches nothing moves nothing, and what it does has no kinks. */
+static void bound_to_nothing(void **state) {
+    (void)state;
+    random_source r = {49};
+    for (int turn = BAT_TURN_TANGENT; turn <= BAT_TURN_FRAMES; turn++) {
+        bat_curve *reference = space_curve(&r, 0), *wire = shaken(&r, reference, 3);
+        double points[6] = {1e5, 0, 0, -1e5, 2e5, 0}, before[6];
+        bat_wire one = wire_of(reference, 6);
+        bat_wire_report report;
+        one.turn = (bat_wire_turn)turn;
+        memcpy(before, points, sizeof before);
+        bat_binding *b = bound(1, &one, NULL, 2, points);
+        assert_int_equal(bat_binding_count(b), 0);
+        assert_int_equal(bat_binding_apply(b, (const bat_curve *const *)&wire, points, &report, NULL),
+                         BAT_OK);
+        assert_memory_equal(points, before, sizeof before);
+        assert_true(report.moved == 0 && report.kinks == 0 && report.largest == 0);
+        bat_binding_free(b), bat_curve_free(reference), bat_curve_free(wire);
+    }
+}
+
 static void refusals(void **state) {
     (void)state;
     random_source r = {48};
@@ -645,6 +666,7 @@ int main(void) {
         cmocka_unit_test(opposite_tangents),
         cmocka_unit_test(any_exponent),
         cmocka_unit_test(torn_edges),
+        cmocka_unit_test(bound_to_nothing),
         cmocka_unit_test(refusals),
         cmocka_unit_test(what_json_says),
         cmocka_unit_test(each_allocation),
