@@ -95,7 +95,10 @@ static void check_amended(const bat_camera *from) {
     bat_camera_retime(camera, 3, stroke);
     bat_camera_ease(camera, 1, 0.5);
     bat_camera_set_timing(camera, bat_camera_duration(from), bat_camera_timing(camera));
-    bat_camera_add_shake(camera, 7, 0.1, 30 / bat_camera_duration(camera));
+    bat_camera_shake shake = {.seed = 0};
+    if (bat_camera_add_shake(camera, 7, 0.1, 30 / bat_camera_duration(camera)) == BAT_OK &&
+        (bat_camera_shake_of(camera, bat_camera_levels(camera), &shake) != BAT_OK || shake.seed != 7))
+        abort();
     if (bat_camera_take_levels(camera, from) == BAT_OK &&
         bat_camera_levels(camera) != bat_camera_levels(from))
         abort();

@@ -22,6 +22,8 @@ enum {
     BAT_CAMERA_SAMPLES_MAX = 10000000 /* the most that a host should ask for at once */
 };
 
+#define BAT_CAMERA_SEED_MAX ((uint64_t)1 << 53) /* of a shake: what files hold exactly */
+
 typedef enum bat_camera_mode {
     BAT_CAMERA_FREE,   /* the base turns the camera in the world */
     BAT_CAMERA_ALONG,  /* the base turns it in the path's rotation-minimising frame: x, y, z = r, s, -t */
@@ -100,10 +102,17 @@ BAT_API bat_status bat_camera_set_muted(bat_camera *camera, int level, bool mute
 BAT_API bool bat_camera_is_muted(const bat_camera *camera, int level);
 /*
  * Adds a level on top that shakes: rotation vectors at even times, `rate` of them a second, drawn from the seed, up to
- * `amount` radians to each side and up, and half of that in roll; the same seed gives the same shake. BAT_NUMBER: amount or
- * rate is not above 0, or amount above pi; BAT_COUNT: more than BAT_CAMERA_SHAKE_MAX of them, or no room for another level.
+ * `amount` radians to each side and up, and half of that in roll; the same three numbers give a camera the same shake, and are kept with
+ * the level, in files too. BAT_NUMBER: amount or rate is not above 0, amount above pi, or the seed above
+ * BAT_CAMERA_SEED_MAX; BAT_COUNT: more than BAT_CAMERA_SHAKE_MAX of them, or no room for another level.
  */
 BAT_API bat_status bat_camera_add_shake(bat_camera *camera, uint64_t seed, double amount, double rate);
+typedef struct bat_camera_shake {
+    uint64_t seed;
+    double amount, rate; /* radians; a second */
+} bat_camera_shake;
+/* What a level's shake was drawn from. BAT_ARGUMENT: no such level; BAT_STATE: it is none, or has been changed since. */
+BAT_API bat_status bat_camera_shake_of(const bat_camera *camera, int level, bat_camera_shake *out);
 /* Takes over the levels of another camera instead of its own. BAT_UNSUPPORTED: their bases differ in degree or in being closed. */
 BAT_API bat_status bat_camera_take_levels(bat_camera *camera, const bat_camera *from);
 

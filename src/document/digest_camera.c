@@ -14,6 +14,12 @@ static uint64_t digest_numbers(uint64_t digest, const double *numbers, size_t co
     return digest;
 }
 
+static uint64_t digest_shake(uint64_t digest, const bat_camera_shake *shake) {
+    if (!(shake->rate > 0)) return digest;
+    digest = bat_digest_number(digest, shake->seed);
+    return bat_digest_double(bat_digest_double(digest, shake->amount), shake->rate);
+}
+
 uint64_t bat_digest_camera(uint64_t digest, const bat_camera *camera) {
     const bat_camera_options *o = &camera->options;
     digest = bat_digest_curve(digest, camera->given);
@@ -33,6 +39,7 @@ uint64_t bat_digest_camera(uint64_t digest, const bat_camera *camera) {
         digest = bat_digest_curve(digest, camera->level[l].details);
         digest = bat_digest_double(digest, camera->level[l].gain);
         if (camera->level[l].muted) digest = bat_digest_number(digest, 1);
+        digest = digest_shake(digest, &camera->level[l].shake);
     }
     digest = digest_function(digest_function(digest, &o->fov), &o->timing);
     return bat_digest_double(digest, o->duration);

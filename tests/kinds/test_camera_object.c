@@ -60,6 +60,7 @@ static bat_camera *some_camera(const bat_curve *path, int number) {
             BAT_OK);
         if (l == 1) assert_int_equal(bat_camera_set_gain(camera, 2, .25), BAT_OK);
     }
+    if (number % 5 == 4) assert_int_equal(bat_camera_add_shake(camera, 7 + (uint64_t)number, .1, 3), BAT_OK);
     bat_curve_free(timing), bat_curve_free(target);
     return camera;
 }
@@ -158,6 +159,36 @@ static void text_refused(void **state) {
         snprintf(text, sizeof text, "{\"id\":1,\"kind\":\"camera\",\"follows\":%s,%s}", follows[i], move);
         object_refused(text);
     }
+}
+
+/* What a shake is drawn from: three numbers, all there and in range, and not so many vectors that a short text takes long. */
+static void shakes_refused(void **state) {
+    (void)state;
+    static const char *const bad[] = {"3",
+                                      "{}",
+                                      "{\"amount\":1,\"rate\":1}",
+                                      "{\"seed\":1,\"rate\":1}",
+                                      "{\"seed\":1,\"amount\":1}",
+                                      "{\"seed\":1.5,\"amount\":1,\"rate\":1}",
+                                      "{\"seed\":-1,\"amount\":1,\"rate\":1}",
+                                      "{\"seed\":1e17,\"amount\":1,\"rate\":1}",
+                                      "{\"seed\":1,\"amount\":0,\"rate\":1}",
+                                      "{\"seed\":1,\"amount\":4,\"rate\":1}",
+                                      "{\"seed\":1,\"amount\":1,\"rate\":0}",
+                                      "{\"seed\":1,\"amount\":1,\"rate\":\"a\"}",
+                                      "{\"seed\":1,\"amount\":1,\"rate\":1e9}"};
+    static const char move[] = "{\"path\":{\"degree\":1,\"knots\":[0,0,1,1],\"points\":[[0,0],[9,0]]},"
+                               "\"orientation\":{\"mode\":\"along\",\"levels\":[{\"shake\":%s}]}}";
+    char text[400];
+    bat_camera *camera = NULL;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        const int size = snprintf(text, sizeof text, move, bad[i]);
+        assert_int_equal(bat_camera_read(text, (size_t)size, &camera, NULL), BAT_SYNTAX);
+    }
+    const int size = snprintf(text, sizeof text, move, "{\"seed\":1,\"amount\":1,\"rate\":8}");
+    assert_int_equal(bat_camera_read(text, (size_t)size, &camera, NULL), BAT_OK);
+    assert_int_equal(bat_camera_levels(camera), 1);
+    bat_camera_free(camera);
 }
 
 static void refusals(void **state) {
@@ -455,6 +486,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(text_gives_them_back),
                                        cmocka_unit_test(both_formats_give_them_back),
                                        cmocka_unit_test(text_refused),
+                                       cmocka_unit_test(shakes_refused),
                                        cmocka_unit_test(refusals),
                                        cmocka_unit_test(moves_with_the_page),
                                        cmocka_unit_test(goes_where_the_curve_goes),

@@ -196,6 +196,8 @@ static uint64_t look_through(const void *shared, int seed) {
                                  bat_camera_gain(camera, 1));
     d = add(add(d, bat_camera_held(camera, 1, held)), (uint64_t)bat_camera_levels(camera));
     d = bat_digest_double(d, bat_camera_key_place(camera, 0));
+    bat_camera_shake shake;
+    d = add(d, (uint64_t)bat_camera_shake_of(camera, 1, &shake));
     d = add(d, bat_camera_is_muted(camera, 1) + 2 * (uint64_t)(bat_camera_timing(camera)->curve != NULL));
     bat_camera *aimed[2] = {NULL};
     const double far[3] = {1e3, 2, 3}, up[3] = {0, 0, 1};

@@ -29,6 +29,7 @@ bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const
         status = bat_curve_copy(from->level[l].details, &made->level[l].details);
         made->level[l].gain = from->level[l].gain;
         made->level[l].muted = from->level[l].muted;
+        made->level[l].shake = from->level[l].shake;
         if (status == BAT_OK) made->levels = l + 1;
     }
     if (status == BAT_OK)
@@ -119,6 +120,7 @@ static bat_status mirror_levels(bat_camera *camera) {
         if (status != BAT_OK) return status;
         bat_curve_free(camera->level[l].details);
         camera->level[l].details = image;
+        camera->level[l].shake = (bat_camera_shake){0};
     }
     return BAT_OK;
 }

@@ -123,7 +123,7 @@ bat_status bat_camera_add_level(bat_camera *camera, int knot_count, const double
                                                base ? base->closed : camera->path->closed, count, details,
                                                knot_count, knots, &level->details);
     if (status != BAT_OK) return status;
-    level->gain = 1, level->muted = false;
+    level->gain = 1, level->muted = false, level->shake = (bat_camera_shake){0};
     camera->levels++;
     return BAT_OK;
 }

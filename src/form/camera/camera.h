@@ -12,6 +12,7 @@ typedef struct bat_camera_level {
     bat_curve *details;
     double gain;
     bool muted;
+    bat_camera_shake shake; /* what its details were drawn from; rate 0: nothing, or they have been changed */
 } bat_camera_level;
 
 /* The gain as it shows. */

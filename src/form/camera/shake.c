@@ -53,7 +53,7 @@ static void even_times(const bat_camera *camera, int degree, bool closed, int sp
 
 bat_status bat_camera_add_shake(bat_camera *camera, uint64_t seed, double amount, double rate) {
     if (!camera) return BAT_ARGUMENT;
-    if (!(amount > 0 && amount <= BAT_PI) || !(rate > 0)) return BAT_NUMBER;
+    if (!(amount > 0 && amount <= BAT_PI) || !(rate > 0) || seed > BAT_CAMERA_SEED_MAX) return BAT_NUMBER;
     const double wanted = ceil(rate * camera->options.duration);
     if (!(wanted <= BAT_CAMERA_SHAKE_MAX)) return BAT_COUNT;
     const bat_curve *base = camera->base.xyz;
@@ -69,7 +69,16 @@ bat_status bat_camera_add_shake(bat_camera *camera, uint64_t seed, double amount
     const bat_status status = bat_camera_add_level(camera, knot_count, numbers + 3 * (size_t)count,
                                                    (size_t)count, numbers);
     free(numbers);
+    if (status == BAT_OK) camera->level[camera->levels - 1].shake = (bat_camera_shake){seed, amount, rate};
     return status;
+}
+
+bat_status bat_camera_shake_of(const bat_camera *camera, int level, bat_camera_shake *out) {
+    if (!camera || !out || level < 1 || level > camera->levels) return BAT_ARGUMENT;
+    const bat_camera_shake *shake = &camera->level[level - 1].shake;
+    if (!(shake->rate > 0)) return BAT_STATE;
+    *out = *shake;
+    return BAT_OK;
 }
 
 /* ---- levels of another camera ---- */

@@ -65,6 +65,7 @@ static bat_status turn_level(bat_camera *camera, int number, double u, quat targ
     if (status != BAT_OK) return status;
     bat_curve_free(level->details);
     level->details = made;
+    level->shake = (bat_camera_shake){0};
     return BAT_OK;
 }
 

@@ -175,6 +175,7 @@ static bat_status move_details(redrawing *r, int low, int high, const double *by
     if (status != BAT_OK) return status;
     bat_curve_free(level->details);
     level->details = made;
+    level->shake = (bat_camera_shake){0};
     return BAT_OK;
 }
 

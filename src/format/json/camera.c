@@ -1,18 +1,22 @@
 /*
  * MOVE as JSON: {"path":CURVE or SHAPE, "orientation":{"mode":"free"|"along"|"look-at", "base":QCURVE, "first":{"s":..},
- * "target":[x,y,z] or CURVE, "up":[x,y,z], "levels":[{"knots":[..], "details":[..], "gain":1}, ..]}, "fov":FUNCTION,
- * "timing":{"duration":seconds, "curve":FUNCTION}}.
+ * "target":[x,y,z] or CURVE, "up":[x,y,z], "levels":[{"knots":[..], "details":[..], "gain":1, "shake":{"seed":n,
+ * "amount":radians, "rate":a second}}, ..]}, "fov":FUNCTION, "timing":{"duration":seconds, "curve":FUNCTION}}.
  */
 #include "format/json/camera.h"
 
+#include "base/real.h"
+#include "form/camera/camera.h"
 #include "format/json/curve.h"
 #include "format/json/function.h"
 #include "format/json/shape.h"
 #include "format/json/word.h"
 
 #include <batten/format.h>
+#include <math.h>
 #include <stdlib.h>
 
+static const double SHAKES = 4096; /* the most vectors that are drawn for a level of a file */
 static const char *const MODES[] = {"free", "along", "look-at", NULL};
 
 /* What has been read of a move, besides the levels. */
@@ -157,8 +161,36 @@ static bat_status read_timing(const bat_fields *f, uint32_t move_node, bat_camer
     return status == BAT_OK ? bat_fields_function(f, node, "curve", &out->timing) : status;
 }
 
-static bat_status read_level(const bat_fields *f, uint32_t node, bat_camera *camera) {
-    double *knots = NULL, *details = NULL, gain = 1;
+/* What a shake is drawn from; rate 0: there is none. */
+static bat_status read_shake(const bat_fields *f, uint32_t level, bat_camera_shake *out) {
+    const uint32_t node = bat_json_member(f->json, level, "shake");
+    double seed = -1;
+    *out = (bat_camera_shake){0, -1, -1};
+    if (!node) {
+        out->rate = 0;
+        return BAT_OK;
+    }
+    if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
+        return bat_fields_complain(f, node, "shake", "an object with \"seed\", \"amount\" and \"rate\"");
+    bat_status status = bat_fields_number(f, node, "seed", 0, (double)BAT_CAMERA_SEED_MAX,
+                                          "a whole number from 0 to 2^53", &seed);
+    if (status == BAT_OK)
+        status = bat_fields_number(f, node, "amount", 1e-300, BAT_PI, "radians above 0, up to pi",
+                                   &out->amount);
+    if (status == BAT_OK)
+        status = bat_fields_number(f, node, "rate", 1e-300, 1e300, "a number above 0", &out->rate);
+    if (status != BAT_OK) return status;
+    if (!(seed >= 0) || seed != floor(seed))
+        return bat_fields_complain(f, node, "seed", "a whole number from 0 to 2^53");
+    if (!(out->amount > 0)) return bat_fields_complain(f, node, "amount", "radians above 0, up to pi");
+    if (!(out->rate > 0)) return bat_fields_complain(f, node, "rate", "a number above 0");
+    out->seed = (uint64_t)seed;
+    return BAT_OK;
+}
+
+/* The level as numbers. */
+static bat_status read_details(const bat_fields *f, uint32_t node, bat_camera *camera) {
+    double *knots = NULL, *details = NULL;
     size_t knot_count = 0, count = 0;
     const uint32_t knot_list = bat_json_member(f->json, node, "knots"),
                    detail_list = bat_json_member(f->json, node, "details");
@@ -169,8 +201,6 @@ static bat_status read_level(const bat_fields *f, uint32_t node, bat_camera *cam
     if (status == BAT_OK)
         status = read_rows(f, detail_list, "details", 3, "a list of rotation vectors, 3 numbers each",
                            &details, &count);
-    if (status == BAT_OK)
-        status = bat_fields_number(f, node, "gain", -1e6, 1e6, "a number within 1e6", &gain);
     if (status == BAT_OK) {
         status = knot_count > BAT_POINTS_MAX
                      ? BAT_COUNT
@@ -181,12 +211,34 @@ static bat_status read_level(const bat_fields *f, uint32_t node, bat_camera *cam
         else
             bat_fields_say(f, detail_list, status);
     }
-    bool muted = false;
-    if (status == BAT_OK) status = bat_fields_flag(f, node, "muted", &muted);
-    if (status == BAT_OK) status = bat_camera_set_gain(camera, bat_camera_levels(camera), gain);
-    if (status == BAT_OK) status = bat_camera_set_muted(camera, bat_camera_levels(camera), muted);
     free(knots), free(details);
     return status;
+}
+
+/* Numbers count before what they were drawn from, which alone is enough. */
+static bat_status read_level(const bat_fields *f, uint32_t node, bat_camera *camera) {
+    bat_camera_shake shake;
+    double gain = 1;
+    bool muted = false;
+    bat_status status = read_shake(f, node, &shake);
+    if (status == BAT_OK)
+        status = bat_fields_number(f, node, "gain", -1e6, 1e6, "a number within 1e6", &gain);
+    if (status == BAT_OK) status = bat_fields_flag(f, node, "muted", &muted);
+    if (status != BAT_OK) return status;
+    const bool drawn = shake.rate > 0 && !bat_json_member(f->json, node, "knots") &&
+                       !bat_json_member(f->json, node, "details");
+    if (!drawn)
+        status = read_details(f, node, camera);
+    else if (!(shake.rate * bat_camera_duration(camera) <= SHAKES))
+        return bat_fields_complain(f, bat_json_member(f->json, node, "shake"), "rate",
+                                   "up to 4096 vectors in all, or details");
+    else
+        status = bat_fields_say(f, bat_json_member(f->json, node, "shake"),
+                                bat_camera_add_shake(camera, shake.seed, shake.amount, shake.rate));
+    if (status != BAT_OK) return status;
+    camera->level[camera->levels - 1].shake = shake;
+    status = bat_camera_set_gain(camera, camera->levels, gain);
+    return status == BAT_OK ? bat_camera_set_muted(camera, camera->levels, muted) : status;
 }
 
 static bat_status read_levels(const bat_fields *f, uint32_t list, bat_camera *camera) {

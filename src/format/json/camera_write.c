@@ -38,6 +38,15 @@ static void put_level(const bat_camera_level *level, bat_text *text) {
         bat_text_number(text, level->gain);
     }
     if (level->muted) bat_text_string(text, ",\"muted\":true");
+    if (level->shake.rate > 0) {
+        bat_text_string(text, ",\"shake\":{\"seed\":");
+        bat_text_integer(text, level->shake.seed);
+        bat_text_string(text, ",\"amount\":");
+        bat_text_number(text, level->shake.amount);
+        bat_text_string(text, ",\"rate\":");
+        bat_text_number(text, level->shake.rate);
+        bat_text_string(text, "}");
+    }
     bat_text_string(text, "}");
 }
 

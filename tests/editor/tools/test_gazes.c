@@ -459,6 +459,9 @@ static void levels_fade_mute_and_solo(void **state) {
     assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, true, 1, 2, true), BAT_STATE);
     bat_editor_set(editor, "shake-amount", 3);
     assert_int_equal(bat_editor_command(editor, "shake-add"), BAT_OK);
+    bat_camera_shake from;
+    assert_int_equal(bat_camera_shake_of(camera_of(editor), 1, &from), BAT_OK);
+    assert_true(fabs(from.amount - 0.05235987755982988) < 1e-15); /* 3 degrees */
     const uint64_t shaken = digest(editor);
     assert_true(shaken != still);
     assert_int_equal(bat_editor_move_set(editor, BAT_MOVE_GAIN, false, 1, 0.5, false), BAT_OK);

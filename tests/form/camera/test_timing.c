@@ -155,6 +155,35 @@ static double angle_between(const bat_camera *a, const bat_camera *b, double tim
     return 2 * acos(fmin(fabs(dot), 1));
 }
 
+/* What a shake was drawn from is in the text, with which another camera is given the same level, and is gone once the
+ * level is changed; the numbers may be left out of the text. */
+static void replays(bat_camera *shaken, bat_camera *read) {
+    bat_camera_shake was, now;
+    char *text = NULL;
+    size_t size = 0;
+    assert_int_equal(bat_camera_shake_of(shaken, 1, &was), BAT_OK);
+    assert_int_equal(bat_camera_shake_of(read, 1, &now), BAT_OK);
+    assert_true(was.seed == 5 && was.amount == 0.02 && was.rate == 6);
+    assert_true(now.seed == was.seed && now.amount == was.amount && now.rate == was.rate);
+    assert_int_equal(bat_camera_add_shake(read, now.seed, now.amount, now.rate), BAT_OK);
+    assert_true(bat_curve_is_equal(bat_camera_details(shaken, 1), bat_camera_details(read, 2)));
+    assert_int_equal(bat_camera_write(shaken, &text, &size), BAT_OK);
+    char *from = strstr(text, "\"levels\":[{\"knots\""), *to = strstr(text, "\"gain\":1.5");
+    assert_true(from && to && strstr(to, "\"shake\":{\"seed\":5,\"amount\":0.02,\"rate\":6}"));
+    from += strlen("\"levels\":[{");
+    memmove(from, to, strlen(to) + 1);
+    bat_camera *drawn = NULL;
+    assert_int_equal(bat_camera_read(text, strlen(text), &drawn, NULL), BAT_OK);
+    assert_true(bat_curve_is_equal(bat_camera_details(shaken, 1), bat_camera_details(drawn, 1)));
+    assert_true(bat_camera_is_muted(drawn, 1) && bat_camera_gain(drawn, 1) == 1.5);
+    bat_free(text);
+    const double aside[4] = {0.1, 0, 0, 1};
+    assert_int_equal(bat_camera_set_muted(drawn, 1, false), BAT_OK);
+    assert_int_equal(bat_camera_turn(drawn, 1, 0, aside), BAT_OK);
+    assert_int_equal(bat_camera_shake_of(drawn, 1, &now), BAT_STATE);
+    bat_camera_free(drawn);
+}
+
 static void shakes(void **state) {
     (void)state;
     random_source r = {13};
@@ -193,6 +222,7 @@ static void shakes(void **state) {
         assert_int_equal(bat_camera_read(text, size, &read, NULL), BAT_OK);
         assert_true(bat_camera_is_muted(read, 1) && bat_camera_gain(read, 1) == 1.5);
         bat_free(text);
+        replays(shaken, read);
         assert_int_equal(bat_camera_take_levels(still, other), BAT_OK);
         for (int i = 0; i <= 10; i++)
             assert_true(angle_between(still, other, 0.4 * i) < 1e-7); /* acos near 1 */
@@ -205,6 +235,11 @@ static void shakes(void **state) {
     assert_int_equal(bat_camera_take_levels(NULL, ring), BAT_ARGUMENT);
     assert_int_equal(bat_camera_add_shake(NULL, 1, 0.1, 1), BAT_ARGUMENT);
     assert_int_equal(bat_camera_add_shake(open, 1, 0, 1), BAT_NUMBER);
+    assert_int_equal(bat_camera_add_shake(open, BAT_CAMERA_SEED_MAX + 1, 0.1, 1), BAT_NUMBER);
+    bat_camera_shake shake;
+    assert_int_equal(bat_camera_shake_of(NULL, 1, &shake), BAT_ARGUMENT);
+    assert_int_equal(bat_camera_shake_of(open, 1, &shake), BAT_ARGUMENT);
+    assert_int_equal(bat_camera_shake_of(open, 1, NULL), BAT_ARGUMENT);
     assert_int_equal(bat_camera_add_shake(open, 1, 0.1, NAN), BAT_NUMBER);
     assert_int_equal(bat_camera_add_shake(open, 1, 0.1, 1e9), BAT_COUNT);
     assert_int_equal(bat_camera_set_muted(open, 1, true), BAT_ARGUMENT);

@@ -264,7 +264,8 @@ static bat_status put(bat_context *c, const bat_object *object, bat_status statu
     return replace(c, object, status, after, step);
 }
 
-/* The seed is the camera's own, and how many levels it has, so that each shake differs and every replay agrees. */
+/* The seed is the camera's own, and how many levels it has, so that each shake differs and every replay agrees; the level keeps
+ * it. */
 bat_status bat_command_shake(bat_context *c, bat_command_id id) {
     bat_camera *camera = NULL;
     (void)id;
