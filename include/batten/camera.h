@@ -123,11 +123,12 @@ BAT_API bat_status bat_camera_set_timing(bat_camera *camera, double duration, co
 /*
  * Redraws a stretch of the timing's graph by a stroke: points[2 i] is a share of the time, points[2 i + 1] of the distance,
  * each brought within 0 to 1. The stretch is from the least to the largest time among them, and where the stroke runs
- * back the later part counts. The timing gets knots where it has fewer than BAT_CAMERA_PACE_SPANS spans; of its
- * coefficients those are drawn whose Greville abscissa lies in the stretch, and are then made ascending by the least
- * change (bat_pool_ascending); the others give way where they would fall: time never runs back. A flat stretch is a
- * pause. BAT_NUMBER: a number is not finite; BAT_COUNT: fewer than 2 points, or a path without length, where there is no
- * distance. O(count * spans).
+ * back the later part counts. The stretch is fitted as the sketch hand does (docs/math/sketch.md 5.7), with few knots, within a
+ * hundredth of the graph; the coefficients are then made ascending by the least change (bat_pool_ascending), and what lies
+ * beside the stretch gives way where it would fall: time never runs back. Where no such fit is near enough, and on stretches of
+ * less than a fiftieth, the timing gets knots where it has fewer than BAT_CAMERA_PACE_SPANS spans, and the coefficients
+ * whose Greville abscissa lies in the stretch are drawn. A flat stretch is a pause. BAT_NUMBER: a number is not finite;
+ * BAT_COUNT: fewer than 2 points, or a path without length, where there is no distance. Some milliseconds.
  */
 BAT_API bat_status bat_camera_retime(bat_camera *camera, size_t count, const double *points);
 /* Begins, and ends, gently: within so many seconds the speed rises from 0 to what it is then, as a cubic; 0 leaves that end as it

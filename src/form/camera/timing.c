@@ -1,5 +1,6 @@
 /* How a camera goes in time, and edits of that (docs/math/camera.md, math 4). */
 #include "form/camera/camera.h"
+#include "form/camera/retime.h"
 
 #include <batten/refine.h>
 #include <math.h>
@@ -34,41 +35,32 @@ bat_status bat_camera_set_timing(bat_camera *camera, double duration, const bat_
 
 /* ---- strokes ---- */
 
-/* The timing with knots enough; even timing is a straight line. */
-static bat_status fine_timing(const bat_camera *camera, bat_curve **out) {
+/* A cubic at least; even timing is a straight line. */
+static bat_status plain_timing(const bat_camera *camera, bat_curve **out) {
     static const double line[4] = {0, 0, 1, 0}, ends[4] = {0, 0, 1, 1};
     const bat_curve *now = camera->options.timing.curve;
-    bat_curve *straight = NULL, *raised = NULL;
-    double more[BAT_CAMERA_PACE_SPANS];
-    int count = 0;
+    bat_curve *straight = NULL;
     bat_status status = now ? bat_curve_copy(now, &straight)
                             : bat_curve_create(2, 1, false, 2, line, 4, ends, &straight);
     if (status == BAT_OK)
-        status = straight->degree < DEGREE ? bat_curve_elevate(straight, DEGREE, &raised)
-                                           : bat_curve_copy(straight, &raised);
+        status = straight->degree < DEGREE ? bat_curve_elevate(straight, DEGREE, out)
+                                           : bat_curve_copy(straight, out);
     bat_curve_free(straight);
-    if (status != BAT_OK) return status;
-    for (int i = 1; i < BAT_CAMERA_PACE_SPANS; i++) { /* where no knot is near */
-        const double u = (double)i / BAT_CAMERA_PACE_SPANS;
-        bool near = false;
-        for (int k = 0; k < raised->spread + raised->degree + 1; k++)
-            near = near || fabs(raised->knots[k] - u) < 0.25 / BAT_CAMERA_PACE_SPANS;
-        if (!near) more[count++] = u;
-    }
-    status = bat_curve_insert_knots(raised, count, more, out);
-    bat_curve_free(raised);
     return status;
 }
 
-/* The stroke's distance at a time: of its parts that are there the last. */
-static double stroke_at(size_t count, const double *points, double time) {
-    for (size_t i = count - 1; i > 0; i--) {
-        const double *a = points + 2 * (i - 1), *b = points + 2 * i;
-        if (time < fmin(a[0], b[0]) || time > fmax(a[0], b[0])) continue;
-        const double width = b[0] - a[0], share = width != 0 ? (time - a[0]) / width : 1;
-        return a[1] + share * (b[1] - a[1]);
+/* The same with knots enough. */
+static bat_status fine_timing(const bat_curve *plain, bat_curve **out) {
+    double more[BAT_CAMERA_PACE_SPANS];
+    int count = 0;
+    for (int i = 1; i < BAT_CAMERA_PACE_SPANS; i++) { /* where no knot is near */
+        const double u = (double)i / BAT_CAMERA_PACE_SPANS;
+        bool near = false;
+        for (int k = 0; k < plain->spread + plain->degree + 1; k++)
+            near = near || fabs(plain->knots[k] - u) < 0.25 / BAT_CAMERA_PACE_SPANS;
+        if (!near) more[count++] = u;
     }
-    return points[1];
+    return bat_curve_insert_knots(plain, count, more, out);
 }
 
 /* The coefficients first..last are drawn; they are made ascending by the least change, and those on both sides then give way to
@@ -80,6 +72,7 @@ static bat_status settle(size_t n, double *values, size_t first, size_t last) {
     if (status != BAT_OK) return status;
     for (size_t i = 0; i < first; i++) values[i] = fmin(values[i], values[first]);
     for (size_t i = last + 1; i < n; i++) values[i] = fmax(values[i], values[last]);
+    for (size_t i = 1; i < n; i++) values[i] = fmax(values[i], values[i - 1]); /* inserted knots round */
     values[0] = 0, values[n - 1] = 1;
     return BAT_OK;
 }
@@ -95,7 +88,7 @@ static bat_status redraw(bat_curve *timing, size_t count, const double *points) 
     bat_curve_greville(timing, places);
     for (size_t i = 0; i < n; i++) {
         const bool drawn = places[i] >= low && places[i] <= high;
-        values[i] = drawn ? stroke_at(count, points, places[i]) : timing->points[i * size];
+        values[i] = drawn ? bat_stroke_height(count, points, places[i]) : timing->points[i * size];
         if (drawn && first == n) first = i;
         if (drawn) last = i;
     }
@@ -105,7 +98,27 @@ static bat_status redraw(bat_curve *timing, size_t count, const double *points) 
     return status;
 }
 
-bat_status bat_camera_retime(bat_camera *camera, size_t count, const double *points) {
+/* By the sketch hand's fit, with few knots; exactly (`coefficients`), or where that does not do, by the coefficients of many. */
+static bat_status redrawn(const bat_camera *camera, size_t count, const double *points, bool coefficients,
+                          bat_curve **out) {
+    double low = INFINITY, high = -INFINITY;
+    bat_curve *plain = NULL, *made = NULL;
+    for (size_t i = 0; i < count; i++) low = fmin(low, points[2 * i]), high = fmax(high, points[2 * i]);
+    bat_status status = plain_timing(camera, &plain);
+    if (status == BAT_OK && !coefficients) status = bat_timing_fit(plain, count, points, low, high, &made);
+    if (status == BAT_OK && !made) {
+        status = fine_timing(plain, &made);
+        if (status == BAT_OK) status = redraw(made, count, points);
+    }
+    bat_curve_free(plain);
+    if (status == BAT_OK)
+        *out = made;
+    else
+        bat_curve_free(made);
+    return status;
+}
+
+static bat_status retime(bat_camera *camera, size_t count, const double *points, bool coefficients) {
     if (!camera || !points) return BAT_ARGUMENT;
     if (count < 2 || count > BAT_POINTS_MAX || !(bat_camera_length(camera) > 0)) return BAT_COUNT;
     double *within = malloc(2 * count * sizeof *within);
@@ -116,16 +129,16 @@ bat_status bat_camera_retime(bat_camera *camera, size_t count, const double *poi
         if (!isfinite(points[i])) status = BAT_NUMBER;
         within[i] = fmin(fmax(points[i], 0), 1);
     }
-    if (status == BAT_OK) status = fine_timing(camera, &timing);
-    if (status == BAT_OK) status = redraw(timing, count, within);
+    if (status == BAT_OK) status = redrawn(camera, count, within, coefficients, &timing);
     free(within);
-    if (status != BAT_OK) {
-        bat_curve_free(timing);
-        return status;
-    }
+    if (status != BAT_OK) return status;
     bat_curve_free(camera->options.timing.curve);
     camera->options.timing = (bat_function){0, timing};
     return BAT_OK;
+}
+
+bat_status bat_camera_retime(bat_camera *camera, size_t count, const double *points) {
+    return retime(camera, count, points, false);
 }
 
 /* ---- ease ---- */
@@ -147,7 +160,7 @@ static bat_status ease_one(bat_camera *camera, double share, bool end) {
         points[2 * k] = end ? 1 - share * t : share * t;
         points[2 * k + 1] = end ? 1 - way : way;
     }
-    const bat_status status = bat_camera_retime(camera, EASE_POINTS, points);
+    const bat_status status = retime(camera, EASE_POINTS, points, true);
     bat_curve *drawn = camera->options.timing.curve;
     if (status != BAT_OK) return status;
     const size_t size = (size_t)drawn->dimension; /* two equal coefficients: it stands still there */

@@ -40,27 +40,6 @@ static void never_falls(const bat_camera *camera) {
         assert_true(points[i * (size_t)size] >= points[(i - 1) * (size_t)size]);
 }
 
-static void a_thousand_strokes_never_run_back(void **state) {
-    (void)state;
-    random_source r = {3};
-    bat_camera *camera = along(&r, false);
-    for (int n = 0; n < 1000; n++) {
-        double stroke[16];
-        const size_t count = (size_t)random_int(&r, 2, 8);
-        for (size_t i = 0; i < 2 * count; i++) stroke[i] = random_between(&r, -0.2, 1.2);
-        assert_int_equal(bat_camera_retime(camera, count, stroke), BAT_OK);
-        never_falls(camera);
-        if (n % 100) continue;
-        double last = 0;
-        for (int i = 0; i <= 500; i++) {
-            const double now = share_at(camera, i / 500.0);
-            assert_true(now >= last - 1e-15);
-            last = now;
-        }
-    }
-    bat_camera_free(camera);
-}
-
 static void meets_a_stroke_that_rises(void **state) {
     (void)state;
     random_source r = {5};
@@ -298,8 +277,7 @@ static void every_allocation_may_fail(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_thousand_strokes_never_run_back),
-                                       cmocka_unit_test(meets_a_stroke_that_rises),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(meets_a_stroke_that_rises),
                                        cmocka_unit_test(flat_is_a_pause),
                                        cmocka_unit_test(eases),
                                        cmocka_unit_test(durations),
