@@ -8,7 +8,7 @@
 
 int main(int argc, char **argv) {
     const bench_row *tables[] = {bench_rows_eval,  bench_rows_shape, bench_rows_levels, bench_rows_surface,
-                                 bench_rows_wires, bench_rows_made,  bench_rows_editor};
+                                 bench_rows_wires, bench_rows_made,  bench_rows_moves,  bench_rows_editor};
     const char *filter = "";
     bool list = false, json = false;
     for (int i = 1; i < argc; i++) {

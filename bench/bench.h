@@ -15,6 +15,7 @@ typedef struct bench_row {
 } bench_row;
 
 extern const bench_row bench_rows_eval[], bench_rows_shape[], bench_rows_levels[], bench_rows_editor[],
-    bench_rows_surface[], bench_rows_wires[], bench_rows_made[]; /* each ends with a row without a name */
+    bench_rows_surface[], bench_rows_wires[], bench_rows_made[],
+    bench_rows_moves[]; /* each ends with a row without a name */
 
 #endif

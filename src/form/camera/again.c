@@ -21,17 +21,23 @@ bool bat_camera_base_curve(const bat_camera *camera, bat_rotation_curve *out) {
     return true;
 }
 
+static bat_status copy_levels(const bat_camera *from, bat_camera *to) {
+    bat_status status = BAT_OK;
+    for (int l = 0; l < from->levels && status == BAT_OK; l++) {
+        status = bat_curve_copy(from->level[l].details, &to->level[l].details);
+        to->level[l].gain = from->level[l].gain;
+        to->level[l].muted = from->level[l].muted;
+        to->level[l].shake = from->level[l].shake;
+        if (status == BAT_OK) to->levels = l + 1;
+    }
+    return status;
+}
+
 bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const bat_camera_options *options,
                             bat_camera **out) {
     bat_camera *made = NULL;
     bat_status status = bat_camera_create(path, options, &made);
-    for (int l = 0; l < from->levels && status == BAT_OK; l++) {
-        status = bat_curve_copy(from->level[l].details, &made->level[l].details);
-        made->level[l].gain = from->level[l].gain;
-        made->level[l].muted = from->level[l].muted;
-        made->level[l].shake = from->level[l].shake;
-        if (status == BAT_OK) made->levels = l + 1;
-    }
+    if (status == BAT_OK) status = copy_levels(from, made);
     if (status == BAT_OK)
         *out = made;
     else
@@ -39,15 +45,53 @@ bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const
     return status;
 }
 
+/* ---- copies ---- */
+
+static bat_status copy_function(const bat_function *from, bat_function *to) {
+    *to = bat_function_of(from->constant);
+    return from->curve ? bat_curve_copy(from->curve, &to->curve) : BAT_OK;
+}
+
+/* What is a camera's own: all but the path and what is computed of it. */
+static bat_status copy_own(const bat_camera *from, bat_camera *to) {
+    const bat_camera_options *o = &from->options;
+    to->options = *o;
+    to->options.fov = to->options.timing = bat_function_of(0);
+    to->options.target_curve = NULL;
+    bat_status status = copy_function(&o->fov, &to->options.fov);
+    if (status == BAT_OK) status = copy_function(&o->timing, &to->options.timing);
+    if (status == BAT_OK && o->target_curve)
+        status = bat_curve_copy(o->target_curve, (bat_curve **)&to->options.target_curve);
+    if (status == BAT_OK) status = bat_rotation_copy(&from->base, &to->base);
+    return status == BAT_OK ? copy_levels(from, to) : status;
+}
+
+static void share_path(const bat_camera *from, bat_camera *to) {
+    bat_users_add(from->users);
+    to->users = from->users;
+    to->path = from->path, to->given = from->given;
+    to->domain[0] = from->domain[0], to->domain[1] = from->domain[1];
+    to->chain = from->chain, to->gaze = from->gaze, to->pace = from->pace;
+}
+
+/* path: NULL for the same, which is shared. */
 static bat_status along(const bat_camera *camera, const bat_curve *path, bat_camera **out) {
-    bat_camera_options options = camera->options;
-    bat_rotation_curve base;
-    options.base = bat_camera_base_curve(camera, &base) ? &base : NULL;
-    return bat_camera_again(camera, path, &options, out);
+    bat_camera *made = calloc(1, sizeof *made);
+    if (!made) return BAT_MEMORY;
+    bat_status status = copy_own(camera, made);
+    if (status == BAT_OK && path)
+        status = bat_camera_lay(made, path);
+    else if (status == BAT_OK)
+        share_path(camera, made);
+    if (status == BAT_OK)
+        *out = made;
+    else
+        bat_camera_free(made);
+    return status;
 }
 
 bat_status bat_camera_copy(const bat_camera *camera, bat_camera **out) {
-    return camera && out ? along(camera, camera->given, out) : BAT_ARGUMENT;
+    return camera && out ? along(camera, NULL, out) : BAT_ARGUMENT;
 }
 
 bat_status bat_camera_with_path(const bat_camera *camera, const bat_curve *path, bat_camera **out) {

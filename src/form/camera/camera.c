@@ -21,11 +21,14 @@ void bat_camera_options_init(bat_camera_options *options, size_t size) {
 
 void bat_camera_free(bat_camera *camera) {
     if (!camera) return;
-    bat_curve_free(camera->path), bat_curve_free(camera->given);
+    if (camera->users && bat_users_drop(camera->users)) {
+        bat_curve_free(camera->path), bat_curve_free(camera->given);
+        bat_frame_chain_free(camera->chain);
+        bat_gaze_clear(&camera->gaze);
+        bat_pace_clear(&camera->pace);
+        free(camera->users);
+    }
     bat_rotation_clear(&camera->base);
-    bat_frame_chain_free(camera->chain);
-    bat_gaze_clear(&camera->gaze);
-    bat_pace_clear(&camera->pace);
     for (int l = 0; l < camera->levels; l++) bat_curve_free(camera->level[l].details);
     bat_curve_free((bat_curve *)camera->options.target_curve);
     bat_function_clear(&camera->options.fov), bat_function_clear(&camera->options.timing);
@@ -78,15 +81,18 @@ static bat_status take_frames(const bat_curve *path, bat_camera *camera) {
     return bat_frame_chain_converged(own->has_first ? camera->path : path, &frames, &camera->chain);
 }
 
-static bat_status take_gaze(const bat_curve *path, const bat_camera_options *given, bat_camera *camera) {
+bat_status bat_camera_lay(bat_camera *camera, const bat_curve *path) {
     const bat_camera_mode mode = camera->options.mode;
-    bat_status status = BAT_OK;
-    camera->base.least = 1;
-    if (mode == BAT_CAMERA_LOOK_AT) return bat_gaze_make(camera->path, &camera->options, &camera->gaze);
-    if (mode == BAT_CAMERA_ALONG) status = take_frames(path, camera);
+    camera->users = malloc(sizeof *camera->users);
+    if (!camera->users) return BAT_MEMORY;
+    *camera->users = BAT_USERS_ONE;
+    bat_status status = bat_curve_to_dimension(path, 3, &camera->path);
+    if (status == BAT_OK) status = bat_curve_copy(path, &camera->given);
     if (status != BAT_OK) return status;
-    if (given->base) return bat_rotation_make(given->base, &camera->base);
-    return mode == BAT_CAMERA_FREE ? BAT_ARGUMENT : BAT_OK;
+    bat_curve_domain(camera->path, camera->domain);
+    if (mode == BAT_CAMERA_LOOK_AT) status = bat_gaze_make(camera->path, &camera->options, &camera->gaze);
+    if (mode == BAT_CAMERA_ALONG) status = take_frames(path, camera);
+    return status == BAT_OK ? bat_pace_make(camera->path, &camera->pace) : status;
 }
 
 bat_status bat_camera_create(const bat_curve *path, const bat_camera_options *options, bat_camera **out) {
@@ -94,16 +100,14 @@ bat_status bat_camera_create(const bat_curve *path, const bat_camera_options *op
     if (!path || !out) return BAT_ARGUMENT;
     bat_status status = bat_options_read(options, LEAST, sizeof full, &full);
     if (status != BAT_OK) return status;
+    if (full.mode == BAT_CAMERA_FREE && !full.base) return BAT_ARGUMENT;
     bat_camera *camera = calloc(1, sizeof *camera);
     if (!camera) return BAT_MEMORY;
+    camera->base.least = 1;
     status = take_options(&full, camera);
-    if (status == BAT_OK) status = bat_curve_to_dimension(path, 3, &camera->path);
-    if (status == BAT_OK) status = bat_curve_copy(path, &camera->given);
-    if (status == BAT_OK) {
-        bat_curve_domain(camera->path, camera->domain);
-        status = take_gaze(path, &full, camera);
-    }
-    if (status == BAT_OK) status = bat_pace_make(camera->path, &camera->pace);
+    if (status == BAT_OK) status = bat_camera_lay(camera, path);
+    if (status == BAT_OK && full.mode != BAT_CAMERA_LOOK_AT && full.base)
+        status = bat_rotation_make(full.base, &camera->base);
     if (status == BAT_OK)
         *out = camera;
     else

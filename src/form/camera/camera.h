@@ -2,6 +2,7 @@
 #ifndef BATTEN_FORM_CAMERA_H
 #define BATTEN_FORM_CAMERA_H
 
+#include "base/users.h"
 #include "form/camera/gaze.h"
 #include "form/camera/pace.h"
 #include "form/camera/rotation.h"
@@ -22,10 +23,11 @@ static inline double bat_camera_loudness(const bat_camera_level *level) {
 
 struct bat_camera {
     bat_camera_options options; /* what it points to is the camera's own */
-    bat_curve *path;            /* in space */
-    bat_curve *given;           /* as it was given: one in the plane has the frames of the plane */
+    bat_rotation base;          /* no keys: none */
+    bat_users *users; /* of what follows, down to the pace: copies share it, and nothing of it ever changes */
+    bat_curve *path;  /* in space */
+    bat_curve *given; /* as it was given: one in the plane has the frames of the plane */
     double domain[2];
-    bat_rotation base;      /* no keys: none */
     bat_frame_chain *chain; /* along */
     bat_look_at gaze;       /* look-at */
     bat_pace pace;
@@ -48,6 +50,8 @@ bat_status bat_camera_give_base(bat_camera *camera);
 bool bat_camera_target(const bat_camera *camera, double target[3]);
 /* The time at which it reaches a parameter. */
 double bat_camera_time_of(const bat_camera *camera, double u);
+/* Gives a camera without a path one, and all that is computed of it. What is there after a failure is freed with the camera. */
+bat_status bat_camera_lay(bat_camera *camera, const bat_curve *path);
 /* Another camera of these parts. NULL in `options`: as in bat_camera_create. Copies the levels of `from`. */
 bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const bat_camera_options *options,
                             bat_camera **out);

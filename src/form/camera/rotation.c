@@ -97,7 +97,10 @@ static bat_status make_curve(const bat_rotation *r, int degree, bool closed, int
 static bat_status make_curves(bat_rotation *r, int degree, bool closed, int knot_count, const double *knots) {
     bat_status status = make_curve(r, degree, closed, knot_count, knots, 0, 3, &r->xyz);
     if (status == BAT_OK) status = make_curve(r, degree, closed, knot_count, knots, 3, 1, &r->w);
-    if (status != BAT_OK || !r->xyz || !r->w) return status;
+    return status;
+}
+
+bat_status bat_rotation_measure(bat_rotation *r) {
     r->least = least_norm(r);
     return r->least >= cancelled ? BAT_OK : BAT_SINGULAR;
 }
@@ -143,10 +146,11 @@ bat_status bat_rotation_make(const bat_rotation_curve *given, bat_rotation *out)
     if (status != BAT_OK) return status;
     out->domain[0] = given->knots[given->closed ? 0 : given->degree];
     out->domain[1] = given->knots[given->count];
-    return make_curves(out, given->degree, given->closed, (int)given->knot_count, given->knots);
+    status = make_curves(out, given->degree, given->closed, (int)given->knot_count, given->knots);
+    return status == BAT_OK ? bat_rotation_measure(out) : status;
 }
 
-bat_status bat_rotation_remake(bat_rotation *r) {
+bat_status bat_rotation_rebuild(bat_rotation *r) {
     bat_rotation made = *r;
     const int all = bat_curve_knot_count(r->xyz);
     made.xyz = made.w = NULL;
@@ -159,6 +163,19 @@ bat_status bat_rotation_remake(bat_rotation *r) {
     bat_curve_free(r->xyz), bat_curve_free(r->w);
     *r = made;
     return BAT_OK;
+}
+
+bat_status bat_rotation_remake(bat_rotation *r) {
+    bat_rotation made = *r;
+    bat_status status = bat_rotation_copy(r, &made);
+    if (status == BAT_OK) status = bat_rotation_rebuild(&made);
+    if (status == BAT_OK) status = bat_rotation_measure(&made);
+    if (status == BAT_OK) {
+        const bat_rotation old = *r;
+        *r = made, made = old;
+    }
+    bat_rotation_clear(&made);
+    return status;
 }
 
 bat_status bat_rotation_copy(const bat_rotation *from, bat_rotation *out) {

@@ -80,7 +80,7 @@ static bat_status turn_keys(bat_rotation *base, double share, quat by) {
         double *key = base->keys + 4 * ((size_t)(first + i) % base->count);
         quat_store(quat_unit(quat_mul(quat_exp(vec_scale(d, weights[i])), quat_load(key))), key);
     }
-    return bat_rotation_remake(base);
+    return bat_rotation_rebuild(base);
 }
 
 static bat_status turn_base(bat_camera *camera, double u, quat target) {
@@ -95,14 +95,16 @@ static bat_status turn_base(bat_camera *camera, double u, quat target) {
         if (angle_of(by) <= met) break;
         status = turn_keys(&made, share, by);
     }
-    if (status == BAT_OK && angle_of(quat_mul(wanted, quat_inverse(bat_rotation_at(&made, share)))) > 1e-9)
+    if (status == BAT_OK &&
+        !(angle_of(quat_mul(wanted, quat_inverse(bat_rotation_at(&made, share)))) <= 1e-9))
         status = BAT_TOLERANCE;
+    if (status == BAT_OK) status = bat_rotation_measure(&made);
     if (status == BAT_OK) {
         const bat_rotation old = camera->base;
         camera->base = made, made = old;
     }
     bat_rotation_clear(&made);
-    return status == BAT_SINGULAR ? BAT_TOLERANCE : status;
+    return status == BAT_SINGULAR || status == BAT_NUMBER ? BAT_TOLERANCE : status;
 }
 
 static bat_status unit_of(const double rotation[4], quat *out) {
