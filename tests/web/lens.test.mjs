@@ -177,3 +177,55 @@ test('it makes way for the pen, is resized, and changes places with the room', a
   assert.equal((await state(page)).check, '');
   await undone(page, first.digest);
 });
+
+/** The parts of a camera's move in the document, as text: the curve that it follows, and its gaze. */
+const parts = (page) => page.evaluate(() => {
+  const { objects } = JSON.parse(new TextDecoder().decode(globalThis.batten.engine.save(true)));
+  const { move } = objects.find(({ kind }) => kind === 'camera');
+  return { path: JSON.stringify(move.path), gaze: JSON.stringify(move.orientation) };
+});
+
+test('by touch: a finger turns the camera at the playhead, two pan it, a pinch brings it nearer; a step each', async (t) => {
+  const { page, hand, first } = await begin(t, { hasTouch: true });
+  await page.evaluate(() => {
+    const { engine, wake } = globalThis.batten;
+    engine.wasm.editor_seek(engine.editor, 1.2);
+    wake();
+  });
+  await quiet(page);
+  const { x, y, width, height } = await box(page);
+  const at = (u, v) => [x + u * width, y + v * height];
+  const ramp = (n, of) => Array.from({ length: n }, (_, i) => of(i / (n - 1)));
+  const made = { digest: (await state(page)).digest, ...await parts(page) };
+
+  await hand.fingers(ramp(8, (s) => [at(0.4 + 0.2 * s, 0.5 + 0.1 * s)]));
+  await quiet(page);
+  const turned = { digest: (await state(page)).digest, ...await parts(page) };
+  assert.equal(turned.path, made.path, 'one finger: the camera stays where it is');
+  assert.notEqual(turned.gaze, made.gaze, 'and looks elsewhere');
+
+  hand.rest(2);
+  await hand.fingers([[at(0.4, 0.5)], ...ramp(8, (s) => [at(0.4 + 0.2 * s, 0.5), at(0.6 + 0.2 * s, 0.5)])]);
+  await quiet(page);
+  const panned = { digest: (await state(page)).digest, ...await parts(page) };
+  assert.notEqual(panned.path, turned.path, 'two fingers: it goes aside');
+  assert.equal(panned.gaze, turned.gaze, 'and looks the same way');
+
+  hand.rest(2);
+  const shownBefore = await shown(page);
+  await hand.fingers([[at(0.45, 0.5)], ...ramp(10, (s) => [at(0.45 - 0.15 * s, 0.5), at(0.55 + 0.15 * s, 0.5)])]);
+  await quiet(page);
+  const near = { digest: (await state(page)).digest, ...await parts(page) };
+  assert.notEqual(near.path, panned.path, 'a pinch: it goes nearer');
+  assert.equal(near.gaze, panned.gaze);
+  assert.notEqual(await shown(page), shownBefore);
+  const { at: time, duration } = await move(page);
+  assert.ok(time > 0.2 * duration && time < 0.8 * duration, `the playhead is where the camera was: ${time}`); // of a longer path
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'lens-touch.png') });
+  for (const before of [panned, turned, made]) {
+    await page.evaluate(() => globalThis.batten.engine.command('undo'));
+    assert.equal((await state(page)).digest, before.digest, 'a gesture is one step');
+  }
+  assert.equal((await state(page)).check, '');
+  await undone(page, first.digest);
+});
