@@ -218,7 +218,7 @@ typedef struct bat_camera_key {
 /*
  * Keys so close that what such a player shows is within `place` of the camera's position and within `angle` radians of its
  * rotation (and field of view): at the ends of spans of all that the move is made of, and halved where that is not enough.
- * Times differ by 2^-20 of the duration at least; a gaze that jumps, past its target, jumps within that. *out: bat_free.
+ * A free base without levels whose parameter is even in time is met within 4e-7 radians whatever is asked. Times differ by 2^-20 of the duration at least; a gaze that jumps, past its target, jumps within that. *out: bat_free.
  * BAT_ARGUMENT: a tolerance is not above 0; BAT_TOLERANCE: a million keys are not enough.
  */
 BAT_API bat_status bat_camera_keys(const bat_camera *camera, double place, double angle, size_t *count,

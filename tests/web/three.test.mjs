@@ -90,13 +90,18 @@ for (const [name, move] of Object.entries(moves)) {
 }
 
 // Where a move is made of cubics in time, without levels, a player's spans are those of the move: 1e-6, as far as floats go. Its
-// parameter is even in time on a straight path whose control points lie evenly, and on a tripod. Rotations are of one span: only at
-// its ends are the quaternions of the spline of length 1.
+// parameter is even in time on a straight path whose control points lie evenly, and on a tripod. Of one span, a player's is the move's
+// own; of several, whose quaternions are not of length 1 between them, as keys have to be, there are more keys.
 const straight = [0, 1, 2, 3].map((i) => [50 * i, 27 * i, -20 * i]);
 const bezier = (points) => ({ degree: 3, closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1], points });
 const unit = (q) => q.map((x) => x / Math.hypot(...q));
 const turns = bezier([[0.1, 0.2, 0, 1], [0.2, 0.1, 0.3, 0.9], [-0.1, 0.3, 0.2, 0.9], [0.1, -0.2, 0.4, 0.8]].map(unit));
+const several = { degree: 3, closed: false, knots: [0, 0, 0, 0, 0.2, 0.5, 0.7, 1, 1, 1, 1], points: rows(7, 4, next, 0.4).map((q) => unit([q[0], q[1], q[2], 1])) };
+const ring = { degree: 3, closed: true, knots: [0, 1, 2, 3, 4, 5, 6], points: rows(6, 4, next, 0.4).map((q) => unit([q[0], q[1], q[2], 1])) };
 const exact = {
+  'of four spans, on a straight path': { path: bezier(straight), timing: { duration: 4 }, orientation: { mode: 'free', base: several } },
+  'of four spans, on a tripod': { path: bezier(straight.map(() => [3, 1, 2])), timing: { duration: 7 }, orientation: { mode: 'free', base: several } },
+  'of a closed base': { path: bezier(straight), timing: { duration: 4 }, orientation: { mode: 'free', base: ring } },
   'on a straight path': { path: bezier(straight), timing: { duration: 4 }, orientation: { mode: 'free', base: turns } },
   'on a tripod': { path: bezier(straight.map(() => [3, 1, 2])), timing: { duration: 4 }, orientation: { mode: 'free', base: turns } },
 };

@@ -101,6 +101,7 @@ static bat_status make_curves(bat_rotation *r, int degree, bool closed, int knot
 }
 
 bat_status bat_rotation_measure(bat_rotation *r) {
+    if (!r->xyz || !r->w) return BAT_ARGUMENT;
     r->least = least_norm(r);
     return r->least >= cancelled ? BAT_OK : BAT_SINGULAR;
 }
@@ -152,6 +153,7 @@ bat_status bat_rotation_make(const bat_rotation_curve *given, bat_rotation *out)
 
 bat_status bat_rotation_rebuild(bat_rotation *r) {
     bat_rotation made = *r;
+    if (!r->xyz || !r->w) return BAT_ARGUMENT;
     const int all = bat_curve_knot_count(r->xyz);
     made.xyz = made.w = NULL;
     bat_status status = make_curves(&made, r->xyz->degree, r->xyz->closed,
