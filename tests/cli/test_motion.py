@@ -1,6 +1,8 @@
 """batten motion: walks made by a formula, with 31 joints and noise as of markers; read, fitted, scaled, bent. Places of joints
 come from a forward kinematics of this file's own, in numpy."""
 import json
+import shutil
+import subprocess
 import unittest
 
 import numpy
@@ -194,6 +196,48 @@ class Motion(ProgramTest):
         for words in ((), ("--gain", "3=0"), ("--gain", "1=2,2=-3,3=5"), ("--path", path), ("--tolerance", "1", "--path", path, "--gain", "3=0")):
             lengths = self.made(text, *words).lengths()
             self.assertLess(abs(lengths / wanted[:, None] - 1).max(), 1e-12)
+
+    def test_joints_are_where_numpy_puts_them(self):
+        """All joints and ends, in single frames of a walk, of the drawing that a BVH file is: the vertices of its lines."""
+        for order in "ZXY", "XYZ", "YZX":
+            text = walk(order=order)
+            head, lines = text.split("MOTION")[0], text.strip().splitlines()[-120:]
+            for frame in 0, 41, 97:
+                one = f"{head}MOTION\nFrames: 1\nFrame Time: 0.0083333\n{lines[frame]}\n"
+                self.file("one.bvh", one)
+                self.done("convert", "one.bvh", "one.obj")
+                seen = numpy.array([line.split()[1:] for line in (self.folder / "one.obj").read_text().splitlines()
+                                    if line.startswith("v ")], float) * [1, -1, -1]  # y of a page runs down
+                wanted = Bvh(one).positions()[0]
+                apart = numpy.linalg.norm(seen[:, None] - wanted[None], axis=2)
+                self.assertLess(apart.min(axis=0).max(), 1e-6, "each joint is on a line")
+                self.assertLess(apart.min(axis=1).max(), 1e-6, "and each point of a line is a joint")
+
+    @unittest.skipUnless(shutil.which("blender"), "Blender is not installed")
+    def test_blender_opens_it(self):
+        """A walk that was fitted, scaled and written: Blender reads it, and its bones are where numpy puts them."""
+        self.file("in.bvh", walk(frames=12))
+        self.done("motion", "in.bvh", "--tolerance", ".5", "--gain", "3=0", "--out", "out.bvh")
+        script = self.file("look.py", """
+import bpy, builtins, json
+plain = builtins.open  # Debian's add-on asks for a mode that its Python no longer has
+builtins.open = lambda name, mode='r', *rest, **more: plain(name, mode.replace('U', ''), *rest, **more)
+bpy.ops.import_anim.bvh(filepath='out.bvh', axis_forward='Y', axis_up='Z', rotate_mode='NATIVE', update_scene_fps=False)
+body, found = bpy.context.object, []
+for frame in 1, 6, 12:
+    bpy.context.scene.frame_set(frame)
+    found.append({bone.name: list(body.matrix_world @ bone.head) for bone in body.pose.bones})
+json.dump(found, plain('found.json', 'w'))
+""")
+        run = subprocess.run(["blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python", script],
+                             capture_output=True, text=True, timeout=600, cwd=self.folder, check=False)
+        self.assertEqual(run.returncode, 0, run.stdout[-2000:] + run.stderr[-2000:])
+        bvh = Bvh((self.folder / "out.bvh").read_text())
+        places, names = bvh.positions(), [joint[0] for joint in bvh.joints]
+        for frame, bones in zip((0, 5, 11), json.loads((self.folder / "found.json").read_text())):
+            self.assertEqual(len(bones), len(BONES))
+            for name, place in bones.items():
+                self.assertLess(numpy.abs(places[frame][names.index(name)] - place).max(), 1e-3, (frame, name))  # floats
 
     def test_a_level_is_the_jitter(self):
         """Without the finest level the noise goes and the swing stays."""

@@ -1,4 +1,5 @@
 #include "document/document.h"
+#include "document/kind.h"
 #include "editor/scene/seen.h"
 #include "editor/choice/choice.h"
 #include "editor/session/notice.h"
@@ -88,6 +89,14 @@ static void hold_all(const bat_context *c, const double page[4], double low[3], 
     }
 }
 
+static double margin_of(const bat_context *c) {
+    const bat_document *document = c->session->document;
+    bool moves = false;
+    for (int i = 0; i < bat_document_count(document) && !moves; i++)
+        moves = bat_object_is(bat_document_at(document, i), BAT_MOVES);
+    return moves ? BAT_FIT_STRIP : BAT_FIT_MARGIN;
+}
+
 /* The eye then turns about the middle of everything. */
 static bool fit_deep(bat_context *c, const double page[4]) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -97,7 +106,7 @@ static bool fit_deep(bat_context *c, const double page[4]) {
     hold_all(c, page, low, high, NULL);
     if (!(low[0] <= high[0])) return false;
     for (int d = 0; d < 3; d++) view->pivot[d] = low[d] / 2 + high[d] / 2;
-    bat_view_extent_start(view, BAT_FIT_MARGIN, &extent);
+    bat_view_extent_start(view, margin_of(c), &extent);
     hold_all(c, page, low, high, &extent);
     return bat_view_extent_fit(view, &extent);
 }
@@ -114,5 +123,5 @@ bool bat_seen_fit(bat_context *c) {
     } else {
         bat_document_bounds(c->session->document, box);
     }
-    return bat_view_fit(&c->stage->view, box, BAT_FIT_MARGIN);
+    return bat_view_fit(&c->stage->view, box, margin_of(c));
 }

@@ -5,7 +5,7 @@
 #include "editor/scene/scene.h"
 #include "editor/session/context.h"
 
-enum { BAT_FIT_MARGIN = 32 };
+enum { BAT_FIT_MARGIN = 32, BAT_FIT_STRIP = 76 /* where a time strip lies over the drawing */ };
 
 /* Brings the scene up to date before it is queried. */
 void bat_seen_sync(bat_context *c);

@@ -262,12 +262,90 @@ static void a_stroke_redraws_an_angle(void **state) {
     bat_editor_free(editor);
 }
 
+/* What is fitted into the window leaves room for the time strip. */
+static void fit_leaves_room_for_the_strip(void **state) {
+    (void)state;
+    bat_editor *editor = with_skeleton();
+    double at[3 * WALKER_JOINTS], pixel[2];
+    assert_int_equal(bat_editor_command(editor, "view-fit"), BAT_OK);
+    assert_int_equal(bat_motion_positions(motion_of(editor), 0, at), BAT_OK);
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < WALKER_JOINTS; i++) {
+        pixel_of(editor, (double[]){at[3 * i], -at[3 * i + 1]}, pixel);
+        low = fmin(low, pixel[1]), high = fmax(high, pixel[1]);
+    }
+    const double height = 800; /* of the window */
+    assert_true(low >= 70 && high <= height - 70 && high - low > height - 170);
+    check(editor);
+    bat_editor_free(editor);
+}
+
+static void same_levels(const bat_camera *a, const bat_camera *b) {
+    assert_int_equal(bat_camera_levels(a), bat_camera_levels(b));
+    for (int l = 1; l <= bat_camera_levels(a); l++) {
+        assert_true(bat_curve_is_equal(bat_camera_details(a, l), bat_camera_details(b, l)));
+        assert_true(bat_camera_gain(a, l) == bat_camera_gain(b, l));
+    }
+}
+
+/* Of two selected skeletons the second gets the first one's levels over its own bases, as one step, with gains. */
+static void style_goes_to_another_walk(void **state) {
+    (void)state;
+    const bat_style style = bat_style_defaults();
+    bat_editor *editor = NULL;
+    bat_document *document = NULL;
+    bat_motion_options options = bat_motion_defaults();
+    options.tolerance = 0;
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    for (int k = 0; k < 2; k++) {
+        bat_take *take = walker(2 + k, FRAMES);
+        bat_motion *motion = NULL;
+        bat_object *object = NULL;
+        assert_int_equal(bat_motion_fit(take, &options, &motion, NULL), BAT_OK);
+        if (k == 0) assert_int_equal(bat_motion_set_gain(motion, 1, 2, 1.5), BAT_OK);
+        assert_int_equal(bat_object_create_skeleton((bat_id)(5 + k), "", &style, motion, NULL, &object),
+                         BAT_OK);
+        assert_int_equal(bat_document_insert(document, k, object), BAT_OK);
+        bat_object_release(object);
+        bat_motion_free(motion), bat_take_free(take);
+    }
+    editor = editor_of(document);
+    bat_editor_frame(editor);
+    const uint64_t before = digest(editor);
+    bat_motion *was = NULL;
+    assert_int_equal(
+        bat_motion_copy(bat_object_motion(bat_document_at(bat_editor_document(editor), 1), NULL), &was),
+        BAT_OK);
+    bat_editor_select(editor, 5, false);
+    bat_editor_select(editor, 6, true);
+    assert_int_equal(bat_editor_command(editor, "gaze-copy"), BAT_OK);
+    const bat_motion *from = bat_object_motion(bat_document_at(bat_editor_document(editor), 0), NULL),
+                     *to = bat_object_motion(bat_document_at(bat_editor_document(editor), 1), NULL);
+    for (int joint = 0; joint < WALKER_JOINTS; joint++) {
+        if (!bat_motion_joint(from, joint)) continue;
+        same_levels(bat_motion_joint(from, joint), bat_motion_joint(to, joint));
+        size_t count = 0, same = 0;
+        const double *base = bat_camera_base(bat_motion_joint(to, joint), &count),
+                     *own = bat_camera_base(bat_motion_joint(was, joint), &same);
+        assert_true(count == same);
+        for (size_t i = 0; i < 4 * count; i++) assert_true(base[i] == own[i]);
+    }
+    bat_motion_free(was);
+    assert_true(digest(editor) != before);
+    check(editor);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == before);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(is_shown_at_the_playhead),
                                        cmocka_unit_test(its_first_pose_is_pale),
                                        cmocka_unit_test(plays),
                                        cmocka_unit_test(a_tap_chooses_a_joint),
                                        cmocka_unit_test(levels_of_a_joint_are_mixed),
-                                       cmocka_unit_test(a_stroke_redraws_an_angle)};
+                                       cmocka_unit_test(a_stroke_redraws_an_angle),
+                                       cmocka_unit_test(fit_leaves_room_for_the_strip),
+                                       cmocka_unit_test(style_goes_to_another_walk)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
