@@ -198,10 +198,15 @@ static bat_status make_base(track *t, double duration, bat_knots *knots) {
     }
 }
 
+/* Rotation vectors are kept to so many parts of a radian, a thousandth of what a recorded rotation may be off by and keep its angles: in files
+ * they are a quarter shorter. */
+static const double digits = 1e12;
+
 static bat_status add_level(track *t, const bat_knots *knots) {
     double *details = malloc(3 * (size_t)knots->count * sizeof *details);
     if (!details) return BAT_MEMORY;
     bat_status status = bat_spline_fit(knots, t->frames, 3, t->rest, details);
+    for (int i = 0; i < 3 * knots->count; i++) details[i] = rint(details[i] * digits) / digits;
     if (status == BAT_OK)
         status = bat_camera_add_level(t->camera, knots->count + knots->degree + 1, knots->t,
                                       (size_t)knots->count, details);
