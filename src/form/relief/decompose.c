@@ -5,6 +5,7 @@
 #include <string.h>
 
 static const double SAME = 1e-12; /* of the size: control points of a pole differ by less */
+static const double OPEN = 1e-9;  /* of the size: how far an edge is opened that is a point by chance */
 
 /* ---- coarser surfaces ---- */
 
@@ -21,12 +22,21 @@ static bat_status coarsen(const bat_surface *fine, const int count[2], bat_surfa
     return status;
 }
 
-/* The same base with poles where the fine surface has them. */
+/* An edge of the base that happens to be a point is no pole: its details differ, and a pole keeps their mean only. */
+static void open_edge(const bat_surface *base, int e, double distance, double *points) {
+    if (!bat_edge_is_point(base, e, 0)) return;
+    const bat_edge edge = bat_edge_of(base, e);
+    points[3 * (edge.first + edge.count / 2 * edge.step)] += distance;
+}
+
+/* The same base with poles where the fine surface has them, and nowhere else. */
 static bat_status with_poles(const bat_surface *fine, bat_surface **base) {
     double *points = malloc(3 * bat_relief_points(*base) * sizeof *points);
     bat_surface *made = NULL;
     if (!points) return BAT_MEMORY;
     bat_surface_gather(*base, points);
+    for (int e = 0; e < BAT_EDGES; e++)
+        if (!bat_edge_is_point(fine, e, SAME * fine->size)) open_edge(*base, e, OPEN * fine->size, points);
     for (int e = 0; e < BAT_EDGES; e++) {
         if (!bat_edge_is_point(fine, e, SAME * fine->size)) continue;
         const bat_edge edge = bat_edge_of(*base, e);

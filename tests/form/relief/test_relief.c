@@ -693,6 +693,29 @@ static void test_any_kinds(void **state) {
     bat_relief_free(jugs), bat_relief_free(on_ball);
 }
 
+/* Of rows at heights 0, h, 0 a coarse edge keeps the mean only: it is a point by chance, which loses nothing. */
+static void test_point_by_chance(void **state) {
+    (void)state;
+    const int degree[2] = {1, 1}, knot_counts[2] = {5, 4};
+    const size_t counts[2] = {3, 2};
+    const double u[5] = {0, 0, .5, 1, 1}, v[4] = {0, 0, 1, 1};
+    int met = 0;
+    for (int h = 1; h <= 20; h++) {
+        const double points[18] = {0, 0, 0, 5, 0, 0, 0, 0, .3 * h, 5, 1, 0, 0, 0, 0, 5, 2, 0};
+        bat_surface *s = NULL;
+        bat_relief *r = NULL;
+        assert_int_equal(
+            bat_surface_create(degree, (const bool[2]){false, false}, counts, points, knot_counts, u, v, &s),
+            BAT_OK);
+        assert_int_equal(bat_relief_decompose(s, 1, &r), BAT_OK);
+        assert_true(apart(finest(r), s) <= 1e-12 * bat_surface_size(s));
+        const double *base = point_at(bat_relief_surface(r, 0), 0);
+        met += fabs(base[2] - point_at(bat_relief_surface(r, 0), 2)[2]) <= 1e-8 * bat_surface_size(s);
+        bat_relief_free(r), bat_surface_free(s);
+    }
+    assert_true(met > 0);
+}
+
 /* ---- what is refused ---- */
 
 static void test_refused(void **state) {
@@ -747,7 +770,8 @@ int main(void) {
         cmocka_unit_test(test_drag),       cmocka_unit_test(test_drag_finest),
         cmocka_unit_test(test_local),      cmocka_unit_test(test_line),
         cmocka_unit_test(test_copy_same),  cmocka_unit_test(test_transplant),
-        cmocka_unit_test(test_any_kinds),  cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_any_kinds),  cmocka_unit_test(test_point_by_chance),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
