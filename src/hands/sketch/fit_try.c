@@ -223,6 +223,7 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
     const bat_local_problem *q = k->problem;
     const int m = q->dimension;
     k->slow_count = 0;
+    k->holds_best = false; /* also where it cannot be solved: the space is another one from here on */
     assemble(k, set);
     k->solves++;
     k->work += bat_local_cost(k, k->space.count);
@@ -230,7 +231,6 @@ bool bat_local_try(bat_local_machine *k, const bat_knot_set *set, bat_status *st
     if (*status != BAT_OK) return false;
     memcpy(k->points, k->b, (size_t)k->space.count * (size_t)m * sizeof *k->points);
     bat_lsq_memo_local(&k->space, m, &k->memo[0], k->points, k->local);
-    k->holds_best = false;
     const bool fine = bat_local_measure(k, status);
     return *status == BAT_OK && fine && speed_kept(k);
 }
