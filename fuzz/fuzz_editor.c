@@ -19,6 +19,17 @@ static void replays(const bat_editor *editor) {
     bat_editor_free(again);
 }
 
+/* Every part of the drawing can be had as a document, which is whole; only a selection may be missing. */
+static void comes_apart(const bat_editor *editor) {
+    for (int part = BAT_EXCERPT_PAGE; part <= BAT_EXCERPT_SELECTION; part++) {
+        bat_document *made = NULL;
+        const bat_status status = bat_editor_excerpt(editor, (bat_excerpt)part, &made);
+        demand(status == BAT_OK || (part == BAT_EXCERPT_SELECTION && status == BAT_STATE), "no excerpt");
+        demand(status != BAT_OK || !bat_document_check(made), "the excerpt is not whole");
+        bat_document_free(made);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     session_bytes bytes = {data, size < MOST ? size : MOST, 0};
     bat_editor *editor = pen_editor();
@@ -32,6 +43,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     wild_settle(editor);
     replays(editor);
+    comes_apart(editor);
     while (bat_editor_command(editor, "redo") == BAT_OK) {
     }
     uint64_t top = digest(editor);

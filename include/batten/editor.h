@@ -84,6 +84,12 @@ BAT_API bat_status bat_editor_add_picture(bat_editor *editor, const void *bytes,
 /* The picture that an item of role IMAGE shows; NULL: there is no picture with that number. */
 BAT_API const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture);
 
+/* What of the drawing is copied: as it is, with its page; everything, or the selection with all that is in it, without a
+ * page, so that files show the box of what is painted. */
+typedef enum bat_excerpt { BAT_EXCERPT_PAGE, BAT_EXCERPT_ALL, BAT_EXCERPT_SELECTION } bat_excerpt;
+/* That part as a document of its own (bat_document_free); what would follow an object left behind is free of it.
+ * BAT_STATE: nothing is selected, or a gesture is under way; BAT_ARGUMENT: no such part. O(objects). */
+BAT_API bat_status bat_editor_excerpt(const bat_editor *editor, bat_excerpt part, bat_document **out);
 /* The selection as an SVG file with every knot (to be freed by bat_free), for the clipboard; cut: the selection is
  * then deleted, which is a step of the history. BAT_STATE: nothing is selected. A notice says what was done, or
  * why nothing was. */

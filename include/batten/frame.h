@@ -118,8 +118,10 @@ enum {
     BAT_ASK_SHORTCUTS = 512, /* a list of all commands with their shortcuts */
     BAT_ASK_REGION = 1024,   /* the keyboard goes on to the next part of the window, or back */
     BAT_ASK_REGION_BACK = 2048,
-    BAT_ASK_KEPT = 4096,  /* the drawings that the host keeps, to choose from */
-    BAT_ASK_LOSSES = 8192 /* a list of what writing over the file would lose (bat_editor_losses) */
+    BAT_ASK_KEPT = 4096,   /* the drawings that the host keeps, to choose from */
+    BAT_ASK_LOSSES = 8192, /* a list of what writing over the file would lose (bat_editor_losses) */
+    BAT_ASK_EXPORT =
+        16384 /* a choice of format, part and size for a file, or for the clipboard: bat_editor_excerpt */
 };
 
 typedef struct bat_frame {

@@ -2,6 +2,7 @@
 #include "editor/editor.h"
 #include "format/seen/seen.h"
 #include "editor/commands/dispatch.h"
+#include "editor/edit/excerpt.h"
 #include "editor/edit/pictures.h"
 #include "editor/edit/symmetry.h"
 #include "editor/input/pressure.h"
@@ -249,6 +250,11 @@ bat_status bat_editor_add_picture(bat_editor *editor, const void *bytes, size_t 
 
 const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture) {
     return bat_picture_shown(&editor->context, picture);
+}
+
+bat_status bat_editor_excerpt(const bat_editor *editor, bat_excerpt part, bat_document **out) {
+    if (!editor || !out || (int)part < BAT_EXCERPT_PAGE || part > BAT_EXCERPT_SELECTION) return BAT_ARGUMENT;
+    return bat_excerpt_make(&editor->context, part, out);
 }
 
 bat_status bat_editor_copy(bat_editor *editor, bool cut, char **text, size_t *size) {

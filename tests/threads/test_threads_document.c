@@ -358,6 +358,10 @@ static uint64_t look_at_editor(const void *shared, int seed) {
     digest = bat_digest_bytes(digest, journal, size);
     digest = add(digest, bat_editor_picture(editor, 1) != NULL);
     digest = add(digest, (uint64_t)bat_losses_total(bat_editor_losses(editor)));
+    bat_document *made = NULL;
+    digest = add(digest, (uint64_t)bat_editor_excerpt(editor, (bat_excerpt)(seed % 2), &made));
+    digest = add(digest, bat_document_digest(made));
+    bat_document_free(made);
     return add(digest, bat_editor_check(editor) == NULL);
 }
 

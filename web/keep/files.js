@@ -268,15 +268,10 @@ export class Files {
     return answer === 'lose' || answer === 'save';
   }
 
-  /**
-   * Saves a copy in the browser's download folder.
-   * @param {boolean} [native]
-   * @returns {boolean}
-   */
+  /** Saves a copy in the browser's download folder. @param {boolean} [native] @returns {boolean} */
   download(native = isNative(this.name)) {
     try {
-      const stem = stemOf(this.name);
-      this.#deliver(this.engine.save(native), `${stem}.${native ? 'batten' : 'svg'}`, native ? JSON_TYPE : SVG);
+      this.deliver(this.engine.save(native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG);
       return true;
     } catch (error) {
       this.#complain(error);
@@ -286,20 +281,18 @@ export class Files {
 
   /** Downloads the journal: all steps since opening. */
   downloadJournal(journal = this.engine.journal) {
-    const stem = stemOf(this.name);
-    this.#deliver(journal, `${stem}.journal`, 'application/x-ndjson');
+    this.deliver(journal, 'journal', 'application/x-ndjson');
   }
 
   /**
-   * @param {Uint8Array} bytes
-   * @param {string} name
-   * @param {string} type
+   * Into the browser's download folder, named as the drawing. @param {Uint8Array} bytes
+   * @param {string} end of its name @param {string} type
    */
-  #deliver(bytes, name, type) {
+  deliver(bytes, end, type) {
     const address = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)], { type }));
     const link = document.createElement('a');
     link.href = address;
-    link.download = name;
+    link.download = `${stemOf(this.name)}.${end}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(address), 10000);
   }

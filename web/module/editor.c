@@ -4,6 +4,7 @@
 #include "format/formats.h"
 
 #include <math.h>
+#include <string.h>
 
 MODULE_EXPORT(editor_create) bat_editor *editor_create(void);
 MODULE_EXPORT(editor_pointer)
@@ -73,6 +74,9 @@ MODULE_EXPORT(editor_open_file)
 int editor_open_file(bat_editor *editor, const char *text, size_t size, const char *name,
                      bat_problem *problem);
 MODULE_EXPORT(editor_copy) int editor_copy(bat_editor *editor, int cut, module_bytes *out);
+MODULE_EXPORT(editor_export)
+int editor_export(const bat_editor *editor, const char *format, int part, module_bytes *out,
+                  bat_problem *problem);
 MODULE_EXPORT(editor_add_picture)
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name);
 MODULE_EXPORT(editor_picture)
@@ -357,6 +361,24 @@ int editor_open_file(bat_editor *editor, const char *text, size_t size, const ch
 int editor_copy(bat_editor *editor, int cut, module_bytes *out) {
     MODULE_CHECK(editor && out);
     return (int)bat_editor_copy(editor, cut != 0, &out->data, &out->size);
+}
+
+/* A file of part of the drawing (bat_excerpt), in a format of the table; "plain": SVG without the native document. */
+int editor_export(const bat_editor *editor, const char *format, int part, module_bytes *out,
+                  bat_problem *problem) {
+    MODULE_CHECK(editor && format && out && problem);
+    problem->place[0] = problem->message[0] = '\0';
+    bat_document *document = NULL;
+    bat_status status = bat_editor_excerpt(editor, (bat_excerpt)part, &document);
+    if (status == BAT_OK && strcmp(format, "plain") == 0)
+        status = bat_svg_write(document, false, &out->data, &out->size);
+    else if (status == BAT_OK) {
+        const bat_format *found = bat_format_named(format);
+        status = found && found->write ? found->write(document, &out->data, &out->size, problem)
+                                       : BAT_ARGUMENT;
+    }
+    bat_document_free(document);
+    return (int)status;
 }
 
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name) {

@@ -31,6 +31,7 @@ export class Requests {
       [Ask.DOWNLOAD_SVG, () => files.download(false)],
       [Ask.DOWNLOAD_NATIVE, () => files.download(true)],
       [Ask.JOURNAL, () => files.downloadJournal()],
+      [Ask.EXPORT, () => this.#export()],
       [Ask.CUT | Ask.COPY | Ask.PASTE, () => this.clipboard?.ask(requests)],
       [Ask.SPAN, () => panel.ask('picture-span')],
       [Ask.SHORTCUTS, () => this.#shortcuts()],
@@ -55,6 +56,11 @@ export class Requests {
   async #losses() {
     const { show } = await want(import('./losses.js'));
     show(this.shell.engine, this.shell.wake);
+  }
+
+  async #export() {
+    const { exportDrawing } = await want(import('./export.js'));
+    await exportDrawing(this.shell);
   }
 
   async #kept() {

@@ -31,6 +31,7 @@ export class Loop {
     /** @type {import('./space.js').Space | undefined} */
     this.space = undefined;
     /** Frames painted and the time taken, for tests and measurements. */
+    this.selected = 0;
     this.cost = { frames: 0, engine: 0, paint: 0 };
   }
 
@@ -138,6 +139,7 @@ export class Loop {
     const empty = frame.still.length === 0;
     part('welcome').hidden = !empty || frame.live.some((item) => item.role < Role.GRID);
     const { ours } = drawings;
+    this.selected = frame.selected;
     files.unsaved = frame.unsaved && ours;
     this.#tellLost(frame.lost);
     if (ours) {

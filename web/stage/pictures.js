@@ -24,9 +24,9 @@ const TAG = 60; // "<"
 
 /**
  * Foreign content, an SVG file, as an image: the browser then runs nothing in it and fetches nothing for it.
- * @param {Uint8Array<ArrayBuffer>} bytes
+ * @param {Uint8Array} bytes
  */
-async function isolated(bytes) {
+export async function isolated(bytes) {
   const image = new Image();
   image.src = `data:image/svg+xml,${encodeURIComponent(new TextDecoder().decode(bytes))}`; // a blob's would taint the canvas
   await image.decode();

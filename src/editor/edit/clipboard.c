@@ -6,6 +6,7 @@
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/edit/clipboard.h"
+#include "editor/edit/excerpt.h"
 #include "editor/input/input.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
@@ -21,33 +22,11 @@
 
 static const double STEP = 10; /* px between a paste and what was copied, or the paste before */
 
-/* Adds the selected objects with everything in them, outside any group of the others. */
-static bat_status gather(const bat_context *c, bat_listing *listing) {
-    int *roots, count;
-    bat_status status = bat_arrange_roots(c, &roots, &count);
-    if (status != BAT_OK) return status;
-    for (int i = 0; i < count; i++) {
-        bat_object *root = NULL;
-        bat_object_with_parent(bat_document_at(c->session->document, roots[i]), 0, &root);
-        bat_listing_take(listing, root);
-        bat_listing_range(listing, c->session->document, roots[i] + 1,
-                          bat_document_end(c->session->document, roots[i]));
-    }
-    free(roots);
-    return listing->failed ? BAT_MEMORY : BAT_OK;
-}
-
 static bat_status copy(const bat_context *c, char **text, size_t *size) {
-    bat_listing listing = {0};
     bat_document *part = NULL;
-    bat_status status = gather(c, &listing);
-    if (status == BAT_OK) status = bat_document_create(&part);
-    if (status == BAT_OK && (status = bat_document_fill(part, listing.count, listing.objects)) == BAT_OK)
-        listing.count = 0; /* ownership has passed on */
-    if (status == BAT_OK) status = bat_document_let_go(part);
+    bat_status status = bat_excerpt_make(c, BAT_EXCERPT_SELECTION, &part);
     if (status == BAT_OK) status = bat_svg_write(part, true, text, size);
     bat_document_free(part);
-    bat_listing_free(&listing);
     return status;
 }
 

@@ -1,0 +1,47 @@
+// Pictures and prints of an SVG file: the browser paints it, isolated as an image, so that nothing in it runs or is fetched.
+
+import { isolated } from '../stage/pictures.js';
+import { Refusal, word } from '../page/words.js';
+
+const MOST = 16384; // pixels a side
+const AREA = 1 << 28;
+
+/**
+ * A PNG of it. @param {Uint8Array} svg
+ * @param {{ width: number, white: boolean }} how width: pixels; 0: one for each unit
+ * @returns {Promise<Blob>}
+ */
+export async function pictureOf(svg, { width, white }) {
+  const image = await isolated(svg);
+  const scale = (width || image.width) / image.width;
+  const size = [image.width, image.height].map((side) => Math.max(1, Math.round(side * scale)));
+  if (!(image.width > 0 && image.height > 0) || Math.max(...size) > MOST || size[0] * size[1] > AREA) {
+    throw new Refusal(word('shell.too-large', `${size[0]} × ${size[1]}`));
+  }
+  const canvas = new OffscreenCanvas(size[0], size[1]);
+  const context = canvas.getContext('2d');
+  if (context && white) {
+    context.fillStyle = '#fff';
+    context.fillRect(0, 0, size[0], size[1]);
+  }
+  context?.drawImage(image, 0, 0, size[0], size[1]);
+  return canvas.convertToBlob({ type: 'image/png' });
+}
+
+/** Opens the browser's print window with it alone, on a page of its size. @param {Uint8Array} svg */
+export async function print(svg) {
+  const image = await isolated(svg);
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(`@page { size: ${image.width}px ${image.height}px; margin: 0 }
+    @media print { body > :not(#print) { display: none !important } html, body { overflow: visible !important }
+    #print { display: block; width: ${image.width}px; height: ${image.height}px } }
+    @media screen { #print { display: none } }`);
+  image.id = 'print';
+  document.body.append(image);
+  document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+  window.addEventListener('afterprint', () => {
+    image.remove();
+    document.adoptedStyleSheets = document.adoptedStyleSheets.filter((other) => other !== sheet);
+  }, { once: true });
+  window.print();
+}
