@@ -47,8 +47,9 @@ test('download as SVG and as Batten file; both open again as they were', async (
   await context.close();
 });
 
-test('the picker opens a file; Save without a server downloads', async () => {
+test('the picker opens a file; Save without a server downloads where pages may not write files', async () => {
   const { page, hand, context } = await open(browser, server.address);
+  await page.evaluate(() => delete window.showOpenFilePicker);
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.click('[data-name=open]')]);
   await chooser.setFiles(EXAMPLE);
   await page.waitForFunction(() => document.getElementById('name').textContent === 'car.svg');

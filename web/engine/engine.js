@@ -255,6 +255,12 @@ export class Engine extends Instance {
       this.wasm.svg_paste(reader, this.editor, this.scratch)), -1));
   }
 
+  /** Of another format. @param {Uint8Array} bytes @param {string} name */
+  pasteFile(bytes, name) {
+    this.#done(this.guard(() => this.lend(bytes, (text, size) => this.lend(name, (title) =>
+      this.wasm.editor_paste_file(this.editor, text, size, title, this.scratch))), -1));
+  }
+
   // ---- files ----
 
   /** A native document. @param {Uint8Array} bytes @param {string} name */

@@ -1,6 +1,7 @@
 // The page's drawing and what the browser has kept of it: opening it with what a closed or crashed page left, leaving
 // it for another, taking it over from another page.
 
+import { want } from '../page/build.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
@@ -87,8 +88,15 @@ export class Drawings {
     this.resume(await this.admit(this.files.name));
   }
 
-  /** Without a file: opens the last drawing kept that no other page has, else an empty one. */
+  /** Without a file: opens what the page's address asks for, else the last drawing kept that no other page has, else an empty one. */
   async openLast() {
+    const asked = new URLSearchParams(location.search).get('open');
+    if (asked) {
+      const { openAt } = await want(import('./address.js'));
+      if (await openAt(this, asked)) {
+        return;
+      }
+    }
     for (const { name } of await this.keeper.list()) {
       const kept = await this.admit(name);
       if (kept) {
@@ -144,6 +152,7 @@ export class Drawings {
   #become(name) {
     this.files.name = name;
     this.files.bound = false;
+    this.files.place = this.files.server;
     this.files.opened = new Uint8Array(0);
   }
 

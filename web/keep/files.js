@@ -1,4 +1,4 @@
-// Files: opened by drop, picker or server; saved to the server or as a download.
+// Files: opened by drop, picker or server; saved to where they came from, or as a download.
 
 import { want } from '../page/build.js';
 import { Changed } from './server.js';
@@ -9,6 +9,8 @@ import { counted, word } from '../page/words.js';
 /** @typedef {import('./keep.js').Kept} Kept */
 /** @typedef {import('../page/notice.js').Notices} Notices */
 /** @typedef {import('./server.js').Server} Server */
+/** @typedef {import('./disk.js').Disk} Disk */
+/** A file to open, and where it is saved back to, if anywhere. @typedef {{ file: File, place: Disk | null }} Arrival */
 
 const SVG = 'image/svg+xml';
 const JSON_TYPE = 'application/json';
@@ -49,6 +51,8 @@ export class Files {
   constructor(engine, server, notices, wake) {
     this.engine = engine;
     this.server = server;
+    /** Where the drawing is saved to, if it is bound. @type {Server | Disk} */
+    this.place = server;
     this.notices = notices;
     this.wake = wake;
     this.name = 'drawing.svg';
@@ -65,7 +69,7 @@ export class Files {
     this.losses = {};
     /** Whether the user was asked about what is not shown as it is in the file. */
     this.asked = false;
-    /** The document is the server's file, and is saved there. */
+    /** The document is the file of its place, and is saved there. */
     this.bound = false;
     this.unsaved = false;
     /** The page is being reloaded and will restore what is not saved. */
@@ -78,9 +82,9 @@ export class Files {
   #listen() {
     const drop = /** @type {HTMLElement} */ (document.getElementById('drop'));
     this.picker.addEventListener('change', () => {
-      const file = this.picker.files?.[0];
+      const all = [...this.picker.files ?? []];
       this.picker.value = '';
-      void this.#openFile(file);
+      void this.arrive(all.map((file) => ({ file, place: null })));
     });
     addEventListener('dragover', (event) => {
       event.preventDefault();
@@ -92,7 +96,10 @@ export class Files {
     addEventListener('drop', (event) => {
       event.preventDefault();
       drop.hidden = true;
-      void this.#openFile(event.dataTransfer?.files[0]);
+      const items = [...event.dataTransfer?.items ?? []].filter(({ kind }) => kind === 'file');
+      // Only in the event itself: where each lies, if the browser tells.
+      const arrived = items.map(async (item) => ({ file: item.getAsFile(), handle: await /** @type {any} */ (item).getAsFileSystemHandle?.() }));
+      void want(import('./disk.js')).then(async ({ placed }) => this.arrive(await placed(arrived)));
     });
     addEventListener('beforeunload', (event) => {
       if (this.unsaved && !this.leaving) {
@@ -101,15 +108,20 @@ export class Files {
     });
   }
 
-  /** Asks for a file. */
-  pick() {
-    this.picker.click();
+  /** Asks for files. */
+  async pick() {
+    if ('showOpenFilePicker' in window) {
+      const { ask } = await want(import('./disk.js'));
+      await this.arrive(await ask());
+    } else {
+      this.picker.click();
+    }
   }
 
   /** Opens the server's file, if there is a server. */
   async openServed() {
     try {
-      const { name, bytes } = await this.server.load();
+      const { name, bytes } = await this.place.load();
       this.bound = this.open(bytes, name);
     } catch (error) {
       this.#complain(error);
@@ -129,19 +141,31 @@ export class Files {
     }
   }
 
-  /** @param {File | undefined} file */
-  async #openFile(file) {
-    if (file && /^image\/(?!svg)/.test(file.type)) {
+  /** Files that were chosen or dropped: one drawing is opened, several are added; pictures are placed. @param {Arrival[]} all */
+  async arrive(all) {
+    const pictures = all.filter(({ file }) => /^image\/(?!svg)/.test(file.type));
+    const drawings = all.filter((one) => !pictures.includes(one));
+    for (const { file } of pictures) {
       await this.addPicture(file);
-      return;
     }
-    if (!file || (this.unsaved && !(await this.#mayReplace()))) {
+    if (drawings.length > 1) {
+      const { addAll } = await want(import('./several.js'));
+      await addAll(this, drawings);
+    } else if (drawings.length) {
+      await this.#openFile(drawings[0]);
+    }
+  }
+
+  /** @param {Arrival} arrival */
+  async #openFile({ file, place }) {
+    if (this.unsaved && !(await this.#mayReplace())) {
       return;
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
     const kept = await this.find(file.name);
     if (this.open(bytes, file.name)) {
-      this.bound = false;
+      this.bound = place !== null;
+      this.place = place ?? this.server;
       this.onopen(kept);
     } else {
       await this.find(this.name);
@@ -202,7 +226,7 @@ export class Files {
   }
 
   /**
-   * Saves to the server's file, else as a download.
+   * Saves to its place, else as a download.
    * @param {string} [over] the version to overwrite, when not the one that the drawing was opened from
    */
   async save(over) {
@@ -223,7 +247,7 @@ export class Files {
         return;
       }
       // The engine remembers the state that it asked to have saved: anything drawn meanwhile stays unsaved.
-      await this.server.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
+      await this.place.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
       this.engine.saved();
       if (!this.engine.keeps) {
         this.losses = this.engine.losses = {};
@@ -240,7 +264,7 @@ export class Files {
 
   /** Tells the user at once that the file changed on disk, not at the next save. @param {string} tag of the file now */
   tellOf(tag) {
-    if (this.bound && !this.saving && tag !== this.server.tag) {
+    if (this.bound && !this.saving && tag !== this.place.tag) {
       this.#tellChanged(word('shell.changed'));
     }
   }
@@ -326,7 +350,7 @@ export class Files {
   async #saveBeside() {
     const native = isNative(this.name);
     try {
-      const name = await this.server.saveBeside(this.engine.save(native), native ? JSON_TYPE : SVG);
+      const name = await this.place.saveBeside(this.engine.save(native), native ? JSON_TYPE : SVG);
       this.#tellChanged(word('shell.saved-beside', name));
     } catch (error) {
       this.#tellChanged(error instanceof Error ? error.message : String(error), true);
@@ -335,7 +359,7 @@ export class Files {
 
   async #overwrite() {
     try {
-      await this.save((await this.server.look()).tag);
+      await this.save((await this.place.look()).tag);
     } catch (error) {
       this.#complain(error);
     }
@@ -345,7 +369,7 @@ export class Files {
   async #compare(text) {
     try {
       const { compare } = await want(import('../sheets/compare.js'));
-      const file = await this.server.look();
+      const file = await this.place.look();
       const answer = await compare(this.engine, file);
       if (answer === 'overwrite') {
         await this.save(file.tag); // overwrites the version that was compared, nothing newer

@@ -1,4 +1,4 @@
-// Watches the server and its file: whether it still answers, was restarted, or has a different version of the file now.
+// Watches the place that the drawing is saved to: whether it still answers, was restarted, or has a different version of the file now.
 // Asks when the page becomes visible, regularly while it is visible, and soon again after no answer; never while
 // hidden.
 
@@ -8,11 +8,10 @@ const NOW_AND_THEN = 30000; // milliseconds
 const SOON = 2000;
 
 /**
- * @param {import('./server.js').Server} server
  * @param {import('./files.js').Files} files
  * @param {import('../page/notice.js').Notices} notices
  */
-export function watch(server, files, notices) {
+export function watch(files, notices) {
   let timer = 0;
   let pause = 0; // before the next attempt, after no answer
   let told = ''; // the changed version that the user was last told of
@@ -25,7 +24,7 @@ export function watch(server, files, notices) {
     }
     asking = true;
     try {
-      const tag = await server.hear();
+      const tag = await files.place.hear();
       if (pause) {
         notices.over('silent');
         notices.say(word('shell.back'));

@@ -73,6 +73,9 @@ int editor_open_native(bat_editor *editor, const char *text, size_t size, const 
 MODULE_EXPORT(editor_open_file)
 int editor_open_file(bat_editor *editor, const char *text, size_t size, const char *name,
                      bat_problem *problem);
+MODULE_EXPORT(editor_paste_file)
+int editor_paste_file(bat_editor *editor, const char *text, size_t size, const char *name,
+                      bat_problem *problem);
 MODULE_EXPORT(editor_copy) int editor_copy(bat_editor *editor, int cut, module_bytes *out);
 MODULE_EXPORT(editor_export)
 int editor_export(const bat_editor *editor, const char *format, int part, module_bytes *out,
@@ -343,19 +346,37 @@ int editor_open_native(bat_editor *editor, const char *text, size_t size, const 
     return (int)bat_editor_open(editor, document, name);
 }
 
-/* Any other format that needs no XML parser, from the table of formats: recognised by its name, else by its text. */
+/* Reads any other format that needs no XML parser, from the table of formats: recognised by its name, else by its text. */
+static bat_status read_file(const char *text, size_t size, const char *name, bat_document **out,
+                            bat_svg_report *report, bat_problem *problem) {
+    const bat_reading how = {.svg = bat_svg_merging()};
+    const bat_format *format = bat_format_called(name);
+    return bat_formats_read(&how, text, size, &format, out, report, problem);
+}
+
 int editor_open_file(bat_editor *editor, const char *text, size_t size, const char *name,
                      bat_problem *problem) {
     MODULE_CHECK(editor && name);
-    const bat_reading how = {.svg = bat_svg_merging()};
-    const bat_format *format = bat_format_called(name);
     bat_document *document = NULL;
     bat_svg_report report;
-    bat_status status = bat_formats_read(&how, text, size, &format, &document, &report, problem);
+    bat_status status = read_file(text, size, name, &document, &report, problem);
     if (status == BAT_OK) {
         status = bat_editor_open(editor, document, name);
     }
     return status == BAT_OK ? (int)bat_editor_set_losses(editor, &report.lost) : (int)status;
+}
+
+int editor_paste_file(bat_editor *editor, const char *text, size_t size, const char *name,
+                      bat_problem *problem) {
+    MODULE_CHECK(editor && name);
+    bat_document *document = NULL;
+    bat_svg_report report;
+    bat_status status = read_file(text, size, name, &document, &report, problem);
+    if (status == BAT_OK) {
+        status = bat_editor_paste(editor, document, false);
+    }
+    bat_document_free(document);
+    return (int)status;
 }
 
 int editor_copy(bat_editor *editor, int cut, module_bytes *out) {

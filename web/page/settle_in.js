@@ -28,10 +28,8 @@ export async function settleIn(shell) {
   }
   // A screen reader may read without any input.
   setTimeout(() => void shell.mirrorDrawing(), UNTOUCHED);
-  if (shell.server.there) {
-    const { watch } = await want(import('../keep/watch.js'));
-    watch(shell.server, shell.files, shell.notices);
-  }
+  const { watch } = await want(import('../keep/watch.js'));
+  watch(shell.files, shell.notices);
   if (!shell.server.passing) {
     const { settle } = await want(import('../keep/offline.js'));
     await settle(shell.notices, () => shell.pack());
