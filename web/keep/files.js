@@ -124,7 +124,7 @@ export class Files {
       const { name, bytes } = await this.place.load();
       this.bound = this.open(bytes, name);
     } catch (error) {
-      this.#complain(error);
+      this.complain(error);
     }
   }
 
@@ -218,7 +218,7 @@ export class Files {
       this.asked = false;
       return true;
     } catch (error) {
-      this.#complain(new Error(`${word('shell.not-opened', name)} ${error instanceof Error ? error.message : ''}`));
+      this.complain(new Error(`${word('shell.not-opened', name)} ${error instanceof Error ? error.message : ''}`));
       return false;
     } finally {
       this.wake();
@@ -255,7 +255,7 @@ export class Files {
       this.notices.over('kept', 'unkept', 'changed');
       this.notices.say(word('shell.saved', this.name));
     } catch (error) {
-      this.#complain(error);
+      this.complain(error);
     } finally {
       this.saving = false;
       this.wake();
@@ -265,7 +265,7 @@ export class Files {
   /** Tells the user at once that the file changed on disk, not at the next save. @param {string} tag of the file now */
   tellOf(tag) {
     if (this.bound && !this.saving && tag !== this.place.tag) {
-      this.#tellChanged(word('shell.changed'));
+      void this.#tellChanged(word('shell.changed'));
     }
   }
 
@@ -298,7 +298,7 @@ export class Files {
       this.deliver(this.engine.save(native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG);
       return true;
     } catch (error) {
-      this.#complain(error);
+      this.complain(error);
       return false;
     }
   }
@@ -322,66 +322,18 @@ export class Files {
   }
 
   /** @param {unknown} error */
-  #complain(error) {
+  complain(error) {
     const text = error instanceof Error ? error.message : String(error);
     if (error instanceof Changed) {
-      this.#tellChanged(text);
+      void this.#tellChanged(text);
     } else {
       this.notices.say(text);
     }
   }
 
-  /**
-   * Tells the user that the file has changed since it was opened: nothing is overwritten until they say so.
-   * @param {string} text
-   * @param {boolean} [apart] no file can be written beside it: offer a download instead
-   */
-  #tellChanged(text, apart = false) {
-    this.notices.ask('changed', text, [
-      { label: word('shell.look-both'), run: () => void this.#compare(text) },
-      { label: word('shell.overwrite'), run: () => void this.#overwrite() },
-      apart ? { label: word('shell.copy'), run: () => {
-        this.download();
-        this.#tellChanged(text); // still changed
-      } } : { label: word('shell.beside'), run: () => void this.#saveBeside() }]);
-  }
-
-  /** Saves a new file beside the changed one, which stays as it is; the drawing still belongs to the changed file. */
-  async #saveBeside() {
-    const native = isNative(this.name);
-    try {
-      const name = await this.place.saveBeside(this.engine.save(native), native ? JSON_TYPE : SVG);
-      this.#tellChanged(word('shell.saved-beside', name));
-    } catch (error) {
-      this.#tellChanged(error instanceof Error ? error.message : String(error), true);
-    }
-  }
-
-  async #overwrite() {
-    try {
-      await this.save((await this.place.look()).tag);
-    } catch (error) {
-      this.#complain(error);
-    }
-  }
-
-  /** Shows the drawing and the file beside each other. @param {string} text */
-  async #compare(text) {
-    try {
-      const { compare } = await want(import('../sheets/compare.js'));
-      const file = await this.place.look();
-      const answer = await compare(this.engine, file);
-      if (answer === 'overwrite') {
-        await this.save(file.tag); // overwrites the version that was compared, nothing newer
-        return;
-      }
-      if (answer === 'beside') {
-        await this.#saveBeside();
-      } else {
-        this.#tellChanged(text);
-      }
-    } catch (error) {
-      this.#complain(error);
-    }
+  /** @param {string} text */
+  async #tellChanged(text) {
+    const { tellChanged } = await want(import('./changed.js'));
+    tellChanged(this, text);
   }
 }
