@@ -70,6 +70,7 @@ export class Shell {
       painter.retheme();
       this.wake();
     };
+    this.panel.theme = theme;
     this.panel.themeButton?.addEventListener('click', () => theme.toggle());
     this.words.onchange = (tables) => {
       this.panel.retold(tables);

@@ -99,16 +99,34 @@ test('the theme button overrules the system and is remembered', async () => {
   await context.close();
 });
 
-test('a drawing in black shows on the dark ground, and its file keeps its colours', async () => {
-  const { page, context } = await open(browser, server.address, { colorScheme: 'dark' });
-  const brightest = await page.evaluate(() => {
-    const canvas = document.getElementById('still');
-    const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
-    return data.filter((_, i) => i % 4 === 1).reduce((a, b) => Math.max(a, b), 0);
-  });
-  assert.ok(brightest > 180, `brightest ${brightest}`);
+/** The colours that the page shows: of its paper, and of what is brightest and darkest on it. */
+const shown = (page) => page.evaluate(() => {
+  const canvas = document.getElementById('still');
+  const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+  const seen = data.filter((_, i) => i % 4 === 1 && data[i + 2] > 200);
+  return { ground: getComputedStyle(document.getElementById('stage')).backgroundColor,
+    darkest: seen.reduce((a, b) => Math.min(a, b), 255), brightest: seen.reduce((a, b) => Math.max(a, b), 0) };
+});
+
+test('in the dark theme the paper is white and colours are as they are; dim paper turns them over, files keep them', async () => {
+  const { page, context } = await open(browser, server.address, { colorScheme: 'light' });
+  const light = await shown(page);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await settle(page);
+  assert.deepEqual(await shown(page), light);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'white-paper-dark.png') });
+  await page.click('[data-name=settings]');
+  await page.check('#setting-dim-paper');
+  await settle(page);
+  const dim = await shown(page);
+  assert.ok(dim.brightest > 180 && dim.darkest < 60 && dim.ground !== light.ground, JSON.stringify(dim));
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'dim-paper.png') });
   const text = await page.evaluate(() => new TextDecoder().decode(batten.engine.save(false)));
   assert.match(text, /#22262b/i);
+  await page.reload();
+  await page.waitForSelector('html[data-ready=yes]');
+  await settle(page);
+  assert.deepEqual(await shown(page), dim);
   await context.close();
 });
 

@@ -55,6 +55,8 @@ export class Panel {
     this.controls.list.push(() => {
       document.documentElement.dataset.hand = engine.get('left-hand') ? 'left' : 'right';
     });
+    /** @type {import('../stage/theme.js').Theme | undefined} */
+    this.theme = undefined;
     this.themeButton = fillBar(this.tables, this.buttons);
     this.foot = new Foot(engine, this.tables, this.buttons, this.controls);
     for (const name of Object.keys(SHEETS)) {

@@ -13,6 +13,19 @@ async function drawPressure({ engine, controls }) {
   curve.show();
 }
 
+/** A switch for the paper of the dark theme, which is the page's own. @param {import('./panel.js').Panel} panel */
+function dimPaper({ theme }) {
+  const row = document.createElement('div');
+  const label = tell(document.createElement('label'), { text: 'shell.dim-paper', help: 'shell.dim-paper.help' });
+  const input = document.createElement('input');
+  row.className = 'control switch';
+  Object.assign(input, { type: 'checkbox', id: 'setting-dim-paper', checked: theme?.dim });
+  label.htmlFor = input.id;
+  input.addEventListener('change', () => theme?.dimPaper(input.checked));
+  row.append(label, input);
+  return row;
+}
+
 /** @type {import('./panel.js').Filler['fill']} */
 export function fill(panel, sheet) {
   sheet.append(tell(document.createElement('h2'), { text: 'shell.settings' }));
@@ -27,6 +40,7 @@ export function fill(panel, sheet) {
     }
     sheet.append(panel.controls.control(row, 'setting'));
   }
+  sheet.append(tell(document.createElement('h3'), { text: 'shell.theme' }), dimPaper(panel));
   void drawPressure(panel);
   return { show: () => {} };
 }

@@ -177,7 +177,7 @@ export class Space {
 
   /** What tells two pictures apart, but for what moved within surfaces. @param {NonNullable<Picture>} picture */
   #look({ look, clip, items }) {
-    return [look, this.shell.painter.ratio, this.shell.theme.dark, ...clip,
+    return [look, this.shell.painter.ratio, this.shell.theme.turned, ...clip,
       ...items.map(({ id, kind, version, colour, opacity, width, cap }) => [id, kind, version, colour, opacity, width, cap])].join();
   }
 
@@ -278,7 +278,7 @@ export class Space {
     const over = (/** @type {Solid} */ { id }) => edged.has(id & OBJECT);
     this.#paintLines(picture, lines, true, edged.size ? () => true : over);
     gl.depthFunc(gl.LEQUAL);
-    if (edged.size && this.shell.theme.dark) {
+    if (edged.size && this.shell.theme.turned) {
       this.#paintLines(picture, lines.filter((line) => !over(line) && this.#light(line)), false, over, RIM);
     }
     this.#paintLines(picture, lines, false, over);

@@ -1,4 +1,4 @@
-// Colours: of each role, and a drawing's own colours as they appear on a dark ground. The colours of roles are tokens
+// Colours: of each role, and a drawing's own colours as they appear on paper that is dim. The colours of roles are tokens
 // in styles/page.css.
 
 import { Role, names } from '../engine/codes.js';
@@ -7,6 +7,7 @@ import { Role, names } from '../engine/codes.js';
 const ROLES = names(Role).map((name) => name.replace('_', '-'));
 const CHOICES = ['system', 'light', 'dark'];
 const STORE = 'batten-theme';
+const DIM = 'batten-dim-paper';
 
 /** @param {number} value 0..1, sRGB */
 const linear = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
@@ -49,6 +50,10 @@ export class Theme {
     this.ground = '';
     this.paper = '';
     this.dark = false;
+    /** Whether the paper is dark in the dark theme; otherwise it is white. */
+    this.dim = localStorage.getItem(DIM) === 'yes';
+    /** Whether the drawing's own colours are turned over. */
+    this.turned = false;
     /** @type {Map<number, string>} */
     this.colours = new Map();
     /** Called when the colours have changed. */
@@ -72,8 +77,16 @@ export class Theme {
     this.choose(this.dark ? 'light' : 'dark');
   }
 
+  /** @param {boolean} dim */
+  dimPaper(dim) {
+    this.dim = dim;
+    localStorage.setItem(DIM, dim ? 'yes' : '');
+    this.#apply();
+  }
+
   #apply() {
     const root = document.documentElement;
+    root.dataset.paper = this.dim ? 'dim' : 'white';
     if (this.choice === 'system') {
       delete root.dataset.theme;
     } else {
@@ -81,10 +94,11 @@ export class Theme {
     }
     this.dark = this.choice === 'dark' ||
       (this.choice === 'system' && matchMedia('(prefers-color-scheme: dark)').matches);
+    this.turned = this.dark && this.dim;
     // A token holds both the light and the dark colour; an element that uses it gives the computed one.
     const probe = document.createElement('i');
     probe.style.forcedColorAdjust = 'none';
-    root.append(probe);
+    document.getElementById('stage')?.append(probe);
     const token = (/** @type {string} */ name) => {
       probe.style.color = `var(--${name}, transparent)`;
       return getComputedStyle(probe).color;
@@ -102,7 +116,7 @@ export class Theme {
     let text = this.colours.get(rgba);
     if (text === undefined) {
       let channels = [(rgba >>> 24) / 255, ((rgba >>> 16) & 255) / 255, ((rgba >>> 8) & 255) / 255];
-      if (this.dark) {
+      if (this.turned) {
         channels = turnOver(channels[0], channels[1], channels[2]);
       }
       const [red, green, blue] = channels.map((value) => Math.round(value * 255));
