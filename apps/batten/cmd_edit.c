@@ -1,4 +1,5 @@
 /* batten edit: runs the editor in the browser, on one file. */
+#include "gzip.h"
 #include "drawing.h"
 #include "io.h"
 #include "program.h"
@@ -58,6 +59,8 @@ static int look_at(const char *path, const bat_format *format) {
         remark("%s: not there yet; the first save makes it", path);
         return EXIT_DONE;
     }
+    const char *wrong = gzip_open(&text, &size);
+    if (wrong) return fail_data(path, NULL, "%s", wrong);
     drawing_file drawing;
     bat_problem problem;
     bat_status status = drawing_parse(text, size, format, NULL, &drawing, &problem);
@@ -136,7 +139,7 @@ static int run(const cli_arguments *arguments) {
     long port = -1;
     int failed = arguments_integer(arguments, "--port", 0, 65535, &port);
     if (failed) return failed;
-    const bat_format *format = bat_format_called(path);
+    const bat_format *format = gzip_is_called(path) ? bat_format_named("svg") : bat_format_called(path);
     if (!format || !format->keeps) {
         char words[BAT_FORMATS_WORDS];
         bat_formats_words(".", true, words);
@@ -158,7 +161,7 @@ static int run(const cli_arguments *arguments) {
 const cli_command command_edit = {
     .name = "edit",
     .usage = "FILE [--port N] [--no-open]",
-    .summary = "Opens the editor in the browser on a drawing, .svg or .batten.",
+    .summary = "Opens the editor in the browser on a drawing, .svg, .svgz or .batten.",
     .details =
         "A server for this machine alone gives the editor and takes the drawing back when it is saved; "
         "Ctrl+C\n"

@@ -1,5 +1,6 @@
 #include "document_file.h"
 
+#include "gzip.h"
 #include "replace.h"
 
 #include <errno.h>
@@ -51,7 +52,20 @@ file_result document_file_load(const char *path, const bat_format *format, char 
     io_result loaded = io_load(path, data, size, &stamp);
     if (loaded != IO_DONE) return result_of(loaded);
     make_tag(*data, *size, stamp.exists, tag);
-    return stamp.exists ? FILE_DONE : empty_drawing(format, data, size);
+    if (!stamp.exists) return empty_drawing(format, data, size);
+    if (!gzip_open(data, size)) return FILE_DONE;
+    errno = EIO; /* damaged since the start */
+    return FILE_FAILED;
+}
+
+/* What is written to a file of that name: of an .svgz, *packed, to be freed; else the data themselves. */
+static bool pack_for(const char *path, const char **data, size_t *size, char **packed) {
+    *packed = NULL;
+    if (!gzip_is_called(path)) return true;
+    errno = ENOMEM;
+    if (!gzip_pack(*data, *size, packed, size)) return false;
+    *data = *packed;
+    return true;
 }
 
 static file_result check(const bat_format *format, const char *data, size_t size, bat_problem *problem) {
@@ -88,12 +102,17 @@ file_result document_file_save(const char *path, const bat_format *format, const
                                const char *tag, char new_tag[TAG_ROOM], bat_problem *problem) {
     file_result result = check(format, data, size, problem);
     if (result != FILE_DONE) return result;
+    char *packed;
     io_place place;
-    if (!io_place_open(&place, path)) return FILE_FAILED;
-    io_place_lock(&place);
-    result = replace(&place, data, size, tag);
-    io_place_close(&place);
+    if (!pack_for(path, &data, &size, &packed)) return FILE_FAILED;
+    result = FILE_FAILED;
+    if (io_place_open(&place, path)) {
+        io_place_lock(&place);
+        result = replace(&place, data, size, tag);
+        io_place_close(&place);
+    }
     if (result == FILE_DONE) make_tag(data, size, true, new_tag);
+    free(packed);
     return result;
 }
 
@@ -133,12 +152,18 @@ file_result document_file_save_beside(const char *path, const bat_format *format
                                       size_t size, char name[NAME_ROOM], bat_problem *problem) {
     file_result result = check(format, data, size, problem);
     if (result != FILE_DONE) return result;
+    char *packed;
     io_place place;
-    if (!io_place_open(&place, path)) return FILE_FAILED;
+    if (!pack_for(path, &data, &size, &packed)) return FILE_FAILED;
+    if (!io_place_open(&place, path)) {
+        free(packed);
+        return FILE_FAILED;
+    }
     struct stat original; /* a file that only its owner may read stays private */
     if (stat(place.path, &original) == 0) place.like = &original;
     io_place_lock(&place);
     result = put_beside(&place, data, size, name);
     io_place_close(&place);
+    free(packed);
     return result;
 }

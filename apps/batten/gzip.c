@@ -60,6 +60,15 @@ const char *gzip_unpack(const char *data, size_t size, char **out, size_t *out_s
     return NULL;
 }
 
+const char *gzip_open(char **data, size_t *size) {
+    if (!gzip_is_packed(*data, *size)) return NULL;
+    char *packed = *data;
+    *data = NULL;
+    const char *wrong = gzip_unpack(packed, *size, data, size);
+    free(packed);
+    return wrong;
+}
+
 bool gzip_pack(const void *data, size_t size, char **out, size_t *out_size) {
     z_stream stream = {.next_in = data, .avail_in = (uInt)size};
     if (size > UINT_MAX / 2 ||

@@ -124,10 +124,7 @@ static int read_stand_in(char **data, size_t *size) {
 
 /* What is packed gives way to what is in it. */
 static int unpack(const char *name, char **data, size_t *size) {
-    if (!gzip_is_packed(*data, *size)) return EXIT_DONE;
-    char *packed = *data;
-    const char *wrong = gzip_unpack(packed, *size, data, size);
-    free(packed);
+    const char *wrong = gzip_open(data, size);
     return wrong ? fail_data(name, NULL, "%s", wrong) : EXIT_DONE;
 }
 

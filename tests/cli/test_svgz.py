@@ -4,6 +4,7 @@ import gzip
 import re
 import unittest
 
+from editor import Editor
 from program import ROOT, ProgramTest
 
 CAR = ROOT / "examples" / "car.svg"
@@ -29,6 +30,23 @@ class Svgz(ProgramTest):
         self.done("render", str(path), str(picture))
         self.done("render", str(CAR), str(other))
         self.assertEqual(picture.read_bytes(), other.read_bytes())
+
+    def test_it_is_edited_and_stays_packed(self):
+        path = self.packed(CAR.read_bytes())
+        editor = Editor(path)
+        self.addCleanup(editor.end)
+        self.assertEqual(editor.get("/document")[2], CAR.read_bytes())
+        changed = CAR.read_bytes().replace(b"#9aa3ad", b"#00ff00")
+        status, headers, _ = editor.request("PUT", "/document", {"Content-Type": "image/svg+xml", "If-Match": editor.tag()}, changed)
+        self.assertEqual(status, 204)
+        self.assertEqual(gzip.decompress(path.read_bytes()), changed)
+        self.assertEqual((editor.tag(), editor.get("/document")[2]), (headers["ETag"], changed))
+        status, name, _ = editor.post(changed, kind="image/svg+xml")
+        self.assertEqual((status, name), (201, "drawing (copy).svgz"))
+        self.assertEqual(gzip.decompress((self.folder / name).read_bytes()), changed)
+        path.write_bytes(gzip.compress(changed)[:-20])
+        self.assertEqual(editor.get("/document")[0], 500)
+        self.refused(1, "edit", str(path), "--no-open")
 
     def test_it_is_written_by_name(self):
         path = self.folder / "out.svgz"

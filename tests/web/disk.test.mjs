@@ -2,6 +2,7 @@
 // of the browser's private file system, which is the same interface as that of the picker, without its window.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 import { expectFaults, launch, MALFORMED, open, place, ready, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
@@ -95,6 +96,25 @@ test('nothing chosen: nothing happens; a format that cannot hold the drawing is 
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+S')]);
   assert.equal(download.suggestedFilename(), 'points.svg');
   assert.match(await content(page, 'points.csv'), /^x,y/);
+  await context.close();
+});
+
+test('a packed file opens as what is in it; a damaged one is refused in words', async () => {
+  const { page, context } = await open(browser, server.address);
+  const packed = gzipSync(ART);
+  const dropped = (name, bytes) => page.evaluate(([title, data]) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([new Uint8Array(data)], title));
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }, [name, [...bytes]]);
+  await dropped('art.svgz', packed);
+  await named(page, 'art.svgz');
+  assert.ok(await objects(page) >= 1);
+  await dropped('bad.svgz', packed.subarray(0, packed.length - 12));
+  await page.waitForFunction(() => document.querySelector('.notices').textContent.includes('bad.svgz was not opened. It is damaged'));
+  assert.equal(await page.textContent('#name'), 'art.svgz');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+S')]);
+  assert.equal(download.suggestedFilename(), 'art.svg');
   await context.close();
 });
 

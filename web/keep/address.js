@@ -1,5 +1,6 @@
 // ?open=ADDRESS: opens a file of the page's own server. Fetched when the page's address asks for it.
 
+import { bytesOf } from './gzip.js';
 import { word } from '../page/words.js';
 
 /**
@@ -19,7 +20,7 @@ export async function openAt(drawings, asked) {
     }
     const name = decodeURIComponent(address.pathname.split('/').pop() ?? '') || 'drawing.svg';
     const kept = await drawings.admit(name);
-    if (!files.open(new Uint8Array(await response.arrayBuffer()), name)) {
+    if (!files.open(await bytesOf(await response.blob()), name)) {
       return false;
     }
     drawings.resume(kept);

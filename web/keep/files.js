@@ -161,14 +161,18 @@ export class Files {
     if (this.unsaved && !(await this.#mayReplace())) {
       return;
     }
-    const bytes = new Uint8Array(await file.arrayBuffer());
+    const { bytesOf } = await want(import('./gzip.js'));
+    const bytes = await bytesOf(file).catch(() => null);
     const kept = await this.find(file.name);
-    if (this.open(bytes, file.name)) {
+    if (bytes && this.open(bytes, file.name)) {
       this.bound = place !== null;
       this.place = place ?? this.server;
       this.onopen(kept);
     } else {
       await this.find(this.name);
+      if (!bytes) {
+        this.notices.say(`${word('shell.not-opened', file.name)} ${word('shell.damaged')}`);
+      }
     }
   }
 
@@ -199,7 +203,7 @@ export class Files {
   open(bytes, name) {
     try {
       const first = decodeXml(bytes.subarray(0, 256)).trimStart()[0];
-      const svg = /\.svg$/i.test(name);
+      const svg = /\.svgz?$/i.test(name);
       if (isNative(name) || (svg && first === '{')) {
         this.engine.openNative(bytes, name);
       } else if (svg || first === '<' || first === undefined) {

@@ -1,5 +1,6 @@
 // Several drawings at once: all are added to the one that is open, each as a group, and nothing is replaced.
 
+import { bytesOf } from './gzip.js';
 import { parseSvg } from '../engine/svg.js';
 import { word } from '../page/words.js';
 
@@ -8,8 +9,8 @@ export async function addAll({ engine, notices, wake }, drawings) {
   const failed = [];
   for (const { file } of drawings) {
     try {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      if (/\.svg$/i.test(file.name)) {
+      const bytes = await bytesOf(file);
+      if (/\.svgz?$/i.test(file.name)) {
         engine.pasteSvg(parseSvg(new TextDecoder().decode(bytes)));
       } else {
         engine.pasteFile(bytes, file.name);
