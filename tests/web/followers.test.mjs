@@ -74,7 +74,7 @@ for (const colorScheme of ['light', 'dark']) {
     await quiet(page);
     const swept = await state(page);
     assert.equal(swept.check, '');
-    assert.match(swept.hint, /folded over in 1 places, twist 0°, scale 1 at the end$/);
+    assert.match(swept.hint, /places folded over: 1, twist 0°, scale 1 at the end$/);
     await shot('swept');
     await page.keyboard.press('n');
     await redraw(PATH, [6, 26], [-30, 0], async () => {
