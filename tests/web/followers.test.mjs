@@ -81,7 +81,7 @@ for (const colorScheme of ['light', 'dark']) {
       during = await state(page);
       await shot('folded');
     });
-    assert.match(during.hint, /folded over in [1-9]\d* places, twist 0°, scale 1 at the end$/);
+    assert.match(during.hint, /places folded over: [1-9]\d*, twist 0°, scale 1 at the end$/);
     await quiet(page);
     await shot('after');
     for (let i = 0; i < 6 && (await state(page)).digest !== fresh.digest; i++) {
