@@ -1,4 +1,5 @@
-/* A camera's path and gaze dragged, each of a thousand points, as the editor does it: from the move as it was. */
+/* A camera's path and gaze dragged, each of a thousand points, as the editor does it: from the move as it was; and a move
+ * with three levels sampled. */
 #define _POSIX_C_SOURCE 199309L
 #include "bench.h"
 #include "timing.h"
@@ -7,7 +8,7 @@
 #include <batten/drag.h>
 #include <math.h>
 
-enum { POINTS = 1000, LEVELS = 2 };
+enum { POINTS = 1000, LEVELS = 2, SAMPLES = 10000 };
 
 typedef struct flight {
     bat_curve *path;
@@ -77,6 +78,25 @@ static void turn(void *context, int level) {
     bat_camera_free(camera);
 }
 
+/* With one more level. */
+static void *begin_samples(int variant) {
+    static double knots[POINTS + 4], points[3 * POINTS], details[3 * POINTS];
+    flight *f = begin(variant);
+    bench_curve(POINTS, 3, knots, points);
+    for (int i = 0; i < 3 * POINTS; i++) details[i] = 0.01 * cos(0.3 * i);
+    if (f && bat_camera_add_level(f->camera, POINTS + 4, knots, POINTS, details) == BAT_OK) return f;
+    if (f) end(f);
+    return NULL;
+}
+
+static void run_samples(void *context) {
+    static double times[SAMPLES];
+    static bat_camera_pose poses[SAMPLES];
+    const flight *f = context;
+    for (int i = 0; i < SAMPLES; i++) times[i] = bat_camera_duration(f->camera) * i / (SAMPLES - 1);
+    if (bat_camera_sample(f->camera, SAMPLES, times, poses) != BAT_OK) abort();
+}
+
 static void run_base(void *context) { turn(context, 0); }
 static void run_gaze(void *context) { turn(context, LEVELS); }
 
@@ -85,5 +105,9 @@ const bench_row bench_rows_moves[] = {
     {"move, path dragged, along, 1000 points", "us", 1e6, 1, BAT_CAMERA_ALONG, begin, run_path, end, 0},
     {"move, gaze dragged at level 2, 1000 points", "us", 1e6, 1, BAT_CAMERA_ALONG, begin, run_gaze, end, 0},
     {"move, gaze dragged at the base, 1000 points", "us", 1e6, 1, BAT_CAMERA_ALONG, begin, run_base, end, 0},
+    {"move with 3 levels, 10000 samples, free", "ms", 1e3, 1, BAT_CAMERA_FREE, begin_samples, run_samples,
+     end, 0},
+    {"move with 3 levels, 10000 samples, along", "ms", 1e3, 1, BAT_CAMERA_ALONG, begin_samples, run_samples,
+     end, 0},
     {0},
 };

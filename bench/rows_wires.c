@@ -23,7 +23,8 @@ static void end(void *context) {
 }
 
 static bat_status bind(drag *d, bat_binding **out) {
-    const bat_wire wire = {d->reference, bat_function_of(121), bat_function_of(1), NULL};
+    const bat_wire wire = {
+        .reference = d->reference, .radius = bat_function_of(121), .scale = bat_function_of(1)};
     return bat_wires_bind(1, &wire, VERTICES, d->rest, NULL, out, NULL);
 }
 

@@ -1,6 +1,7 @@
 // Human motion in the page: a BVH file is dropped and is a skeleton; it plays; a pen chooses a joint, its levels are mixed, and a stroke over
 // the graph redraws its angle; undo gives the drawing back as it was.
 import assert from 'node:assert/strict';
+import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { drop, launch, move, open, quiet, SCREENSHOTS, state } from './page.mjs';
@@ -101,6 +102,15 @@ for (const colorScheme of ['light', 'dark']) {
     const now = await state(page);
     assert.equal(now.digest, first.digest, 'undone');
     assert.equal(now.check, '');
+
+    await page.keyboard.press('Control+Shift+E');
+    await page.selectOption('#export-format', 'bvh');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export .strong')]);
+    assert.equal(download.suggestedFilename(), 'walk.bvh');
+    const numbers = (/** @type {string} */ text) => text.slice(text.indexOf('Frame Time')).match(/-?\d[\d.e+-]*/g).map(Number);
+    const [written, given] = [fs.readFileSync(await download.path(), 'utf8'), walk()].map(numbers);
+    assert.equal(written.length, given.length);
+    assert.ok(written.every((value, i) => Math.abs(value - given[i]) < 1e-9), 'exported as it was dropped');
     await context.close();
   });
 }

@@ -21,6 +21,7 @@ const FORMATS = [
   { name: 'G-code', of: 'gcode', end: 'gcode', type: 'text/plain' },
   { name: 'GeoJSON', of: 'geojson', end: 'geojson', type: 'application/geo+json' },
   { name: 'CSV', of: 'csv', end: 'csv', type: 'text/csv' },
+  { name: 'BVH', of: 'bvh', end: 'bvh', type: 'text/plain' },
   { name: 'OBJ', of: 'obj', end: 'obj', type: 'model/obj' },
   { name: 'Batten', of: 'batten', end: 'batten', type: 'application/json' },
 ];

@@ -83,6 +83,7 @@ double bat_pace_at(const bat_pace *pace, double length) {
         else
             high = u;
         const double speed = bat_hodograph_speed(h, u);
+        if (fabs(miss) <= DBL_EPSILON * fabs(u) * speed) break; /* no number is nearer */
         u = speed > 0 ? u + miss / speed : high;
     }
     return u;

@@ -320,9 +320,15 @@ static void add_variable(bat_svg_style *style, const char *name, const char *col
     style->variables = style->store->made = made;
 }
 
+/* NULL: there is none. */
+static const char *colon_in(const char *at, const char *end) {
+    while (at < end && *at != ':') at++;
+    return at < end ? at : NULL;
+}
+
 void bat_svg_style_variables(bat_svg_style *style, const char *text, size_t size) {
     for (const char *at = text, *end = text + size; style->store && at < end;) {
-        const char *stop = declaration_end(at, end), *colon = memchr(at, ':', (size_t)(stop - at));
+        const char *stop = declaration_end(at, end), *colon = colon_in(at, stop);
         while (at < stop && is_space(*at)) at++;
         if (colon && is_variable(at, colon)) add_variable(style, at, colon, stop);
         at = stop < end ? stop + 1 : end;
@@ -340,7 +346,7 @@ void bat_svg_variables_free(bat_svg_variables *variables) {
 void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *parent, double diagonal,
                                 const char *text, size_t size, bool important) {
     for (const char *at = text, *end = text + size; at < end;) {
-        const char *stop = declaration_end(at, end), *colon = memchr(at, ':', (size_t)(stop - at));
+        const char *stop = declaration_end(at, end), *colon = colon_in(at, stop);
         char name[32], value[VALUE_MAX]; /* anything longer is not supported */
         while (at < stop && is_space(*at)) at++;
         if (is_variable(at, stop)) {
