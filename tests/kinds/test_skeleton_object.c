@@ -82,6 +82,40 @@ static void is_kept_bit_for_bit(void **state) {
     }
 }
 
+/* Neighbouring rotations half a turn apart have no nearer sign: after an angle is redrawn they have the one they had. */
+static void signs_are_kept(void **state) {
+    (void)state;
+    static const char bvh[] =
+        "HIERARCHY\nROOT a\n{\n OFFSET 0 0 0\n CHANNELS 6 Xposition Yposition Zposition Zrotation "
+        "Xrotation Yrotation\n JOINT b\n {\n OFFSET 1 -2 0\n CHANNELS 3 Xrotation Yrotation Zrotation\n"
+        " End Site\n {\n OFFSET 0 -40 0\n }\n }\n}\nMOTION\nFrames: 5\nFrame Time: .01\n"
+        "0 90 0 1 2 3 10 0 0\n0 91 2 1 2.5 3 20 1 0\n0 92 4 1 3 3.5 30 2 0\n0 91 6 1 2.5 3 20 3 90\n"
+        "0 90 4 1 2 180 10 4 0\n";
+    int turned = 0;
+    for (int i = 0; i < 400; i++) {
+        const double tolerance = i % 2 ? 0.5 : 0, duration = 0.04;
+        const double stroke[6] = {-1, 20 + i, 0.3 * duration, -40 - 3 * i, duration, 5 + 7 * i};
+        bat_take *take = NULL;
+        bat_motion *motion = NULL;
+        bat_motion_options options = bat_motion_defaults();
+        options.tolerance = tolerance;
+        assert_int_equal(bat_bvh_read(bvh, sizeof bvh - 1, &take, NULL), BAT_OK);
+        assert_int_equal(bat_motion_fit(take, &options, &motion, NULL), BAT_OK);
+        turned += bat_motion_redraw(motion, i % 2, i / 2 % 3, 0, 3, stroke) == BAT_OK;
+        bat_document *document = document_of(motion), *back = NULL;
+        char *text = NULL;
+        size_t size = 0;
+        assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
+        assert_int_equal(bat_document_read(text, size, &back, NULL), BAT_OK);
+        assert_true(bat_document_digest(back) == bat_document_digest(document));
+        bat_free(text);
+        bat_document_free(document), bat_document_free(back);
+        bat_motion_free(motion);
+        bat_take_free(take);
+    }
+    assert_true(turned > 100);
+}
+
 static void has_bones_for_curves(void **state) {
     (void)state;
     bat_motion *motion = motion_of(5, 0);
@@ -294,8 +328,9 @@ static void every_allocation_may_fail(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(is_kept_bit_for_bit),          cmocka_unit_test(has_bones_for_curves),
-        cmocka_unit_test(is_placed_at_any_time),        cmocka_unit_test(a_bvh_file_is_a_drawing),
-        cmocka_unit_test(what_is_not_sound_is_refused), cmocka_unit_test(every_allocation_may_fail)};
+        cmocka_unit_test(is_kept_bit_for_bit),      cmocka_unit_test(signs_are_kept),
+        cmocka_unit_test(has_bones_for_curves),     cmocka_unit_test(is_placed_at_any_time),
+        cmocka_unit_test(a_bvh_file_is_a_drawing),  cmocka_unit_test(what_is_not_sound_is_refused),
+        cmocka_unit_test(every_allocation_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

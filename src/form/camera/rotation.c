@@ -151,15 +151,32 @@ bat_status bat_rotation_make(const bat_rotation_curve *given, bat_rotation *out)
     return status == BAT_OK ? bat_rotation_measure(out) : status;
 }
 
+/* A key whose sign is no longer the nearer one keeps it by weights, as it does in files. *out: NULL where none are needed. */
+static bat_status keep_signs(const bat_rotation *r, double **out) {
+    bool near = true;
+    *out = NULL;
+    for (size_t i = 1; i < r->count && !r->weights; i++)
+        near = near && !(quat_dot(quat_load(r->keys + 4 * i), quat_load(r->keys + 4 * (i - 1))) < 0);
+    if (near) return BAT_OK;
+    *out = malloc(r->count * sizeof **out);
+    for (size_t i = 0; i < r->count && *out; i++) (*out)[i] = 1;
+    return *out ? BAT_OK : BAT_MEMORY;
+}
+
 bat_status bat_rotation_rebuild(bat_rotation *r) {
     bat_rotation made = *r;
+    double *weights;
     if (!r->xyz || !r->w) return BAT_ARGUMENT;
     const int all = bat_curve_knot_count(r->xyz);
     made.xyz = made.w = NULL;
-    bat_status status = make_curves(&made, r->xyz->degree, r->xyz->closed,
-                                    r->antiperiodic ? all - (int)r->count : all, bat_curve_knots(r->xyz));
+    bat_status status = keep_signs(r, &weights);
+    if (weights) made.weights = weights;
+    if (status == BAT_OK)
+        status = make_curves(&made, r->xyz->degree, r->xyz->closed,
+                             r->antiperiodic ? all - (int)r->count : all, bat_curve_knots(r->xyz));
     if (status != BAT_OK) {
         bat_curve_free(made.xyz), bat_curve_free(made.w);
+        free(weights);
         return status;
     }
     bat_curve_free(r->xyz), bat_curve_free(r->w);

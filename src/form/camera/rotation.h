@@ -27,7 +27,7 @@ void bat_rotation_clear(bat_rotation *rotation);
 quat bat_rotation_at(const bat_rotation *rotation, double share);
 /* The same before it is made unit. */
 quat bat_rotation_spline(const bat_rotation *rotation, double share);
-/* Makes the spline again after keys have changed (their signs still aligned), without `least`. */
+/* Makes the spline again after keys have changed, which keep their signs, without `least`. */
 bat_status bat_rotation_rebuild(bat_rotation *rotation);
 /* Finds `least`. BAT_SINGULAR: the spline cancels. */
 bat_status bat_rotation_measure(bat_rotation *rotation);
