@@ -2,11 +2,14 @@
 #include "base/options.h"
 #include "document/digest.h"
 #include "document/document.h"
+#include "format/glif/glyph.h"
 #include "format/svg/reader.h"
+#include "format/svg/markup.h"
 #include "format/svg/walk.h"
 #include "text/json.h"
 #include "text/utf8.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,6 +45,8 @@ void bat_svg_reader_free(bat_svg_reader *reader) {
     bat_svg_tree_free(&reader->tree);
     bat_text_free(&reader->styles);
     bat_text_free(&reader->native);
+    if (reader->glyph) bat_glyph_free(reader->glyph);
+    free(reader->glyph);
     free(reader->source);
     free(reader);
 }
@@ -57,6 +62,11 @@ static bat_status note(bat_svg_reader *reader, bat_status status) {
 bat_status bat_svg_reader_start(bat_svg_reader *reader, const char *name, const char *const *attributes) {
     if (!reader || !name) return BAT_ARGUMENT;
     if (reader->status != BAT_OK) return reader->status;
+    if (reader->tree.count == 0 && !reader->glyph && bat_glyph_is_root(name)) {
+        reader->glyph = calloc(1, sizeof *reader->glyph);
+        if (!reader->glyph) return note(reader, BAT_MEMORY);
+    }
+    if (reader->glyph) return note(reader, bat_glyph_start(reader->glyph, name, attributes));
     bat_status status = bat_svg_tree_open(&reader->tree, name, attributes);
     if (status != BAT_OK) return note(reader, status);
     uint32_t index = reader->tree.count - 1;
@@ -83,7 +93,7 @@ bat_status bat_svg_reader_text(bat_svg_reader *reader, const char *text, size_t 
 bat_status bat_svg_reader_end(bat_svg_reader *reader) {
     if (!reader) return BAT_ARGUMENT;
     if (reader->status != BAT_OK) return reader->status;
-    return note(reader, bat_svg_tree_close(&reader->tree));
+    return note(reader, reader->glyph ? bat_glyph_end(reader->glyph) : bat_svg_tree_close(&reader->tree));
 }
 
 bat_status bat_svg_reader_source(bat_svg_reader *reader, const char *text, size_t size) {
@@ -145,6 +155,35 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
     return status;
 }
 
+/* The elements of the SVG file that shows the same as the glyph; those that no drawing holds are unknown there, too. */
+static bat_status show_glyph(bat_svg_reader *reader) {
+    const bat_glyph *glyph = reader->glyph;
+    const double width = glyph->advance, height = fmax(glyph->bottom - glyph->top, 1);
+    bat_text box = {0};
+    bat_svg_write_pair(&box, (const double[2]){0, glyph->top});
+    bat_text_string(&box, " ");
+    bat_svg_write_pair(&box, (const double[2]){width, height});
+    bat_text_add(&box, "", 1);
+    bat_text path = {0};
+    bat_text_add(&path, glyph->path.data, glyph->path.size);
+    bat_text_add(&path, "", 1);
+    const char *const root[] = {"viewBox", box.data, NULL}, *const shape[] = {"id", glyph->name, "d",
+                                                                              path.data, NULL};
+    bat_status status = box.failed || path.failed ? BAT_MEMORY : BAT_OK;
+    if (status == BAT_OK) status = bat_svg_tree_open(&reader->tree, "svg", width > 0 ? root : NULL);
+    if (status == BAT_OK) status = bat_svg_tree_open(&reader->tree, "path", shape);
+    if (status == BAT_OK) status = bat_svg_tree_close(&reader->tree);
+    for (int i = 0; i < glyph->left_out && status == BAT_OK; i++) {
+        status = bat_svg_tree_open(&reader->tree, "component", NULL);
+        if (status == BAT_OK) status = bat_svg_tree_close(&reader->tree);
+    }
+    if (status == BAT_OK) status = bat_svg_tree_close(&reader->tree);
+    bat_text_free(&box), bat_text_free(&path);
+    free(reader->source); /* it is not SVG: nothing can be written into it */
+    reader->source = NULL, reader->source_size = 0;
+    return status;
+}
+
 static bat_status explain(const bat_svg_reader *reader, bat_status status, bat_problem *problem) {
     char place[64] = "";
     const char *message = bat_status_message(status);
@@ -157,6 +196,7 @@ static bat_status explain(const bat_svg_reader *reader, bat_status status, bat_p
         message = reader->tree.count == 0  ? "expected an svg element, found nothing"
                   : reader->tree.depth > 0 ? "expected the ends of all elements, found the end of the file"
                                            : "expected one element at the top, found more";
+    if (reader->glyph && reader->glyph->wrong) message = reader->glyph->wrong;
     return bat_problem_set(problem, status, place, message);
 }
 
@@ -169,6 +209,8 @@ bat_status bat_svg_reader_finish(bat_svg_reader *reader, bat_document **out, bat
     bat_svg_report facts = {0};
     bat_document *document = NULL;
     bat_status status = reader->status;
+    if (status == BAT_OK && reader->glyph)
+        status = reader->glyph->depth > 0 ? BAT_SYNTAX : show_glyph(reader);
     if (status == BAT_OK && (reader->tree.count == 0 || reader->tree.depth > 0)) status = BAT_SYNTAX;
     if (status == BAT_OK) status = read_drawing(reader, &document, &facts);
     if (status == BAT_OK) {

@@ -16,7 +16,8 @@ struct bat_svg_reader {
     uint32_t failed_at; /* number of elements begun at that point */
     char *source;       /* the file's text, when it is to be kept */
     size_t source_size;
-    uint64_t *drawn; /* where the digest of the drawing goes; NULL: nowhere */
+    struct bat_glyph *glyph; /* of a file whose root is a glyph; NULL: it is SVG */
+    uint64_t *drawn;         /* where the digest of the drawing goes; NULL: nowhere */
 };
 
 struct bat_svg_walk;

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Glyphs of fonts (GLIF 2): read with their points and handles, written so that FontForge sees the same outline."""
+import re
+import shutil
+import subprocess
+import unittest
+import xml.etree.ElementTree as tree
+
+from program import ProgramTest
+
+HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<glyph name="{}" format="2">\n  <advance width="520"/>\n  <unicode hex="0061"/>\n  <outline>\n'
+TAIL = "  </outline>\n</glyph>\n"
+
+
+def contour(*points):
+    """Points as (x, y, type, smooth)."""
+    lines = ["    <contour>\n"]
+    for x, y, *more in points:
+        kind = f' type="{more[0]}"' if more and more[0] else ""
+        smooth = ' smooth="yes"' if more[1:] else ""
+        lines.append(f'      <point x="{x}" y="{y}"{kind}{smooth}/>\n')
+    return "".join(lines) + "    </contour>\n"
+
+
+def glyph(*contours, name="a"):
+    return HEAD.format(name) + "".join(contours) + TAIL
+
+
+RING = contour((100, 0, "curve", True), (155, 0), (200, 45), (200, 100, "curve", True), (200, 155), (155, 200), (100, 200, "curve", True),
+               (45, 200), (0, 155), (0, 100, "curve", True), (0, 45), (45, 0))
+STEM = contour((300, 0, "line"), (380, 0, "line"), (380, 700, "line"), (300, 700, "line"))
+STROKE = contour((10, 20, "move"), (60, 120), (160, -40), (260, 80, "curve"))
+
+
+def points(text):
+    """Contours of (x, y, type, smooth)."""
+    return [[(float(p.get("x")), float(p.get("y")), p.get("type"), p.get("smooth")) for p in c.findall("point")]
+            for c in tree.fromstring(text).find("outline")]
+
+
+class Glif(ProgramTest):
+    def file(self, text, name="a.glif"):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def converted(self, text, end):
+        out = self.folder / f"out.{end}"
+        self.done("convert", self.file(text), out, *(["--plain"] if end == "svg" else []))
+        return out.read_text()
+
+    def test_it_comes_back_as_it_was(self):
+        text = glyph(RING, STEM, STROKE)
+        back = self.converted(text, "glif")
+        self.assertEqual(points(back), points(text))
+        self.assertIn('<advance width="520"/>', back)
+        self.assertIn('<glyph name="a" format="2">', back)
+
+    def test_it_lies_upright(self):
+        svg = self.converted(glyph(STEM), "svg")
+        self.assertRegex(svg, r'd="M300 0L380 0L380 -700L300 -700L?[^"]*Z"')
+        self.assertIn('viewBox="0 -700 520 700"', svg)
+
+    def test_quadratics(self):
+        """Points halfway between handles are implied; without any point on the curve one lies halfway, too."""
+        text = glyph(contour((0, 0, "qcurve"), (0, 100), (100, 100), (100, 0, "qcurve")), contour((0, 0), (100, 0), (100, 100), (0, 100)))
+        first, second = points(self.converted(text, "glif"))
+        on = [p[:2] for p in first if p[2]]
+        self.assertIn((50, 100), on)
+        self.assertEqual({p[:2] for p in second if p[2]}, {(0, 50), (50, 0), (100, 50), (50, 100)})
+
+    def test_what_is_left_out_is_told(self):
+        text = glyph(STEM).replace("  </outline>", '    <component base="b"/>\n  </outline>').replace("</glyph>", "  <lib><dict/></lib>\n</glyph>")
+        result = self.run_program("convert", self.file(text), self.folder / "out.svg")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("2", result.stderr.decode())
+
+    def test_bad_files(self):
+        for bad, wrong in ((RING.replace('x="100"', 'x="1o0"', 1), "expected x and y"), (RING.replace('"curve"', '"cubic"', 1), "expected type"),
+                           (STEM.replace('type="line"', "", 1).replace('type="line"', "", 0), "before a line"),
+                           (STROKE.replace(' type="curve"', ""), "after the handles"),
+                           (STEM.replace('"line"/>\n', '"move"/>\n').replace("move", "line", 1), "move at the first")):
+            with self.subTest(wrong=wrong):
+                line = self.refused(1, "info", self.file(glyph(bad)))
+                self.assertIn(wrong, line)
+                self.assertRegex(line, r"line \d+, column \d+")
+
+    @unittest.skipUnless(shutil.which("fontforge"), "FontForge is not installed")
+    def test_fontforge_sees_the_same(self):
+        out = self.folder / "out.glif"
+        self.done("convert", self.file(glyph(RING, STEM)), out)
+        script = ("import fontforge,sys\ng=fontforge.font().createChar(97)\ng.importOutlines(sys.argv[1])\n"
+                  "print([[(p.x,p.y,p.on_curve) for p in c] for c in g.foreground])")
+        said = subprocess.run(["fontforge", "-lang=py", "-c", script, out], capture_output=True, text=True, check=True).stdout
+        seen = eval(re.search(r"\[\[.*\]\]", said)[0])  # our own script's list of numbers
+        self.assertEqual(sorted(len(c) for c in seen), [4, 12])
+        self.assertEqual({p[:2] for c in seen for p in c}, {p[:2] for c in points(glyph(RING, STEM)) for p in c})
+
+
+if __name__ == "__main__":
+    unittest.main()
