@@ -1,5 +1,6 @@
 /* batten convert: from one format to another. */
 #include "drawing.h"
+#include "folder.h"
 #include "io.h"
 #include "picture.h"
 #include "program.h"
@@ -70,6 +71,34 @@ static int plain_svg(const cli_arguments *arguments, const bat_document *documen
                             : fail_data(arguments->operands[0], NULL, "%s", bat_status_message(status));
 }
 
+/* The text of a glyph in a file, if that is what it holds; else NULL. */
+static char *load_glyph(const char *name, size_t *size) {
+    char *text = NULL;
+    io_stamp stamp;
+    drawing_file drawing;
+    bat_problem problem;
+    if (io_load(name, &text, size, &stamp) != IO_DONE || !text) return NULL;
+    if (drawing_parse(text, *size, bat_format_named("glif"), NULL, &drawing, &problem) == BAT_OK) {
+        drawing_free(&drawing);
+        return text;
+    }
+    free(text);
+    return NULL;
+}
+
+/* Where a glyph is already, only its contours are new. */
+static int glif(const cli_arguments *arguments, const bat_document *document, char **text, size_t *size) {
+    const bool extremes = arguments_value(arguments, "--extremes") != NULL;
+    size_t old_size;
+    char *old = load_glyph(arguments->operands[1], &old_size);
+    bat_status status = old ? bat_glif_replace(old, old_size, document, extremes, text, size) : BAT_SYNTAX;
+    free(old);
+    if (status == BAT_SYNTAX) status = bat_glif_write(document, extremes, text, size);
+    return status == BAT_OK
+               ? EXIT_DONE
+               : drawing_print(document, bat_format_named("glif"), arguments->operands[0], text, size);
+}
+
 /* Formats that have options of their own. */
 static const struct {
     const char *format;
@@ -77,7 +106,8 @@ static const struct {
     const char *options[4];
 } special[] = {{"svg", plain_svg, {"--plain"}},
                {"dxf", dxf, {"--arcs"}},
-               {"gcode", gcode, {"--arcs", "--feed", "--up", "--down"}}};
+               {"gcode", gcode, {"--arcs", "--feed", "--up", "--down"}},
+               {"glif", glif, {"--extremes"}}};
 enum { SPECIAL = sizeof special / sizeof *special };
 
 static int print(const cli_arguments *arguments, const bat_document *document, const bat_format *format,
@@ -114,7 +144,8 @@ static int put_drawing(const cli_arguments *arguments, const drawing_file *drawi
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     char *text;
     size_t size;
-    int failed = drawing_may_replace(arguments, drawing, in, out, false);
+    const bool same = drawing->format == format && strcmp(format->name, "glif") == 0;
+    int failed = same ? EXIT_DONE : drawing_may_replace(arguments, drawing, in, out, false);
     if (!failed) failed = print(arguments, drawing->document, format, &text, &size);
     if (failed) return failed;
     failed = io_write(out, text, size);
@@ -136,7 +167,7 @@ static int put_page(const cli_arguments *arguments, const drawing_file *drawing,
     return failed;
 }
 
-static int run(const cli_arguments *arguments) {
+static int run_one(const cli_arguments *arguments) {
     const bat_format *format;
     picture_kind page;
     bat_svg_options options = bat_svg_merging();
@@ -155,22 +186,32 @@ static int run(const cli_arguments *arguments) {
     return failed;
 }
 
+static int run(const cli_arguments *arguments) {
+    const char *to = arguments_value(arguments, "--to");
+    if (!folder_is_one(arguments->operands[0])) return run_one(arguments);
+    if (!to) return fail_usage(arguments->command, "for a folder, --to is needed");
+    return folder_each(arguments, to, run_one);
+}
+
 const cli_command command_convert = {
     .name = "convert",
-    .usage = "IN OUT [--to KIND] [--tolerance T] [--arcs T] [--feed F] [--up L --down L] "
-             "[--plain] [--lossy]",
+    .usage = "IN OUT [--to KIND] [--tolerance T] [--plain] [--lossy] [options of OUT's format]",
     .summary = "Converts between the native format, SVG, DXF, curves as JSON and others.",
-    .details = "Formats go by the names' endings: .batten, .svg, .svgz, .json (a CURVE or a list), .jsonl, "
-               ".dxf, .obj,\n"
-               ".gcode, .pdf and .eps; standard input is recognised. G-code and EPS are only written. Of a "
-               "PDF (.ai\n"
-               "files are PDFs, too) the first page is read, by pdftocairo of poppler-utils. One line on "
-               "standard error\n"
-               "counts what an SVG held that was left out: texts, gradients, clips and the like. As SVG or "
-               ".batten it is\n"
-               "kept: from SVG to SVG the file stays as it is.",
+    .details =
+        "Formats go by the names' endings: .batten, .svg, .svgz, .json (a CURVE or a list), .jsonl, "
+        ".dxf, .obj,\n"
+        ".glif, .gcode, .pdf and .eps; standard input is recognised. G-code and EPS are only written. Of a "
+        "PDF (.ai\n"
+        "files are PDFs, too) the first page is read, by pdftocairo of poppler-utils. One line on "
+        "standard error\n"
+        "counts what an SVG held that was left out: texts, gradients, clips and the like. As SVG or "
+        ".batten it is\n"
+        "kept: from SVG to SVG the file stays as it is. Of a folder, or the glyphs of a font (UFO), each "
+        "drawing is\n"
+        "converted into the folder OUT. Where a glyph is already, only its contours change.",
     .example = "batten convert drawing.svg drawing.batten\n"
-               "batten fit stroke.csv | batten convert - stroke.svg",
+               "batten fit stroke.csv | batten convert - stroke.svg\n"
+               "batten convert Sans.ufo drawings --to svg",
     .operands = 2,
     .options = {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
                 {"--tolerance", "T",
@@ -180,6 +221,8 @@ const cli_command command_convert = {
                 {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
                 {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},
                 {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},
+                {"--extremes", NULL,
+                 "to .glif: curves get a point where they are furthest left, right, up and down"},
                 {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
                 OPTION_LOSSY},
     .run = run,

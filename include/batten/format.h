@@ -69,9 +69,15 @@ BAT_API bat_status bat_step_write(const bat_model *model, char **bytes, size_t *
  * is no curve. Whatever has no curves is left out, as are fills. */
 BAT_API bat_status bat_dxf_write(const bat_document *document, double arcs, char **text, size_t *size);
 /* A glyph of a font (GLIF 2 of UFO 3): visible curves of the plane as contours of lines and cubics, in the drawing's order and
- * each from its own start, so that glyphs stay compatible. y = 0 is the baseline, the page's width the advance. Such files are
- * read like SVG: bat_svg_reader takes their elements. BAT_DIMENSION: a curve lies in space. O(points). */
-BAT_API bat_status bat_glif_write(const bat_document *document, char **text, size_t *size);
+ * each from its own start, so that glyphs stay compatible; with extremes, cubics are cut where they are furthest left, right,
+ * up and down. y = 0 is the baseline, the page's width the advance. Such files are read like SVG: bat_svg_reader takes their
+ * elements. BAT_DIMENSION: a curve lies in space. O(points). */
+BAT_API bat_status bat_glif_write(const bat_document *document, bool extremes, char **text, size_t *size);
+/* The same, in a file that is a glyph already (glyph, of glyph_size bytes of UTF-8): only its contours give way to those of the
+ * drawing; its name, advance, code points, components, anchors and all else stay, to the byte. BAT_SYNTAX: the file is not a
+ * glyph. */
+BAT_API bat_status bat_glif_replace(const char *glyph, size_t glyph_size, const bat_document *document,
+                                    bool extremes, char **text, size_t *size);
 /* G-code for mills, plotters and laser cutters (ISO 6983): one unit a millimetre, the page's lower left corner at (0, 0), or
  * without a page the document's origin, y upwards. Visible curves of the plane become lines and arcs (G1, G2, G3) within the tolerance and four
  * decimals, in the drawing's order. */

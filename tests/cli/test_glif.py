@@ -35,7 +35,7 @@ STROKE = contour((10, 20, "move"), (60, 120), (160, -40), (260, 80, "curve"))
 def points(text):
     """Contours of (x, y, type, smooth)."""
     return [[(float(p.get("x")), float(p.get("y")), p.get("type"), p.get("smooth")) for p in c.findall("point")]
-            for c in tree.fromstring(text).find("outline")]
+            for c in tree.fromstring(text).find("outline").findall("contour")]
 
 
 class Glif(ProgramTest):
@@ -44,9 +44,10 @@ class Glif(ProgramTest):
         path.write_text(text)
         return path
 
-    def converted(self, text, end):
+    def converted(self, text, end, *options):
         out = self.folder / f"out.{end}"
-        self.done("convert", self.file(text), out, *(["--plain"] if end == "svg" else []))
+        out.unlink(missing_ok=True)
+        self.done("convert", self.file(text), out, *options, *(["--plain"] if end == "svg" else []))
         return out.read_text()
 
     def test_it_comes_back_as_it_was(self):
@@ -84,6 +85,65 @@ class Glif(ProgramTest):
                 line = self.refused(1, "info", self.file(glyph(bad)))
                 self.assertIn(wrong, line)
                 self.assertRegex(line, r"line \d+, column \d+")
+
+    def test_extremes(self):
+        """A quarter turned by 45 degrees has its extreme in the middle; the outline stays where it was."""
+        text = glyph(contour((0, 0, "move"), (40, 60), (80, 60), (120, 0, "curve"), (150, -40), (190, -90), (200, 50, "curve")))
+        plain, cut = points(self.converted(text, "glif"))[0], points(self.converted(text, "glif", "--extremes"))[0]
+        self.assertEqual(len(plain), 7)
+        tops = [i for i, p in enumerate(cut) if p[2] and p[:2] == (60, 45)]
+        self.assertEqual([cut[i + d][1] for i in tops for d in (-1, 1)], [45, 45])
+        for segments in (plain, cut):
+            for a, b, c, d in zip(segments[0::3], segments[1::3], segments[2::3], segments[3::3]):
+                self.assertEqual((b[2], c[2], d[2]), (None, None, "curve"))
+        for axis in (0, 1):  # no segment turns back within itself
+            for a, b, c, d in zip(cut[0::3], cut[1::3], cut[2::3], cut[3::3]):
+                rises = [q[axis] - p[axis] for p, q in ((a, b), (b, c), (c, d))]
+                at = [(1 - t) ** 2 * rises[0] + 2 * t * (1 - t) * rises[1] + t * t * rises[2] for t in [i / 50 for i in range(51)]]
+                self.assertFalse(min(at) < -1e-6 and max(at) > 1e-6, (axis, a, d))
+        self.assertEqual(self.converted(glyph(STEM), "glif", "--extremes"), self.converted(glyph(STEM), "glif"))
+
+    def test_in_its_place(self):
+        """In the place of a glyph only the contours are new."""
+        old = (glyph(RING, STEM).replace("  </outline>", '    <component base="acute"/>\n  </outline>')
+               .replace("</glyph>", '  <anchor name="top" x="1" y="2"/>\n  <!-- <contour> -->\n  <lib><dict><key>k</key></dict></lib>\n</glyph>'))
+        out = self.file(old, "A_.glif")
+        self.done("convert", self.file(glyph(STROKE, name="other")), out)
+        new = out.read_text()
+        self.assertEqual(points(new), points(glyph(STROKE)))
+        self.assertEqual(re.sub(r"\s*<contour>.*?</contour>", "", new.replace("<!-- <contour> -->", ""), flags=re.S),
+                         re.sub(r"\s*<contour>.*?</contour>", "", old.replace("<!-- <contour> -->", ""), flags=re.S))
+        self.done("convert", out, out)  # onto itself
+        self.assertEqual(out.read_text(), new)
+        for empty in ("  <outline/>\n", "  <outline>\n  </outline>\n", ""):
+            out.write_text('<?xml version="1.0"?>\n<glyph name="n" format="2">\n  <unicode hex="41"/>\n' + empty + "  <note>n</note>\n</glyph>\n")
+            self.done("convert", self.file(glyph(STEM)), out)
+            self.assertEqual(points(out.read_text()), points(glyph(STEM)))
+            self.assertRegex(out.read_text(), '(?s)<unicode hex="41"/>.*<note>n</note>.*')
+
+    def test_folder(self):
+        font = self.folder / "Sans.ufo" / "glyphs"
+        font.mkdir(parents=True)
+        (font / "contents.plist").write_text("<plist/>")
+        for name, drawn in (("A_", RING), ("b", STEM)):
+            (font / f"{name}.glif").write_text(glyph(drawn, name=name))
+        before = {path.name: path.read_text() for path in font.iterdir()}
+        self.refused(2, "convert", font.parent, "out")
+        self.done("convert", font.parent, "out", "--to", "svg")
+        self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir()), ["A_.svg", "b.svg"])
+        self.done("convert", "out", font.parent, "--to", "glif")
+        self.assertEqual({path.name: points(path.read_text()) for path in font.glob("*.glif")},
+                         {name: points(text) for name, text in before.items() if name.endswith("glif")})
+        (font / "c.glif").write_text("<glyph")
+        result = self.run_program("convert", font, "again", "--to", "svg")
+        self.assertEqual((result.returncode, result.stderr.count(b"\n")), (1, 1))
+        self.assertEqual(sorted(path.name for path in (self.folder / "again").iterdir()), ["A_.svg", "b.svg"])
+        (font / "b.svg").write_text("<svg xmlns='http://www.w3.org/2000/svg'/>")
+        self.assertIn("one file", self.refused(1, "convert", font, "third", "--to", "svg"))
+        self.assertFalse((self.folder / "third").exists())
+        (self.folder / "empty").mkdir()
+        self.assertIn("found none", self.refused(1, "convert", "empty", "third", "--to", "svg"))
+        self.assertIn("expected a folder", self.refused(1, "convert", "out", self.file("", "plain"), "--to", "glif"))
 
     @unittest.skipUnless(shutil.which("fontforge"), "FontForge is not installed")
     def test_fontforge_sees_the_same(self):

@@ -35,6 +35,28 @@ static bat_status write_document(const bat_document *document) {
     return status;
 }
 
+/* Written, and put in its own place. */
+static bat_status as_glif(const file *from, bat_problem *said) {
+    bat_document *document = NULL;
+    bat_svg_reader *reader;
+    char *text = NULL;
+    size_t size;
+    bat_status status = bat_svg_reader_create(NULL, &reader);
+    if (status != BAT_OK) return status;
+    if (!xml_feed(reader, from->text)) {
+        bat_svg_reader_free(reader);
+        return alloc_hit ? BAT_MEMORY : BAT_SYNTAX;
+    }
+    status = bat_svg_reader_finish(reader, &document, NULL, said);
+    assert_true((status == BAT_OK) == (document != NULL));
+    if (status == BAT_OK) status = bat_glif_write(document, true, &text, &size);
+    if (status == BAT_OK)
+        bat_free(text), status = bat_glif_replace(from->text, from->size, document, false, &text, &size);
+    if (status == BAT_OK) bat_free(text);
+    bat_document_free(document);
+    return status;
+}
+
 static bat_status as_svg(const file *from, bat_problem *said) {
     bat_svg_options options;
     bat_document *document = NULL;
@@ -212,6 +234,7 @@ static void drawings(void **state) {
     each("fuzz/corpus/obj/*", as_obj);
     each("fuzz/corpus/dxf/*", as_dxf);
     each("fuzz/corpus/dxf/*", as_gcode);
+    each("fuzz/corpus/glif/*", as_glif);
     each("fuzz/corpus/json/csv*", as_csv);
     each("fuzz/corpus/json/geojson*", as_geojson);
     each("fuzz/corpus/json/*", as_native);

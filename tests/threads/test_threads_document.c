@@ -7,6 +7,8 @@
 #include "support/session.h"
 #include "support/xml.h"
 
+static const char GLYPH[] = "<glyph name=\"a\" format=\"2\"><unicode hex=\"0061\"/><outline/></glyph>";
+
 /* Takes the object over. */
 static void put(bat_document *document, bat_object *object) {
     assert_int_equal(bat_document_insert(document, bat_document_count(document), object), BAT_OK);
@@ -245,6 +247,9 @@ static uint64_t look_at_document(const void *shared, int seed) {
     digest = add_text(digest, bat_svg_write(document, true, &text, &size), &text, &size);
     digest = add_text(digest, bat_dxf_write(document, 0, &text, &size), &text, &size);
     digest = add_text(digest, bat_gcode_write(document, NULL, &text, &size), &text, &size);
+    digest = add_text(digest, bat_glif_write(document, true, &text, &size), &text, &size);
+    digest = add_text(digest, bat_glif_replace(GLYPH, sizeof GLYPH - 1, document, false, &text, &size), &text,
+                      &size);
     digest = add(digest, bat_svg_is_kept(document));
     bat_status status = bat_document_copy(document, &copy);
     bat_document_free(copy);

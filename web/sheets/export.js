@@ -19,6 +19,7 @@ const FORMATS = [
   { name: 'PNG', of: 'png', end: 'png', type: PNG },
   { name: 'DXF', of: 'dxf', end: 'dxf', type: 'image/vnd.dxf' },
   { name: 'G-code', of: 'gcode', end: 'gcode', type: 'text/plain' },
+  { name: 'GLIF', of: 'glif', end: 'glif', type: 'application/xml' },
   { name: 'GeoJSON', of: 'geojson', end: 'geojson', type: 'application/geo+json' },
   { name: 'CSV', of: 'csv', end: 'csv', type: 'text/csv' },
   { name: 'BVH', of: 'bvh', end: 'bvh', type: 'text/plain' },

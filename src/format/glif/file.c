@@ -31,7 +31,7 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
 }
 
 static bat_status write(const bat_document *document, char **text, size_t *size, bat_problem *problem) {
-    const bat_status status = bat_glif_write(document, text, size);
+    const bat_status status = bat_glif_write(document, false, text, size);
     return status == BAT_OK ? status
                             : bat_problem_set(problem, status, "",
                                               status == BAT_DIMENSION

@@ -2,7 +2,7 @@
 #include "base/options.h"
 #include "document/digest.h"
 #include "document/document.h"
-#include "format/glif/glyph.h"
+#include "format/glyph/glyph.h"
 #include "format/svg/reader.h"
 #include "format/svg/markup.h"
 #include "format/svg/walk.h"

@@ -3,7 +3,7 @@
  * with a type; the points without one before it are its handles: none or two of a cubic, any number of quadratics, between which
  * a point lies halfway. A contour that begins with "move" is open; one without any typed point is all quadratics.
  */
-#include "format/glif/glyph.h"
+#include "format/glyph/glyph.h"
 
 #include "text/number.h"
 

@@ -1,6 +1,6 @@
 /* A glyph of a font (GLIF 2 of UFO 3), from the elements of its file: its outline as the path data of SVG, y downwards. */
-#ifndef BATTEN_FORMAT_GLIF_GLYPH_H
-#define BATTEN_FORMAT_GLIF_GLYPH_H
+#ifndef BATTEN_FORMAT_GLYPH_GLYPH_H
+#define BATTEN_FORMAT_GLYPH_GLYPH_H
 
 #include "text/text.h"
 
