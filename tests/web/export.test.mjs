@@ -81,6 +81,21 @@ test('the page, everything or the selection, in formats of the table', async () 
   await context.close();
 });
 
+test('a glyph of a font is opened, and written with its points', async () => {
+  const { page, context } = await open(browser, server.address);
+  const glyph = fs.readFileSync(new URL('../../fuzz/corpus/glif/ring', import.meta.url), 'utf8');
+  await drop(page, 'a.glif', glyph);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'glyph.png') });
+  const result = await made(page, { format: 'glif', part: '0' });
+  assert.equal(result.name, 'a.glif');
+  const points = (text) => text.match(/<point[^>]*>/g);
+  assert.deepEqual(points(result.bytes.toString()), points(glyph));
+  await drop(page, 'b.glif', glyph.replace('x="100"', 'x="wide"'));
+  await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('b.glif'));
+  assert.match(await page.textContent('.notices'), /x and y/);
+  await context.close();
+});
+
 test('a picture of the size asked for, white or see-through; the last choice is remembered', async () => {
   const { page, context } = await begin();
   const at = [[10, 10], [200, 200], [1290, 500]];

@@ -72,7 +72,7 @@ export function readSvg(module, root, text, finish) {
   const refused = walk(module, reader, root) ||
     (text ? module.lend(text, (source, size) => module.wasm.svg_source(reader, source, size)) : OK);
   if (refused !== OK) {
-    module.wasm.svg_cancel(reader);
+    module.wasm.svg_cancel(reader, module.scratch);
     return refused;
   }
   return finish(reader);

@@ -9,7 +9,7 @@ MODULE_EXPORT(svg_start) int svg_start(bat_svg_reader *reader, const char *strin
 MODULE_EXPORT(svg_text) int svg_text(bat_svg_reader *reader, const char *text, size_t size);
 MODULE_EXPORT(svg_source) int svg_source(bat_svg_reader *reader, const char *text, size_t size);
 MODULE_EXPORT(svg_end) int svg_end(bat_svg_reader *reader);
-MODULE_EXPORT(svg_cancel) void svg_cancel(bat_svg_reader *reader);
+MODULE_EXPORT(svg_cancel) void svg_cancel(bat_svg_reader *reader, bat_problem *problem);
 MODULE_EXPORT(svg_paste) int svg_paste(bat_svg_reader *reader, bat_editor *editor, bat_problem *problem);
 MODULE_EXPORT(svg_finish)
 int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, bat_problem *problem);
@@ -54,7 +54,14 @@ int svg_end(bat_svg_reader *reader) {
     return (int)bat_svg_reader_end(reader);
 }
 
-void svg_cancel(bat_svg_reader *reader) { bat_svg_reader_free(reader); }
+/* Frees the reader, and says what it did not take. */
+void svg_cancel(bat_svg_reader *reader, bat_problem *problem) {
+    bat_document *document = NULL;
+    bat_svg_report report;
+    *problem = (bat_problem){.place = ""};
+    bat_svg_reader_finish(reader, &document, &report, problem);
+    bat_document_free(document);
+}
 
 /* Frees the reader whatever it returns, opens what was read, and notes what was lost of the file. */
 int svg_finish(bat_svg_reader *reader, bat_editor *editor, const char *name, bat_problem *problem) {
