@@ -107,5 +107,14 @@ bat_status bat_object_remake(const bat_object *object, const bat_kind_type *type
  * `shape` (which `curve` then is). Either is taken over on success. */
 bat_status bat_object_with_part(const bat_object *object, const bat_kind_type *type, int index,
                                 const bat_curve *curve, bat_shape *shape, bat_object **out);
+/* A curve of an object that is made of curves, with its levels. */
+typedef struct bat_object_part {
+    const bat_object *object;
+    int curve;
+} bat_object_part;
+/* As that type, without an own part: the head of an object and those curves, which are shared. BAT_DIMENSION: some lie in
+ * the plane and some in space. */
+bat_status bat_object_regroup(const bat_object *object, const bat_kind_type *type, int count,
+                              const bat_object_part *list, bat_object **out);
 
 #endif

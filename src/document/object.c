@@ -188,6 +188,30 @@ bat_status bat_object_with_part(const bat_object *object, const bat_kind_type *t
     return BAT_OK;
 }
 
+bat_status bat_object_regroup(const bat_object *object, const bat_kind_type *type, int count,
+                              const bat_object_part *list, bat_object **out) {
+    if (!object || !list || !out) return BAT_ARGUMENT;
+    if (count < 1 || count > BAT_POINTS_MAX) return BAT_COUNT;
+    for (int i = 0; i < count; i++) {
+        if (!bat_object_is_made_of_curves(list[i].object)) return BAT_ARGUMENT;
+        if (list[i].curve < 0 || list[i].curve >= list[i].object->count) return BAT_ARGUMENT;
+        if (bat_curve_dimension(list[i].object->parts[list[i].curve]->curve) !=
+            bat_curve_dimension(list[0].object->parts[list[0].curve]->curve))
+            return BAT_DIMENSION;
+    }
+    bat_object *made = allocate(type, count, object->name);
+    if (!made) return BAT_MEMORY;
+    made->head = object->head;
+    bat_painted_retain(made->head.paint);
+    for (int i = 0; i < count; i++) {
+        made->parts[i] = list[i].object->parts[list[i].curve];
+        bat_users_add(&made->parts[i]->users);
+    }
+    measure(made);
+    *out = made;
+    return BAT_OK;
+}
+
 /* A gradient goes when the colour that it stands for is changed. */
 static bat_status keep_paint(bat_object *object, const bat_style *style) {
     const bat_style *was = &object->head.style;

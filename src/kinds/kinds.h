@@ -27,6 +27,10 @@ typedef bat_status bat_curve_maker(void *context, const bat_curve *curve, bat_cu
 bat_status bat_object_with_each(const bat_object *object, bat_curve_maker *make, void *context,
                                 bat_object **out);
 
+/* A path with the head of an object (id, name, parent, style) and those curves, with their levels if they have any. As
+ * bat_object_regroup. */
+bat_status bat_path_of_parts(const bat_object *head, int count, const bat_object_part *list, bat_object **out);
+
 /* *made holds the curves of `from`, in order, in another dimension, without their levels: it gets those, too, but for curves
  * that are points, which have no frames. On failure *made is released, and NULL. */
 bat_status bat_object_keep_levels(const bat_object *from, int dimension, bat_object **made);

@@ -45,6 +45,14 @@ bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve 
     return dropped(bat_object_with_part(object, type, index, curve, NULL, out), 1, &curve);
 }
 
+bat_status bat_path_of_parts(const bat_object *head, int count, const bat_object_part *list,
+                             bat_object **out) {
+    bool levels = false;
+    for (int i = 0; list && i < count && !levels; i++)
+        levels = bat_object_shape(list[i].object, list[i].curve) != NULL;
+    return bat_object_regroup(head, levels ? &bat_kind_of_shape : &bat_kind_of_path, count, list, out);
+}
+
 bat_status bat_object_with_shape(const bat_object *object, int index, bat_shape *shape, bat_object **out) {
     if (!shape) return BAT_ARGUMENT;
     const bat_curve *finest = bat_shape_curve(shape, bat_shape_levels(shape));

@@ -40,6 +40,42 @@ async function sheet(page, key = '?') {
   await page.waitForFunction(() => document.activeElement?.classList.contains('search'));
 }
 
+test('Ctrl+K, a few letters and Enter run a command; arrows go through what was found; the last used come first', async () => {
+  const { page, context } = await open(browser, server.address);
+  await sheet(page, 'Control+k');
+  await page.keyboard.type('zoom in');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#menu', { state: 'hidden' });
+  await sheet(page, 'Control+/');
+  assert.deepEqual((await shown(page)).slice(0, 1), ['zoom-in']);
+  await page.keyboard.type('tool');
+  const found = await shown(page);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.command), found[1]);
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await page.evaluate(() => document.activeElement.className), 'search');
+  await page.fill('#menu .search', 'select all');
+  assert.equal(await page.locator('#menu .best').count(), 1);
+  await shot(page, 'best');
+  await page.keyboard.press('Enter');
+  await sheet(page, 'Control+k');
+  assert.deepEqual((await shown(page)).slice(0, 2), ['select-all', 'zoom-in']);
+  await shot(page, 'last-used');
+  await page.keyboard.type('nothing like that');
+  await page.keyboard.press('Enter');
+  assert.deepEqual(await shown(page), []);
+  await page.keyboard.press('Escape');
+  await page.reload();
+  await ready(page);
+  await sheet(page, 'Control+k');
+  assert.deepEqual((await shown(page)).slice(0, 2), ['select-all', 'zoom-in']);
+  await context.close();
+});
+
 for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko']]) {
   test(`the sheet holds every command under its section, and finds them; ${colorScheme}, ${locale}`, async () => {
     const { page, context } = await open(browser, server.address, { colorScheme, locale });

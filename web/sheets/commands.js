@@ -51,6 +51,28 @@ function shortcutOf(event) {
     event.altKey && !typed && 'Alt', letter ? key.toUpperCase() : key].filter(Boolean).join('+');
 }
 
+const STORE = 'batten-commands'; // names of the commands that were last run from here, the latest first
+const LAST = 5;
+
+/** @returns {string[]} */
+function lastUsed() {
+  try {
+    const names = JSON.parse(localStorage.getItem(STORE) ?? '[]');
+    return Array.isArray(names) ? names : [];
+  } catch {
+    return []; // nothing is kept in this browser
+  }
+}
+
+/** @param {string[]} names */
+function remember(names) {
+  try {
+    localStorage.setItem(STORE, JSON.stringify(names));
+  } catch {
+    // It is for this page only then.
+  }
+}
+
 export class CommandSheet {
   /**
    * @param {HTMLElement} sheet
@@ -69,6 +91,7 @@ export class CommandSheet {
     /** The last key pressed: it was refused, or other commands use it too. */
     this.pressed = '';
     this.refused = false;
+    this.last = lastUsed();
     this.search = make('input', 'search');
     this.search.type = 'search';
     this.search.addEventListener('input', () => this.#sift());
@@ -90,7 +113,9 @@ export class CommandSheet {
     const focus = document.activeElement instanceof HTMLElement && this.body.contains(document.activeElement) ?
       document.activeElement.dataset.focus : undefined;
     this.commands = this.words.tables.commands;
-    const parts = [];
+    const last = this.last.flatMap((name) => this.commands.filter((row) => row.name === name));
+    /** @type {HTMLElement[]} */
+    const parts = last.length > 0 ? [make('h3', '', word('shell.last-used')), make('ul', 'commands last', ...last.map((row) => this.#row(row)))] : [];
     let section = '';
     for (const row of this.commands) {
       if (row.section !== section) {
@@ -117,10 +142,17 @@ export class CommandSheet {
   /** Shows the commands whose name, help or keys contain all words searched for. */
   #sift() {
     const wanted = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const found = new Set();
     for (const entry of this.body.querySelectorAll('li')) {
-      const said = entry.dataset.said ?? '';
-      entry.hidden = !wanted.every((part) => said.includes(part));
+      const { said = '', command } = entry.dataset;
+      entry.hidden = !wanted.every((part) => said.includes(part)) || (wanted.length > 0 && found.has(command));
+      found.add(entry.hidden ? '' : command);
     }
+    // What Enter runs: the first that has the words in its name.
+    const shown = [...this.body.querySelectorAll('li')].filter((entry) => !entry.hidden && wanted.length > 0);
+    const best = shown.find((entry) => wanted.every((part) => entry.dataset.label?.includes(part))) ?? shown[0];
+    this.body.querySelector('.best')?.classList.remove('best');
+    best?.classList.add('best');
     for (const list of this.body.querySelectorAll('ul')) {
       const empty = !list.querySelector('li:not([hidden])');
       list.hidden = empty;
@@ -131,7 +163,12 @@ export class CommandSheet {
   /** @param {CommandRow} row */
   #row(row) {
     const label = button(row.label, () => {
+      this.last = [row.name, ...this.last.filter((name) => name !== row.name)].slice(0, LAST);
+      remember(this.last);
       this.sheet.hidePopover();
+      if (document.activeElement instanceof HTMLElement && this.sheet.contains(document.activeElement)) {
+        document.activeElement.blur(); // or the next key is the hidden sheet's
+      }
       this.run(row.name);
     }, row.label);
     const help = word(`command.${row.name}.help`);
@@ -149,6 +186,8 @@ export class CommandSheet {
     keys.dataset.focus = row.name;
     keys.setAttribute('aria-pressed', String(editing));
     const entry = make('li', '', make('div', 'command', label, keys));
+    entry.dataset.command = row.name;
+    entry.dataset.label = row.label.toLowerCase();
     entry.dataset.said = [row.label, help, ...row.keys, ...names].join(' ').toLowerCase();
     if (editing) {
       entry.append(this.#editor(row));
@@ -201,11 +240,30 @@ export class CommandSheet {
     /** @type {HTMLElement | null} */ (this.body.querySelector(`[data-focus="${editing}"]`))?.focus();
   }
 
+  /** Arrows go through what was found, from the search on; Enter there runs the first. @param {KeyboardEvent} event */
+  #walk(event) {
+    const by = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0;
+    const first = event.key === 'Enter' && event.target === this.search && !event.isComposing;
+    if (!by && !first) {
+      return;
+    }
+    event.preventDefault();
+    /** @type {HTMLElement[]} */
+    const all = [this.search, .../** @type {NodeListOf<HTMLElement>} */ (this.body.querySelectorAll('li:not([hidden]) [data-command]'))];
+    const at = all.indexOf(/** @type {HTMLElement} */ (document.activeElement));
+    if (first) {
+      /** @type {HTMLElement | null} */ (this.body.querySelector('.best [data-command]'))?.click();
+    } else {
+      all[Math.min(Math.max(at + by, 0), all.length - 1)].focus();
+    }
+  }
+
   /** @param {KeyboardEvent} event */
   #key(event) {
     event.stopPropagation(); // keep the event from the drawing
     const row = this.commands.find((one) => one.name === this.editing);
     if (!row || event.target === this.search) {
+      this.#walk(event);
       return;
     }
     if (event.key === 'Escape') {

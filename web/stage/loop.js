@@ -30,8 +30,9 @@ export class Loop {
     this.fetched = undefined;
     /** @type {import('./space.js').Space | undefined} */
     this.space = undefined;
-    /** Frames painted and the time taken, for tests and measurements. */
+    /** Number of objects chosen. */
     this.selected = 0;
+    /** Frames painted and the time taken, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
   }
 
@@ -123,7 +124,14 @@ export class Loop {
       const shown = this.jumps >= 0 && !matchMedia('(prefers-reduced-motion: reduce)').matches;
       this.jumps = frame.jumps;
       this.jumped = shown ? now : 0;
-      return shown ? this.#glide(now) : frame;
+      if (!shown) {
+        return frame;
+      }
+      const next = this.#glide(now);
+      if (next) {
+        next.requests |= frame.requests; // the engine makes each of them once
+      }
+      return next;
     }
     this.jumped = now - this.jumped < GLIDE ? this.jumped : 0;
     if (this.jumped) {

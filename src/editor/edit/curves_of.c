@@ -3,6 +3,7 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
+#include "kinds/kinds.h"
 
 #include <stdlib.h>
 
@@ -18,19 +19,16 @@ const bat_curve *bat_edit_target(const bat_document *document, bat_id object, in
 }
 
 bat_status bat_without_curve(const bat_object *object, int index, bat_object **out) {
-    int count = bat_object_curve_count(object), kept = 0;
+    const int count = bat_object_curve_count(object);
+    int kept = 0;
     *out = NULL;
     if (count == 1) return BAT_OK;
-    bat_curve **curves = calloc((size_t)count, sizeof *curves);
-    bat_status status = curves ? BAT_OK : BAT_MEMORY;
-    for (int i = 0; i < count && status == BAT_OK; i++)
-        if (i != index && (status = bat_curve_copy(bat_object_curve(object, i), &curves[kept])) == BAT_OK)
-            kept++;
-    if (status == BAT_OK)
-        status = bat_object_with_curves(object, kept, curves, out);
-    else
-        for (int i = 0; i < kept; i++) bat_curve_free(curves[i]);
-    free(curves);
+    bat_object_part *list = calloc((size_t)count, sizeof *list);
+    if (!list) return BAT_MEMORY;
+    for (int i = 0; i < count; i++)
+        if (i != index) list[kept++] = (bat_object_part){object, i};
+    const bat_status status = bat_path_of_parts(object, kept, list, out);
+    free(list);
     return status;
 }
 

@@ -24,8 +24,11 @@ bat_mirror bat_symmetry(bat_context *c) {
 }
 
 bat_mirror bat_symmetry_plane(bat_context *c) {
+    return c->settings->values[BAT_PROPERTY_SYMMETRY] == 0 ? (bat_mirror){0} : bat_symmetry_axis(c);
+}
+
+bat_mirror bat_symmetry_axis(bat_context *c) {
     bat_mirror axis = c->session->axis;
-    if (c->settings->values[BAT_PROPERTY_SYMMETRY] == 0) return (bat_mirror){0};
     if (!axis.on && !upright_middle(c, &axis) && !c->session->read_only)
         bat_session_set_axis(c->session, &axis); /* out of memory: the same again next time */
     return axis;

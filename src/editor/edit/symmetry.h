@@ -12,6 +12,8 @@
 bat_mirror bat_symmetry(bat_context *c);
 /* The same for surfaces, for which the axis stands for the upright plane through it: whatever the pen draws on. */
 bat_mirror bat_symmetry_plane(bat_context *c);
+/* The axis, whether or not symmetry is on. */
+bat_mirror bat_symmetry_axis(bat_context *c);
 /* Before a tool's step is committed: mirrors what it changes, if steps of its kind are mirrored. Strokes of the
  * sketch tool state this themselves (stroke.h). */
 bat_status bat_symmetry_finish(bat_context *c, bat_string label);

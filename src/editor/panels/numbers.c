@@ -88,10 +88,11 @@ static bat_status change_selection(bat_context *c, bat_number_id id, double from
         step = BAT_STRING_STEP_ROTATE;
     } else {
         if (!(from > 0)) return BAT_STATE; /* nothing can be scaled up from zero */
-        if (!(factor > 0 && isfinite(factor))) return BAT_ARGUMENT;
+        if (!(factor != 0 && isfinite(factor))) return BAT_ARGUMENT;
         bat_matrix_scaling(id == BAT_NUMBER_WIDTH ? factor : 1, id == BAT_NUMBER_HEIGHT ? factor : 1, box,
                            matrix);
-        step = BAT_STRING_STEP_SCALE;
+        if (factor < 0) matrix[id == BAT_NUMBER_WIDTH ? 4 : 5] -= to; /* a mirror image in the same place */
+        step = factor < 0 ? BAT_STRING_STEP_MIRROR : BAT_STRING_STEP_SCALE;
     }
     return bat_arrange_transform(c, matrix, step);
 }

@@ -19,6 +19,7 @@
 typedef struct facts {
     int roots, groups, layers; /* number of roots; groups and layers among them */
     int open, closed, space;   /* number of curves; of those in space */
+    int curved, compound;      /* number of objects that are made of curves; of several */
     bool page;                 /* there is a page to align a single root to */
 } facts;
 
@@ -38,6 +39,8 @@ static bat_status find(const bat_context *c, facts *f) {
         for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) {
             const bat_object *object = bat_document_at(document, k);
             const int curves = bat_object_is_made_of_curves(object) ? bat_object_curve_count(object) : 0;
+            f->curved += curves > 0;
+            f->compound += curves > 1;
             for (int j = 0; j < curves; j++) {
                 const bat_curve *curve = bat_object_curve(object, j);
                 ++*(bat_curve_is_closed(curve) ? &f->closed : &f->open);
@@ -55,6 +58,8 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_ORDER_FRONT:
     case BAT_COMMAND_ORDER_FORWARD:
     case BAT_COMMAND_ORDER_BACKWARD:
+    case BAT_COMMAND_MIRROR_ACROSS:
+    case BAT_COMMAND_MIRROR_DOWN:
     case BAT_COMMAND_ORDER_BACK: return f->roots > 0;
     case BAT_COMMAND_ALIGN_LEFT:
     case BAT_COMMAND_ALIGN_CENTRE:
@@ -68,6 +73,8 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_UNGROUP: return f->groups > 0;
     case BAT_COMMAND_CURVE_CLOSE: return f->open > 0;
     case BAT_COMMAND_CURVE_OPEN: return f->closed > 0;
+    case BAT_COMMAND_COMBINE: return f->curved > 1;
+    case BAT_COMMAND_RELEASE: return f->compound > 0;
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
     case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;
     case BAT_COMMAND_SURFACE_SWEEP:

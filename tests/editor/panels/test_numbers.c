@@ -37,9 +37,9 @@ static void numbers_are_entered(void **state) {
     assert_int_equal(bat_editor_enter(editor, "turn", "90°"), BAT_OK);
     const double *p = bat_curve_points(bat_object_curve(bat_document_at(editor->session.document, 0), 0));
     assert_true(bat_hypot(p[0] - 126, p[1] - 170) < 1e-9 && bat_hypot(p[2] - 166, p[3] - 70) < 1e-9);
-    static const char *const bad[] = {"", "wide", "1mm*1mm", "0", "-5"};
+    static const char *const bad[] = {"", "wide", "1mm*1mm", "0"};
     uint64_t now = digest(editor);
-    for (int i = 0; i < 5; i++) assert_int_not_equal(bat_editor_enter(editor, "width", bad[i]), BAT_OK);
+    for (int i = 0; i < 4; i++) assert_int_not_equal(bat_editor_enter(editor, "width", bad[i]), BAT_OK);
     assert_int_not_equal(bat_editor_enter(editor, "x", "1e300"), BAT_OK);
     assert_int_not_equal(bat_editor_enter(editor, "x", "9999999999999999999999999999999999999999"), BAT_OK);
     assert_int_equal(bat_editor_enter(editor, "nonsense", "1"), BAT_UNSUPPORTED);
