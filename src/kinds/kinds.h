@@ -29,7 +29,8 @@ bat_status bat_object_with_each(const bat_object *object, bat_curve_maker *make,
 
 /* A path with the head of an object (id, name, parent, style) and those curves, with their levels if they have any. As
  * bat_object_regroup. */
-bat_status bat_path_of_parts(const bat_object *head, int count, const bat_object_part *list, bat_object **out);
+bat_status bat_path_of_parts(const bat_object *head, int count, const bat_object_part *list,
+                             bat_object **out);
 
 /* *made holds the curves of `from`, in order, in another dimension, without their levels: it gets those, too, but for curves
  * that are points, which have no frames. On failure *made is released, and NULL. */
