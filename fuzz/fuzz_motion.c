@@ -42,7 +42,7 @@ static void check_drawn(const bat_motion *motion) {
     const bat_style style = bat_style_defaults();
     double place[12], at[3 * JOINTS_MOST];
     bat_motion *copy = NULL;
-    bat_object *object = NULL, *other = NULL;
+    bat_object *object = NULL, *other = NULL, *posed = NULL;
     bat_document *document = NULL, *again = NULL;
     char *text = NULL;
     size_t size;
@@ -57,6 +57,7 @@ static void check_drawn(const bat_motion *motion) {
     if (bat_object_create_skeleton(3, "", &style, motion, NULL, &object) == BAT_OK) {
         if (!bat_object_motion(object, place) || place[0] != 1) abort();
         if (bat_object_with_motion(object, copy, &other) != BAT_OK) abort();
+        if (bat_object_at_time(object, 0.3 * bat_motion_duration(copy), &posed) != BAT_OK) abort();
         if (bat_document_create(&document) != BAT_OK || bat_document_insert(document, 0, other) != BAT_OK)
             abort();
         if (bat_document_write(document, &text, &size) != BAT_OK) abort();
@@ -64,7 +65,7 @@ static void check_drawn(const bat_motion *motion) {
             bat_document_digest(again) != bat_document_digest(document))
             abort();
     }
-    bat_object_release(object), bat_object_release(other);
+    bat_object_release(object), bat_object_release(other), bat_object_release(posed);
     bat_document_free(document), bat_document_free(again);
     bat_free(text);
     bat_motion_free(copy);

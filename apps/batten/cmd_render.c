@@ -99,7 +99,7 @@ const cli_command command_render = {
         "A drawing with anything outside its page is seen in space: from --view, else from its saved view\n"
         "(the last in its list that is not hidden), else in a three-quarter view of all of it.\n"
         "--view NAME@SECONDS looks through the camera of that name in the drawing, at that time of its\n"
-        "move, in 960x540 pixels without --size.\n"
+        "move, in 960x540 pixels without --size; skeletons stand as they do then.\n"
         "As PNG surfaces are shaded, and what is hidden "
         "is fainter, thinner and dashed.\n"
         "As SVG, PDF and EPS it is drawn in lines, as Bezier curves within 0.1 pixels: edges, lines at "

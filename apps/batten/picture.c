@@ -85,8 +85,7 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
 }
 
 /* The view that is asked for, or the saved one, or of all; in the size that is asked for, in whole pixels. */
-static int view_of(const char *in, const bat_document *document, const picture_wanted *w,
-                   bat_viewpoint *out) {
+static int view_of(const char *in, bat_document *document, const picture_wanted *w, bat_viewpoint *out) {
     const char *name = w->view;
     const long *size = w->size;
     int failed = EXIT_DONE;
@@ -104,7 +103,7 @@ static int view_of(const char *in, const bat_document *document, const picture_w
     return failed;
 }
 
-static int space_picture(const char *in, const bat_document *document, const picture_wanted *w,
+static int space_picture(const char *in, bat_document *document, const picture_wanted *w,
                          unsigned char **data, size_t *size) {
     bat_viewpoint view;
     const int failed = view_of(in, document, w, &view);
@@ -119,8 +118,8 @@ static int space_picture(const char *in, const bat_document *document, const pic
     return wrong ? fail_data(in, NULL, "cannot be painted: %s", wrong) : EXIT_DONE;
 }
 
-static int flat_picture(const char *in, const bat_document *document, const picture_wanted *w,
-                        unsigned char **data, size_t *size) {
+static int flat_picture(const char *in, bat_document *document, const picture_wanted *w, unsigned char **data,
+                        size_t *size) {
     paint_area area;
     paint_area_of(document, (int)w->size[0], (int)w->size[1], &area);
     if (w->kind == PICTURE_SVG) return svg_picture(document, &area, w->background, in, data, size);

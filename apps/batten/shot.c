@@ -34,7 +34,20 @@ bool is_shot(const bat_document *document, const char *view) {
     return shot_of(document, view, &time) != NULL;
 }
 
-int shot_view(const char *file, const bat_document *document, const char *view, const long size[2],
+/* Everything that moves by itself stands as it does at that time. */
+static bat_status stand(bat_document *document, double time) {
+    bat_status status = BAT_OK;
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
+        bat_object *posed = NULL;
+        if (!bat_object_motion(bat_document_at(document, i), NULL)) continue;
+        status = bat_object_at_time(bat_document_at(document, i), time, &posed);
+        if (status == BAT_OK) status = bat_document_replace(document, i, posed);
+        bat_object_release(posed);
+    }
+    return status;
+}
+
+int shot_view(const char *file, bat_document *document, const char *view, const long size[2],
               bat_viewpoint *out) {
     double time;
     const bat_camera *camera = shot_of(document, view, &time);
@@ -43,6 +56,7 @@ int shot_view(const char *file, const bat_document *document, const char *view, 
     bat_camera_at_time(camera, time, &pose);
     const double extent = bat_curve_size(bat_camera_path(camera));
     const bat_status status = bat_camera_view(&pose, extent > 0 ? extent : 1, window, out);
+    if (status == BAT_OK && stand(document, time) != BAT_OK) return fail_memory();
     return status == BAT_OK
                ? EXIT_DONE
                : fail_data(file, view, "expected a field of view between 0 and 180 degrees, found %g",

@@ -7,8 +7,9 @@
 
 /* Whether `view` is NAME@SECONDS and a camera of the drawing has that name. */
 bool is_shot(const bat_document *document, const char *view);
-/* The view of that camera then. size 0: 960 x 540. Clamps the time to the move. Returns a status of the program. */
-int shot_view(const char *file, const bat_document *document, const char *view, const long size[2],
+/* The view of that camera then, and the drawing as it is then: skeletons stand in it as they do at that time. size 0: 960 x 540.
+ * Clamps the time to the moves. Returns a status of the program. */
+int shot_view(const char *file, bat_document *document, const char *view, const long size[2],
               bat_viewpoint *out);
 /* The visible surfaces, the meshes as one, and the curves of all else that is painted; copies. BAT_COUNT: too many vertices. */
 bat_status model_shown(const bat_document *document, bat_model *out);

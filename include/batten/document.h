@@ -178,6 +178,9 @@ BAT_API bat_status bat_object_create_skeleton(bat_id id, const char *name, const
 /* A copy with another motion. BAT_ARGUMENT: the object is not a skeleton. */
 BAT_API bat_status bat_object_with_motion(const bat_object *object, const bat_motion *motion,
                                           bat_object **out);
+/* A copy for pictures, as it stands at a time of its motion in seconds, which is clamped to that: its curves are the bones then.
+ * Files and digests know nothing of it. BAT_UNSUPPORTED: the object is not a skeleton; BAT_NUMBER: the time is not finite. */
+BAT_API bat_status bat_object_at_time(const bat_object *object, double seconds, bat_object **out);
 /* A copy with other curves (ownership is taken), which is a path; all else, including its place in groups, is
  * kept. BAT_ARGUMENT, here and for a single curve or shape: the object is a surface or a camera, or of a kind without curves. */
 BAT_API bat_status bat_object_with_curves(const bat_object *object, int count, bat_curve *const *curves,

@@ -1,4 +1,5 @@
-/* A skeleton and its motion. Its curves show it: the bones as lines, as they are in the first frame. */
+/* A skeleton and its motion. Its curves show it: the bones as lines, as they are in the first frame, or at the time that
+ * it stands at. */
 #include "base/users.h"
 #include "curve/curve.h"
 #include "document/digest.h"
@@ -29,6 +30,7 @@ typedef struct kept_motion {
 
 typedef struct own_part {
     kept_motion *kept;
+    double time; /* seconds, at which it stands; of nothing that is kept in files */
 } own_part;
 
 static const own_part *part_of(const void *own) { return own; }
@@ -87,7 +89,7 @@ static size_t gather(const bat_bone *joints, int count, const int *line, int whi
 }
 
 /* *count lines, which the caller frees; on failure none are left. */
-static bat_status curves_of(const kept_motion *kept, bat_curve ***out, int *count) {
+static bat_status curves_of(const kept_motion *kept, double time, bat_curve ***out, int *count) {
     int joints;
     const bat_bone *bones = bat_take_joints(bat_motion_take(kept->motion), &joints);
     const size_t size = (size_t)(unsigned)joints; /* 1 to BAT_JOINTS_MAX */
@@ -95,8 +97,9 @@ static bat_status curves_of(const kept_motion *kept, bat_curve ***out, int *coun
     int *line = malloc(size * sizeof *line);
     bool *gone_on = malloc(size * sizeof *gone_on);
     bat_curve **curves = malloc(size * sizeof *curves);
-    bat_status status = at && points && line && gone_on && curves ? bat_motion_positions(kept->motion, 0, at)
-                                                                  : BAT_MEMORY;
+    bat_status status = at && points && line && gone_on && curves
+                            ? bat_motion_positions(kept->motion, time, at)
+                            : BAT_MEMORY;
     int made = 0;
     const int lines = status == BAT_OK ? lines_of(bones, joints, line, gone_on) : 0;
     for (int i = 0; i < joints && status == BAT_OK; i++) {
@@ -165,14 +168,14 @@ static uint64_t digest_of(const kept_motion *kept) {
 /* Makes a new object, or a copy of `object` with another motion, which is taken over on success. */
 static bat_status make(const bat_object *object, bat_id id, const char *name, const bat_style *style,
                        bat_motion *motion, const double place[PLACE], bat_object **out) {
-    own_part own = {calloc(1, sizeof *own.kept)};
+    own_part own = {.kept = calloc(1, sizeof *own.kept)};
     bat_curve **curves = NULL;
     int count = 0;
     if (!own.kept) return BAT_MEMORY;
     *own.kept = (kept_motion){.users = BAT_USERS_ONE, .motion = motion};
     memcpy(own.kept->place, place, sizeof own.kept->place);
     own.kept->digest = digest_of(own.kept);
-    bat_status status = curves_of(own.kept, &curves, &count);
+    bat_status status = curves_of(own.kept, 0, &curves, &count);
     if (status == BAT_OK)
         status = object ? bat_object_remake(object, &bat_kind_of_skeleton, &own, count, curves, out)
                         : bat_object_make(&bat_kind_of_skeleton, id, name, style, &own, count, curves, out);
@@ -205,6 +208,24 @@ bat_status bat_object_with_motion(const bat_object *object, const bat_motion *mo
     return make_of_copy(object, 0, NULL, NULL, motion, place, out);
 }
 
+bat_status bat_object_at_time(const bat_object *object, double seconds, bat_object **out) {
+    if (!object || !out) return BAT_ARGUMENT;
+    if (!isfinite(seconds)) return BAT_NUMBER;
+    const void *was = bat_object_own(object, &bat_kind_of_skeleton);
+    if (!was) return BAT_UNSUPPORTED;
+    const own_part own = {.kept = part_of(was)->kept, .time = seconds};
+    bat_curve **curves = NULL;
+    int count = 0;
+    bat_status status = curves_of(own.kept, seconds, &curves, &count);
+    if (status != BAT_OK) return status;
+    share(&own);
+    status = bat_object_remake(object, &bat_kind_of_skeleton, &own, count, curves, out);
+    for (int i = 0; i < count && status != BAT_OK; i++) bat_curve_free(curves[i]);
+    free(curves);
+    if (status != BAT_OK) bat_users_drop(&own.kept->users);
+    return status;
+}
+
 const bat_motion *bat_object_motion(const bat_object *object, double *place) {
     const void *own = bat_object_own(object, &bat_kind_of_skeleton);
     if (!own) return NULL;
@@ -221,8 +242,8 @@ static uint64_t digest(uint64_t digest, const void *own) {
 static const char *check(const bat_object *object) {
     bat_curve **curves = NULL;
     int count = 0;
-    if (curves_of(part_of(bat_object_own(object, &bat_kind_of_skeleton))->kept, &curves, &count) != BAT_OK)
-        return NULL;
+    const own_part *own = part_of(bat_object_own(object, &bat_kind_of_skeleton));
+    if (curves_of(own->kept, own->time, &curves, &count) != BAT_OK) return NULL;
     bool same = count == bat_object_curve_count(object);
     for (int i = 0; i < count; i++) {
         same = same && bat_curve_is_equal(curves[i], bat_object_curve(object, i));

@@ -1,5 +1,6 @@
 """render of drawings in space: what is seen, what is hidden, the looks, the view of all, what is refused."""
 import base64
+import json
 import re
 import unittest
 
@@ -81,6 +82,30 @@ class RenderSpace(ProgramTest):
             self.refused(1, "render", self.file("in.batten", document(*parts, fly)), "out.png", "--view", name)
         wide = {**fly, "move": {**move, "fov": 200}}
         self.refused(1, "render", self.file("in.batten", document(*parts, wide)), "out.png", "--view", "Fly@dawn@1")
+
+    def test_a_skeleton_stands_as_it_does_then(self):
+        """At the time of a camera's picture a skeleton is where its motion is then: as one that always stands so."""
+        def bvh(*angles):
+            bones = ("ROOT a { OFFSET 0 0 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation "
+                     "JOINT b { OFFSET 0 30 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 60 0 } } }")
+            frames = "\n".join(f"0 0 0 0 0 0 {angle} 0 0" for angle in angles)
+            return f"HIERARCHY\n{bones}\nMOTION\nFrames: {len(angles)}\nFrame Time: 0.5\n{frames}\n"
+
+        move = {"path": {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[-20, -30, -300], [20, -30, -300]]},
+                "orientation": {"mode": "look-at", "target": [0, -40, 0], "up": [0, -1, 0]}, "fov": 40, "timing": {"duration": 4}}
+
+        def shot(time, *angles):
+            self.file("walk.bvh", bvh(*angles))
+            self.done("convert", "walk.bvh", "walk.batten")
+            drawing = json.loads((self.folder / "walk.batten").read_text())
+            drawing["objects"].append({"id": 99, "kind": "camera", "name": "Eye", "move": move})
+            drawing["next"] = 100
+            return self.png(drawing, "--view", f"Eye@{time}", "--size", "320x180")
+
+        for time, angle in ((0, 0), (1, 80), (2, -70), (3.5, -70)):
+            moving, still, other = shot(time, 0, 40, 80, 5, -70), shot(time, angle), shot(time, 120)
+            self.assertLess((abs(moving.astype(int) - still) > 40).mean(), 2e-3)
+            self.assertGreater((abs(moving.astype(int) - other) > 40).mean(), 5e-3)
 
     def test_a_square_is_where_the_view_says(self):
         image = self.png(document(sheet()), "--view", self.view(), "--background", "none")

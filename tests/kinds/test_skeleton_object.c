@@ -283,13 +283,52 @@ static void what_is_not_sound_is_refused(void **state) {
     assert_int_equal(bat_object_create_skeleton(1, "", &style, NULL, NULL, &object), BAT_ARGUMENT);
     assert_int_equal(bat_object_create_skeleton(1, "", &style, motion, place, &object), BAT_NUMBER);
     assert_int_equal(bat_object_with_motion(NULL, motion, &object), BAT_ARGUMENT);
+    assert_int_equal(bat_object_at_time(NULL, 0, &object), BAT_ARGUMENT);
     assert_null(object);
+    bat_motion_free(motion);
+}
+
+/* A copy that stands as it does at a time has its bones where they are then, and is otherwise the same. */
+static void stands_at_a_time(void **state) {
+    (void)state;
+    bat_motion *motion = motion_of(3, 0.5);
+    bat_object *object = object_of(motion), *first = NULL, *posed = NULL, *moved = NULL;
+    const double end = bat_motion_duration(motion);
+    assert_int_equal(bat_object_at_time(object, 0, &first), BAT_OK);
+    for (int c = 0; c < bat_object_curve_count(object); c++)
+        assert_true(bat_curve_is_equal(bat_object_curve(object, c), bat_object_curve(first, c)));
+    for (int i = 0; i <= 6; i++) {
+        double at[3 * WALKER_JOINTS];
+        const double time = end * (i - 1) / 4; /* beyond both ends, too */
+        bat_document *document = NULL;
+        assert_int_equal(bat_object_at_time(i % 2 ? object : first, time, &posed), BAT_OK);
+        assert_int_equal(bat_motion_positions(motion, time, at), BAT_OK);
+        for (int joint = 0; joint < WALKER_JOINTS; joint++) {
+            bool met = false;
+            for (int c = 0; c < bat_object_curve_count(posed); c++)
+                for (size_t k = 0; k < bat_curve_count(bat_object_curve(posed, c)); k++) {
+                    const double *p = bat_curve_points(bat_object_curve(posed, c)) + 3 * k;
+                    met = met ||
+                          (p[0] == at[3 * joint] && p[1] == -at[3 * joint + 1] && p[2] == -at[3 * joint + 2]);
+                }
+            assert_true(met);
+        }
+        assert_int_equal(bat_document_create(&document), BAT_OK);
+        assert_int_equal(bat_document_insert(document, 0, posed), BAT_OK);
+        assert_null(bat_document_check(document));
+        bat_document_free(document);
+        bat_object_release(posed);
+    }
+    assert_int_equal(bat_object_at_time(object, NAN, &moved), BAT_NUMBER);
+    assert_int_equal(bat_object_create_group(3, "", false, &moved), BAT_OK);
+    assert_int_equal(bat_object_at_time(moved, 0, &posed), BAT_UNSUPPORTED);
+    bat_object_release(moved), bat_object_release(first), bat_object_release(object);
     bat_motion_free(motion);
 }
 
 static bat_status all(const char *bvh, size_t size) {
     bat_document *document = NULL, *again = NULL;
-    bat_object *other = NULL;
+    bat_object *other = NULL, *posed = NULL;
     char *text = NULL, *out = NULL;
     size_t length = 0, written = 0;
     bat_problem problem;
@@ -297,11 +336,12 @@ static bat_status all(const char *bvh, size_t size) {
     if (status == BAT_OK) {
         const bat_object *object = bat_document_at(document, 0);
         status = bat_object_with_motion(object, bat_object_motion(object, NULL), &other);
+        if (status == BAT_OK) status = bat_object_at_time(object, 0.1, &posed);
     }
     if (status == BAT_OK) status = bat_document_write(document, &text, &length);
     if (status == BAT_OK) status = bat_document_read(text, length, &again, &problem);
     if (status == BAT_OK) status = bat_format_named("bvh")->write(again, &out, &written, &problem);
-    bat_object_release(other);
+    bat_object_release(other), bat_object_release(posed);
     bat_document_free(document), bat_document_free(again);
     bat_free(text), bat_free(out);
     return status;
@@ -328,9 +368,9 @@ static void every_allocation_may_fail(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(is_kept_bit_for_bit),      cmocka_unit_test(signs_are_kept),
-        cmocka_unit_test(has_bones_for_curves),     cmocka_unit_test(is_placed_at_any_time),
-        cmocka_unit_test(a_bvh_file_is_a_drawing),  cmocka_unit_test(what_is_not_sound_is_refused),
-        cmocka_unit_test(every_allocation_may_fail)};
+        cmocka_unit_test(is_kept_bit_for_bit),     cmocka_unit_test(signs_are_kept),
+        cmocka_unit_test(has_bones_for_curves),    cmocka_unit_test(is_placed_at_any_time),
+        cmocka_unit_test(a_bvh_file_is_a_drawing), cmocka_unit_test(what_is_not_sound_is_refused),
+        cmocka_unit_test(stands_at_a_time),        cmocka_unit_test(every_allocation_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

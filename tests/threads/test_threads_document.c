@@ -164,8 +164,10 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
     const bat_paint paint = {.dash_count = 2, .dashes = dashes};
     d = add_object(d, bat_object_with_paint(object, &paint, &m), &m);
     d = add(d, bat_object_paint(object) != NULL);
-    if (bat_object_motion(object, NULL))
+    if (bat_object_motion(object, NULL)) {
         d = add_object(d, bat_object_with_motion(object, bat_object_motion(object, NULL), &m), &m);
+        d = add_object(d, bat_object_at_time(object, 0.1 * seed, &m), &m);
+    }
     d = add_object(d, bat_object_with_id(object, 1000 + (bat_id)seed, &m), &m);
     d = add_object(d, bat_object_with_state(object, true, seed & 1, &m), &m);
     d = add_object(d, bat_object_with_parent(object, 500, &m), &m);

@@ -114,3 +114,57 @@ for (const colorScheme of ['light', 'dark']) {
     await context.close();
   });
 }
+
+test('a camera that stands still sees the walk: docked and looked through, scrubbed and played', async (t) => {
+  const server = await serve();
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address, {});
+  await drop(page, 'walk.bvh', walk());
+  await page.waitForSelector('.time:not([hidden])');
+  await quiet(page);
+  await page.evaluate(() => {
+    globalThis.batten.engine.command('deselect');
+    globalThis.batten.engine.command('camera-here');
+    globalThis.batten.wake();
+  });
+  await page.waitForSelector('.lens:not([hidden])');
+  await quiet(page);
+  const made = await state(page);
+  const docked = () => page.evaluate(() => document.querySelector('.lens canvas').toDataURL());
+  const seek = async (seconds) => {
+    await page.evaluate((time) => {
+      globalThis.batten.engine.wasm.editor_seek(globalThis.batten.engine.editor, time);
+      globalThis.batten.wake();
+    }, seconds);
+    await quiet(page);
+  };
+  const first = await docked();
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'body-docked-first.png') });
+  await seek(0.25);
+  const later = await docked();
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'body-docked-later.png') });
+  assert.notEqual(later, first, 'the body stands elsewhere');
+  await seek(0);
+  assert.equal(await docked(), first);
+  await hand.stroke([[600, 300], [640, 250]], { pointerType: 'mouse', button: 'right' });
+  await quiet(page);
+  await seek(0.25);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'body-docked-turned.png') });
+  await seek(0);
+  await page.locator('#stage').focus();
+  await page.keyboard.press('q');
+  await page.waitForSelector('#stage.through');
+  await quiet(page);
+  const through = await page.locator('#space').screenshot();
+  await seek(0.25);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'body-through.png') });
+  assert.notDeepEqual(await page.locator('#space').screenshot(), through);
+  await page.keyboard.press('Escape');
+  await seek(0);
+  await page.click('.time [data-command=move-play]');
+  await page.waitForFunction((still) => document.querySelector('.lens canvas').toDataURL() !== still, first);
+  await page.click('.time [data-command=move-play]');
+  assert.equal((await state(page)).digest, made.digest);
+  assert.equal((await state(page)).check, '');
+  await context.close();
+});

@@ -32,6 +32,7 @@ static void free_entry(bat_scene_entry *entry) {
     if (entry->solid) bat_solid_free(entry->solid);
     free(entry->path);
     free(entry->paint);
+    bat_object_release(entry->posed);
     bat_object_release(entry->object);
 }
 
@@ -268,9 +269,11 @@ bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry)
         item.stroke = 0x000000ff;
         item.width = item.opacity = 1;
     }
-    if (entry->pale || (scene->ghost && bat_object_id(entry->object) == scene->ghost)) item.opacity *= PALE;
+    if (entry->pale) item.opacity *= PALE;
     return item;
 }
+
+void bat_scene_stand(bat_scene *scene, double time) { scene->time = time; }
 
 /* Empties the scene: better than stale entries, whose indices belong to other objects now. */
 static void drop(bat_scene *scene) {
@@ -324,7 +327,10 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
                 status = BAT_MEMORY;
             }
         }
-        items[item_count++] = bat_scene_painted(scene, entry);
+        items[item_count] = bat_scene_painted(scene, entry);
+        if (scene->ghost && bat_object_id(entry->object) == scene->ghost && !entry->pale)
+            items[item_count].opacity *= PALE;
+        item_count++;
     }
     free(scene->items);
     scene->items = items;

@@ -20,6 +20,8 @@ typedef struct bat_scene_line {
 
 typedef struct bat_scene_entry {
     bat_object *object; /* retained */
+    bat_object *posed;  /* as it stands at the scene's time, for pictures in space; NULL: as it is */
+    double posed_at;    /* the time */
     double box[4];      /* of the outline, drawing coordinates (editor/view/stage.h) */
     float *path;        /* NULL until made */
     float *paint;       /* made with the path; NULL: none */
@@ -48,6 +50,7 @@ typedef struct bat_scene {
     bool outline;                   /* outline mode: thin lines without fill */
     const bat_isolation *isolation; /* borrowed; NULL: everything is within reach */
     uint32_t isolated;              /* the isolation's version as shown */
+    double time;                    /* seconds, at which what moves by itself stands in pictures in space */
     bat_id ghost;                   /* is shown by something else as it is now, and painted pale; 0: none */
     bool surfaces;                  /* some are shown */
     bool stale;                     /* some path could not be made, or the origin has moved */
@@ -59,11 +62,13 @@ void bat_scene_init(bat_scene *scene);
 void bat_scene_free(bat_scene *scene);
 /* Sets how the next sync shows the document: in outline mode; with everything not isolated pale. */
 void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation);
-/* The object that something else shows as it is now, such as a skeleton at the playhead: it is painted pale. 0: none. */
+/* The object that something else shows as it is now, such as a skeleton at the playhead: face-on it is painted pale. 0: none. */
 void bat_scene_ghost(bat_scene *scene, bat_id id);
+/* What moves by itself, as skeletons do, stands in pictures in space as it does at that time, in seconds. */
+void bat_scene_stand(bat_scene *scene, double time);
 /* A surface without a stroke: thin lines show it face-on. */
 bool bat_scene_is_bare(const bat_object *object);
-/* The item of an entry as it is painted: in outline mode, or pale. */
+/* The item of an entry as it is painted: in outline mode, or pale; but for the ghost's. */
 bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry);
 /* Mirrors the document. BAT_MEMORY: the scene is unchanged, or lacks some paths until the next call. */
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision);

@@ -338,6 +338,75 @@ static void style_goes_to_another_walk(void **state) {
     bat_editor_free(editor);
 }
 
+/* A camera beside the walker, which is then the move that is looked at. */
+static void put_camera(bat_editor *editor) {
+    const double points[12] = {-300, 0, -200, -100, -50, -300, 100, -50, -300, 300, 0, -200};
+    const bat_style style = bat_style_defaults();
+    bat_camera_options options = bat_camera_defaults();
+    options.mode = BAT_CAMERA_LOOK_AT;
+    options.target[1] = -90, options.up[1] = -1, options.up[2] = 0;
+    bat_curve *path = NULL;
+    bat_camera *camera = NULL;
+    bat_object *object = NULL;
+    bat_document *document = NULL;
+    assert_int_equal(bat_document_copy(bat_editor_document(editor), &document), BAT_OK);
+    assert_int_equal(bat_curve_create_clamped(3, 3, 4, points, &path), BAT_OK);
+    assert_int_equal(bat_camera_create(path, &options, &camera), BAT_OK);
+    assert_int_equal(bat_object_create_camera(8, "eye", &style, camera, 0, &object), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 1, object), BAT_OK);
+    assert_int_equal(bat_editor_open(editor, document, "walk"), BAT_OK);
+    bat_object_release(object);
+    bat_camera_free(camera), bat_curve_free(path);
+    bat_editor_select(editor, 8, 0);
+    bat_editor_frame(editor);
+    assert_true(value(editor, "sees") == 1 && value(editor, "id") == 8);
+}
+
+/* Whether the lines of the walker go through all its joints as they are then, and are painted in full. */
+static bool stands(const bat_editor *editor, const bat_space *space, double time) {
+    double at[3 * WALKER_JOINTS];
+    assert_int_equal(bat_motion_positions(motion_of(editor), time, at), BAT_OK);
+    int found = 0;
+    for (uint32_t i = 0; i < space->count; i++) {
+        const bat_space_item *item = &space->items[i];
+        if (item->id != 5) continue;
+        assert_true(item->opacity == 1);
+        for (int joint = 0; joint < WALKER_JOINTS; joint++) {
+            bool met = false;
+            for (uint32_t k = 0; k < item->rows && !met; k++)
+                met = fabs((double)item->vertices[4 * k] - at[3 * joint]) < 1e-3 &&
+                      fabs((double)item->vertices[4 * k + 1] + at[3 * joint + 1]) < 1e-3 &&
+                      fabs((double)item->vertices[4 * k + 2] + at[3 * joint + 2]) < 1e-3;
+            found += met;
+        }
+    }
+    return found == WALKER_JOINTS;
+}
+
+/* The docked picture of a camera, and the drawing seen through it, show the body at the playhead; so does a turned view. */
+static void a_camera_sees_it_at_the_playhead(void **state) {
+    (void)state;
+    const double size[2] = {320, 180};
+    bat_editor *editor = with_skeleton();
+    put_camera(editor);
+    const uint64_t before = digest(editor);
+    for (int i = 0; i < 6; i++) {
+        const double time = i == 5 ? 0 : LAST * (i + 1) / 4; /* also past its end, and back */
+        assert_int_equal(bat_editor_seek(editor, time), BAT_OK);
+        bat_editor_frame(editor);
+        assert_true(stands(editor, bat_editor_lens(editor, size), fmin(time, LAST)));
+        assert_true(i == 5 || !stands(editor, bat_editor_lens(editor, size), 0));
+        assert_int_equal(bat_editor_command(editor, "look-through"), BAT_OK);
+        bat_editor_frame(editor);
+        assert_true(stands(editor, bat_editor_space(editor), fmin(time, LAST)));
+        assert_true(stands(editor, bat_editor_lens(editor, size), fmin(time, LAST)));
+        assert_int_equal(bat_editor_command(editor, "look-through"), BAT_OK);
+        check(editor);
+    }
+    assert_true(digest(editor) == before);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(is_shown_at_the_playhead),
                                        cmocka_unit_test(its_first_pose_is_pale),
@@ -346,6 +415,7 @@ int main(void) {
                                        cmocka_unit_test(levels_of_a_joint_are_mixed),
                                        cmocka_unit_test(a_stroke_redraws_an_angle),
                                        cmocka_unit_test(fit_leaves_room_for_the_strip),
-                                       cmocka_unit_test(style_goes_to_another_walk)};
+                                       cmocka_unit_test(style_goes_to_another_walk),
+                                       cmocka_unit_test(a_camera_sees_it_at_the_playhead)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
