@@ -27,7 +27,7 @@ function reason({ error }) {
   return String(cause?.stack ?? cause).replace(/^/gm, '    ');
 }
 
-for await (const { type, data } of run({ files: asked.length > 0 ? asked : all.sort(), concurrency: 1, timeout: HANG })) {
+for await (const { type, data } of run({ files: asked.length > 0 ? asked : all.sort(), concurrency: 2, timeout: HANG })) {
   if (type === 'test:pass' && data.skip === undefined) {
     passed++;
     console.log(`ok    ${data.name} (${Math.round(data.details.duration_ms)} ms)`);
