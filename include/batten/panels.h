@@ -40,6 +40,10 @@ BAT_API const char *bat_editor_outline(bat_editor *editor, int first, int count)
  * {"rows":[{"id","words": its name,"lost":[bat_loss_key, ...]}],"total"}. Saving keeps it all the same. Owned by the editor, valid
  * until the next call of it or of the outline; NULL: out of memory. */
 BAT_API const char *bat_editor_unshown(bat_editor *editor);
+/* What the drawing holds, as JSON: {"kinds":[{"words": the kind's name,"count"}], in the order in which they first occur,
+ * "page":[width, height]}, in words with the unit, each "" without a page. O(objects). Owned by the editor, valid until the
+ * next call of it or of the outline; NULL: out of memory. */
+BAT_API const char *bat_editor_holds(bat_editor *editor);
 BAT_API const char *bat_editor_outline_points(bat_editor *editor, bat_id id);
 /* Selects the object and chooses a point of it, numbered as outline_points has them, with the tool that moves it.
  * BAT_ARGUMENT: no such point. BAT_STATE: a drag is under way, or it is hidden or locked. */

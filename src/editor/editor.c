@@ -211,6 +211,8 @@ const char *bat_editor_outline(bat_editor *editor, int first, int count) {
 
 const char *bat_editor_unshown(bat_editor *editor) { return bat_panel_unshown(&editor->context); }
 
+const char *bat_editor_holds(bat_editor *editor) { return bat_panel_holds(&editor->context); }
+
 const char *bat_editor_outline_points(bat_editor *editor, bat_id id) {
     return bat_panel_points(&editor->context, id);
 }

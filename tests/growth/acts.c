@@ -132,6 +132,7 @@ static void words(bat_editor *editor) {
     (void)bat_editor_outline(editor, 0, 100);
     (void)bat_editor_outline(editor, count - 100, 100);
     (void)bat_editor_unshown(editor);
+    (void)bat_editor_holds(editor);
     (void)bat_editor_outline_points(editor, bat_object_id(bat_document_at(document, 0)));
 }
 static void all_words(bat_editor *editor) { (void)bat_editor_outline(editor, 0, 500); }

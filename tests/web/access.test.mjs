@@ -148,7 +148,14 @@ for (const options of [{ colorScheme: 'light' }, { colorScheme: 'dark' }, { colo
       assert.deepEqual(await violations(page), [], sheet);
       await page.keyboard.press('Escape');
     }
-    await page.evaluate(() => document.getElementById('question').showModal());
+    await page.evaluate(async () => {
+      const file = (name) => new File(['x,y\n10,10\n60,110\n120,40\n'], name);
+      batten.engine.pasteFile(new Uint8Array(await file('a.csv').arrayBuffer()), 'a.csv');
+      batten.wake();
+      await new Promise((done) => { setTimeout(done, 100); });
+      void batten.files.arrive([{ file: file('b.csv'), place: null }]);
+    });
+    await page.waitForSelector('#holds[open]');
     assert.deepEqual(await violations(page), [], 'question');
     await context.close();
   });

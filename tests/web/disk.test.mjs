@@ -1,9 +1,10 @@
 // Files on disk that the page may write; several files at once; a file named by the page's address. The handles are those
 // of the browser's private file system, which is the same interface as that of the picker, without its window.
 import assert from 'node:assert/strict';
+import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { expectFaults, launch, MALFORMED, open, place, ready, settle, state } from './page.mjs';
+import { expectFaults, launch, MALFORMED, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const ART = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300"><!-- kept -->
@@ -44,8 +45,8 @@ const named = (page, name) => page.waitForFunction((text) => document.getElement
 const asked = (page) => page.textContent('.asked');
 const objects = (page) => page.evaluate(() => batten.engine.layers().loose + batten.painter.list.length);
 
-async function begin(files) {
-  const opened = await open(browser, server.address);
+async function begin(files, { address } = server) {
+  const opened = await open(browser, address);
   await offer(opened.page, files);
   await opened.page.click('[data-name=open]');
   return opened;
@@ -151,5 +152,41 @@ test('the address opens a file of the same server, says what it cannot open, and
     await ready(page);
     await page.waitForFunction((text) => document.querySelector('.notices').textContent.includes(text), why);
   }
+  await context.close();
+});
+
+test('files that were opened are listed, open again to be saved where they are, and are taken off the list', async (t) => {
+  const lasting = await serve(undefined, true);
+  t.after(() => lasting.close());
+  const { page, hand, context } = await begin([['art.svg', ART]], lasting);
+  await named(page, 'art.svg');
+  await offer(page, [['two.svg', ART.replace('#00f', '#0a0')]]);
+  await page.click('[data-name=open]');
+  await named(page, 'two.svg');
+  await page.reload();
+  await ready(page);
+  const rows = () => page.$$eval('#kept ul:last-of-type li bdi', (all) => all.map((one) => one.textContent));
+  const list = async () => {
+    await page.evaluate(() => batten.engine.command('open-kept') && batten.wake());
+    await page.waitForSelector('#kept:popover-open');
+  };
+  await list();
+  assert.deepEqual(await rows(), ['two.svg', 'art.svg']);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'recent.png') });
+  await page.click('#kept ul:last-of-type li:nth-child(2) button:first-child');
+  await named(page, 'art.svg');
+  await draw(page, hand);
+  await page.keyboard.press('Control+S');
+  await page.waitForFunction(() => !batten.files.unsaved);
+  assert.match(await content(page, 'art.svg'), /kept -->[^]*<path[^]*<path/);
+  await list();
+  assert.deepEqual(await rows(), ['art.svg', 'two.svg'], 'the latest first, none twice');
+  await page.evaluate(async () => (await navigator.storage.getDirectory()).removeEntry('two.svg'));
+  await page.click('#kept ul:last-of-type li:nth-child(2) button:first-child');
+  await page.waitForFunction(() => document.querySelector('.notices').textContent.includes('two.svg could not be read'));
+  await list();
+  await page.click('#kept ul:last-of-type li:nth-child(2) button.keys');
+  await page.waitForFunction(() => document.querySelectorAll('#kept ul:last-of-type li').length === 1);
+  assert.match(await content(page, 'art.svg'), /kept -->/, 'the file itself stays');
   await context.close();
 });

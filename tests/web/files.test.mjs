@@ -1,8 +1,9 @@
 // Files without a server: dropped, picked, refused, downloaded.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
+import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { drop, expectFaults, launch, MALFORMED, open, place, settle, state } from './page.mjs';
+import { drop, expectFaults, launch, MALFORMED, open, place, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -159,20 +160,52 @@ test('markup, entities and scripts in a file stay inert', async () => {
   await context.close();
 });
 
-test('an unsaved drawing is not replaced without asking', async () => {
+test('an edited drawing is not replaced before the user has seen what the file holds', async () => {
   const { page, hand, context } = await open(browser, server.address);
   await drop(page, 'car.svg', fs.readFileSync(EXAMPLE, 'utf8'));
+  assert.equal(await page.textContent('#name'), 'car.svg', 'nothing was edited: nothing to ask');
   await hand.stroke([await place(page, 100, 60), await place(page, 300, 50)]);
   const { digest } = await state(page);
-  const other = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C20 0 30 20 40 10"/></svg>';
+  const other = `<!DOCTYPE svg [<!ENTITY e "<g/>">]><svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 96 48" width="96" height="48">&e;
+    <path d="M0 0C20 0 30 20 40 10" stroke="#000"/><path d="M0 9h9" stroke="#000"/><text y="20">Hi</text></svg>`;
   await drop(page, 'other.svg', other);
-  assert.equal(await page.isVisible('#question'), true);
+  await page.waitForSelector('#holds[open]');
+  assert.match(await page.textContent('#holds-text'), /“car\.svg” is not saved/);
+  assert.deepEqual(await page.$$eval('#holds li', (all) => all.map((one) => one.textContent)),
+    ['page 96 px × 48 px', 'curve 2', 'Texts 1']);
+  assert.match(await page.textContent('#holds'), /1 thing of this file cannot be kept/);
+  await page.waitForFunction(() => document.querySelector('#holds img').naturalWidth > 0);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'holds.png') });
   await page.keyboard.press('Escape');
-  await settle(page);
+  await page.waitForSelector('#holds', { state: 'detached' });
   assert.equal((await state(page)).digest, digest);
+
   await drop(page, 'other.svg', other);
-  await page.click('#question button.strong');
+  await page.click('#holds button[value=add]');
+  await page.waitForFunction((was) => batten.engine.digest() !== was, digest);
+  assert.equal(await page.textContent('#name'), 'car.svg');
+  await page.keyboard.press('Control+Z');
+  await page.keyboard.press('Control+Z');
+  await settle(page);
+  assert.equal((await state(page)).digest, digest, 'what was added is undone');
+
+  await drop(page, 'other.svg', other);
+  await page.click('#holds button[value=open]');
   await page.waitForFunction(() => document.getElementById('name').textContent === 'other.svg');
   assert.notEqual((await state(page)).digest, digest);
   await context.close();
 });
+
+test('a file that cannot be read is refused without a question, and the edited drawing stays', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  await hand.stroke([[100, 60], [300, 50], [400, 90]]);
+  const { digest } = await state(page);
+  const refused = () => page.waitForFunction(() => document.querySelector('.notices').textContent.includes('bad.dxf was not opened'));
+  await page.evaluate(() => batten.files.arrive([{ file: new File(['0\nSECTION\nzwei'], 'bad.dxf'), place: null }]));
+  await refused();
+  assert.equal(await page.isVisible('#holds'), false);
+  assert.equal((await state(page)).digest, digest);
+  assert.equal(await page.textContent('#name'), 'drawing.svg');
+  await context.close();
+});
+

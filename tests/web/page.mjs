@@ -338,8 +338,8 @@ export async function drop(page, name, text) {
       done();
       return opened;
     };
-    const question = document.getElementById('question');
-    new MutationObserver(() => question.open && done()).observe(question, { attributes: true });
+    const asking = new MutationObserver(() => document.querySelector('dialog.question') && done());
+    asking.observe(document.body, { childList: true });
     const transfer = new DataTransfer();
     transfer.items.add(new File([content], title));
     for (const type of ['dragover', 'drop']) {

@@ -5,7 +5,8 @@ import { Changed } from './server.js';
 import { word } from '../page/words.js';
 
 /** What the browser gives for a file: its type is not in every version of the DOM's declarations. */
-/** @typedef {{ kind: string, name: string, getFile: () => Promise<File>, createWritable: () => Promise<any> }} Handle */
+/** @typedef {{ kind: string, name: string, getFile: () => Promise<File>, createWritable: () => Promise<any>,
+ * isSameEntry: (other: Handle) => Promise<boolean>, requestPermission?: (how: { mode: string }) => Promise<string> }} Handle */
 
 /** Only these are written as they were read. */
 const OURS = /\.(svg|batten)$/i;
@@ -78,6 +79,17 @@ export async function ask() {
       return []; // nothing was chosen
     }
     throw error;
+  }
+}
+
+/** A file that was opened before. @param {Handle} handle @returns {Promise<import('./files.js').Arrival | null>} null: it cannot be read */
+export async function again(handle) {
+  try {
+    const may = await handle.requestPermission?.({ mode: 'read' }) ?? 'granted';
+    const file = may === 'granted' ? await handle.getFile() : null;
+    return file && { file, place: placeOf(handle, file) };
+  } catch {
+    return null;
   }
 }
 

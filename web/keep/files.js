@@ -41,6 +41,23 @@ function decodeXml(bytes) {
   }
 }
 
+/**
+ * Opens the bytes of a file in an engine; throws its refusal.
+ * @param {Engine} engine @param {Uint8Array} bytes @param {string} name
+ */
+export function readInto(engine, bytes, name) {
+  const first = decodeXml(bytes.subarray(0, 256)).trimStart()[0];
+  const svg = /\.svgz?$/i.test(name);
+  if (isNative(name) || (svg && first === '{')) {
+    engine.openNative(bytes, name);
+  } else if (svg || first === '<' || first === undefined) {
+    const text = decodeXml(bytes);
+    engine.openSvg(parseSvg(text), text, name);
+  } else {
+    engine.openFile(bytes, name);
+  }
+}
+
 export class Files {
   /**
    * @param {Engine} engine
@@ -72,6 +89,8 @@ export class Files {
     /** The document is the file of its place, and is saved there. */
     this.bound = false;
     this.unsaved = false;
+    /** Something was drawn or changed since the drawing was opened. */
+    this.edited = false;
     /** The page is being reloaded and will restore what is not saved. */
     this.leaving = false;
     this.saving = false;
@@ -141,39 +160,10 @@ export class Files {
     }
   }
 
-  /** Files that were chosen or dropped: one drawing is opened, several are added; pictures are placed. @param {Arrival[]} all */
+  /** Files that were chosen or dropped. @param {Arrival[]} all */
   async arrive(all) {
-    const pictures = all.filter(({ file }) => /^image\/(?!svg)/.test(file.type));
-    const drawings = all.filter((one) => !pictures.includes(one));
-    for (const { file } of pictures) {
-      await this.addPicture(file);
-    }
-    if (drawings.length > 1) {
-      const { addAll } = await want(import('./several.js'));
-      await addAll(this, drawings);
-    } else if (drawings.length) {
-      await this.#openFile(drawings[0]);
-    }
-  }
-
-  /** @param {Arrival} arrival */
-  async #openFile({ file, place }) {
-    if (this.unsaved && !(await this.#mayReplace())) {
-      return;
-    }
-    const { bytesOf } = await want(import('./gzip.js'));
-    const bytes = await bytesOf(file).catch(() => null);
-    const kept = await this.find(file.name);
-    if (bytes && this.open(bytes, file.name)) {
-      this.bound = place !== null;
-      this.place = place ?? this.server;
-      this.onopen(kept);
-    } else {
-      await this.find(this.name);
-      if (!bytes) {
-        this.notices.say(`${word('shell.not-opened', file.name)} ${word('shell.damaged')}`);
-      }
-    }
+    const { arrive } = await want(import('./arrive.js'));
+    await arrive(this, all);
   }
 
   /** Adds a picture to trace, behind the drawing. @param {File} file */
@@ -183,18 +173,6 @@ export class Files {
     this.wake();
   }
 
-  /** @returns {Promise<boolean>} whether the unsaved drawing may be discarded */
-  #mayReplace() {
-    const dialog = /** @type {HTMLDialogElement} */ (document.getElementById('question'));
-    const text = /** @type {HTMLElement} */ (document.getElementById('question-text'));
-    text.textContent = word('shell.may-replace', this.name);
-    dialog.returnValue = '';
-    dialog.showModal();
-    return new Promise((resolve) => {
-      dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), { once: true });
-    });
-  }
-
   /**
    * @param {Uint8Array} bytes
    * @param {string} name
@@ -202,16 +180,7 @@ export class Files {
    */
   open(bytes, name) {
     try {
-      const first = decodeXml(bytes.subarray(0, 256)).trimStart()[0];
-      const svg = /\.svgz?$/i.test(name);
-      if (isNative(name) || (svg && first === '{')) {
-        this.engine.openNative(bytes, name);
-      } else if (svg || first === '<' || first === undefined) {
-        const text = decodeXml(bytes);
-        this.engine.openSvg(parseSvg(text), text, name);
-      } else {
-        this.engine.openFile(bytes, name);
-      }
+      readInto(this.engine, bytes, name);
       this.losses = this.engine.losses;
       const lost = totalOf(this.losses);
       if (lost) {
@@ -222,7 +191,7 @@ export class Files {
       this.asked = false;
       return true;
     } catch (error) {
-      this.complain(new Error(`${word('shell.not-opened', name)} ${error instanceof Error ? error.message : ''}`));
+      this.refuse(name, error);
       return false;
     } finally {
       this.wake();
@@ -323,6 +292,11 @@ export class Files {
     link.download = `${stemOf(this.name)}.${end}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(address), 10000);
+  }
+
+  /** Says why a file is not open. @param {string} name @param {unknown} error */
+  refuse(name, error) {
+    this.complain(new Error(`${word('shell.not-opened', name)} ${error instanceof Error ? error.message : ''}`));
   }
 
   /** @param {unknown} error */

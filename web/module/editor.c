@@ -48,6 +48,7 @@ int editor_correct(bat_editor *editor, int kind, double wide, double tall, doubl
 MODULE_EXPORT(editor_outline)
 const char *editor_outline(bat_editor *editor, int first, int count);
 MODULE_EXPORT(editor_unshown) const char *editor_unshown(bat_editor *editor);
+MODULE_EXPORT(editor_holds) const char *editor_holds(bat_editor *editor);
 MODULE_EXPORT(editor_outline_points) const char *editor_outline_points(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_choose) int editor_choose(bat_editor *editor, uint32_t id, int point);
 MODULE_EXPORT(editor_select) int editor_select(bat_editor *editor, uint32_t id, int add);
@@ -230,6 +231,11 @@ const char *editor_outline(bat_editor *editor, int first, int count) {
 const char *editor_unshown(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_unshown(editor);
+}
+
+const char *editor_holds(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_holds(editor);
 }
 
 const char *editor_outline_points(bat_editor *editor, uint32_t id) {

@@ -21,7 +21,7 @@ function pictureOf(engine, { name, bytes }) {
 }
 
 /** @param {Uint8Array} svg @param {string} title */
-function figure(svg, title) {
+export function figure(svg, title) {
   const box = document.createElement('figure');
   const picture = document.createElement('img');
   const caption = document.createElement('figcaption');

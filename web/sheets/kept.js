@@ -1,5 +1,8 @@
-// The sheet of the drawings kept in the browser, for opening and deleting them. Loaded on demand.
+// The sheet of the drawings kept in the browser, for opening and deleting them, and of the files that were opened from
+// the disk. Loaded on demand.
 
+import { forget, recent } from '../keep/recent.js';
+import { want } from '../page/build.js';
 import { tell, word } from '../page/words.js';
 
 /** @typedef {import('../keep/keep.js').Kept} Kept */
@@ -13,6 +16,15 @@ function button(act, ...content) {
   one.append(...content);
   one.addEventListener('click', act);
   return one;
+}
+
+/** @param {string} name @param {string} date */
+function titled(name, date) {
+  const title = document.createElement('bdi');
+  const time = document.createElement('time');
+  title.textContent = name;
+  time.textContent = date;
+  return [title, ' ', time];
 }
 
 /** @param {...Node} content */
@@ -35,7 +47,10 @@ export class KeptSheet {
     this.sheet.addEventListener('keydown', (event) => event.stopPropagation()); // keep the event from the drawing
     this.list = document.createElement('ul');
     this.list.className = 'commands';
-    this.sheet.append(tell(document.createElement('h2'), { text: 'command.open-kept' }), this.list);
+    this.recent = document.createElement('ul');
+    this.recent.className = 'commands';
+    this.recentTitle = tell(document.createElement('h2'), { text: 'shell.recent' });
+    this.sheet.append(tell(document.createElement('h2'), { text: 'command.open-kept' }), this.list, this.recentTitle, this.recent);
     document.body.append(this.sheet);
   }
 
@@ -57,6 +72,33 @@ export class KeptSheet {
     const rows = await this.shell.keeper.list();
     const fresh = tell(button(() => this.#go(this.shell.drawings.openNew())), { text: 'shell.new' });
     this.list.replaceChildren(...rows.map((kept, index) => this.#row(kept, format.format(kept.time), index)), entry(fresh));
+    const files = await recent();
+    this.recentTitle.hidden = this.recent.hidden = files.length === 0;
+    this.recent.replaceChildren(...files.map((file) => this.#file(file, format.format(file.time))));
+  }
+
+  /** A file on the disk. @param {import('../keep/recent.js').Recent} file @param {string} date */
+  #file({ handle }, date) {
+    const remover = button(async () => {
+      await forget(handle);
+      await this.#fill();
+      this.#focus(0);
+    }, '✕');
+    remover.className = 'keys';
+    remover.ariaLabel = remover.title = word('shell.recent-forget.help', handle.name).slice(0, -1);
+    return entry(button(() => this.#go(this.#reopen(handle)), ...titled(handle.name, date)), remover);
+  }
+
+  /** Opens it once more; the browser may ask first. @param {import('../keep/disk.js').Handle} handle */
+  async #reopen(handle) {
+    const { files } = this.shell;
+    const { again } = await want(import('../keep/disk.js'));
+    const arrival = await again(handle);
+    if (arrival) {
+      await files.arrive([arrival]);
+    } else {
+      files.notices.say(word('shell.recent-gone.help', handle.name));
+    }
   }
 
   /** @param {Promise<void>} way */
@@ -67,12 +109,8 @@ export class KeptSheet {
 
   /** @param {Kept} kept @param {string} date @param {number} index */
   #row({ name }, date, index) {
-    const title = document.createElement('bdi');
-    const time = document.createElement('time');
-    title.textContent = name;
-    time.textContent = date;
     const own = name === this.shell.files.name;
-    const opener = button(() => (own ? this.sheet.hidePopover() : this.#go(this.shell.drawings.openKept(name))), title, ' ', time);
+    const opener = button(() => (own ? this.sheet.hidePopover() : this.#go(this.shell.drawings.openKept(name))), ...titled(name, date));
     opener.ariaCurrent = String(own);
     return entry(opener, ...(own ? [] : [this.#remover(name, index)]));
   }

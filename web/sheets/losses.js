@@ -48,7 +48,7 @@ function objects(unshown, choose) {
 }
 
 /** @param {Losses} losses */
-function list(losses) {
+export function lossList(losses) {
   const rows = document.createElement('ul');
   rows.className = 'losses';
   for (const [key, count] of Object.entries(losses)) {
@@ -63,7 +63,7 @@ function list(losses) {
 
 /** @param {Losses} losses @param {string} name @returns {Promise<string>} 'copy', 'lose', or '' for neither */
 export function ask(name, losses) {
-  return question('lossy', word('shell.may-lose', name), [list(losses)], [answer('copy', word('shell.save-copy')),
+  return question('lossy', word('shell.may-lose', name), [lossList(losses)], [answer('copy', word('shell.save-copy')),
     answer('lose', counted('shell.save-lose', totalOf(losses))), answer('', word('command.cancel'))]);
 }
 
@@ -95,7 +95,7 @@ export function show(engine, wake) {
     sheet.append(tell(document.createElement('p'), { text: 'shell.unshown-objects.help' }), objects(unshown, choose),
       tell(document.createElement('h2'), { text: 'shell.unshown-file' }));
   }
-  sheet.append(list(engine.losses));
+  sheet.append(lossList(engine.losses));
   sheet.showPopover();
   sheet.focus();
 }

@@ -149,6 +149,7 @@ export class Loop {
     const { ours } = drawings;
     this.selected = frame.selected;
     files.unsaved = frame.unsaved && ours;
+    files.edited = files.unsaved || frame.canUndo;
     this.#tellLost(frame.lost);
     if (ours) {
       keeper.note(files.name, engine.session, engine.journal, frame.unsaved, !files.bound && !empty);

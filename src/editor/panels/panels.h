@@ -20,6 +20,7 @@ const char *bat_panel_layers(bat_context *c);
 const char *bat_panel_actions(bat_context *c);
 const char *bat_panel_outline(bat_context *c, int first, int count);
 const char *bat_panel_unshown(bat_context *c);
+const char *bat_panel_holds(bat_context *c);
 const char *bat_panel_points(bat_context *c, bat_id id);
 bat_status bat_panel_choose(bat_context *c, bat_id id, int point);
 const char *bat_panel_said(bat_context *c);

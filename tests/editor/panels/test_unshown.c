@@ -137,6 +137,25 @@ static void there_may_be_none(void **state) {
     bat_editor_free(editor);
 }
 
+static void what_a_drawing_holds_is_counted(void **state) {
+    (void)state;
+    bat_editor *editor = editing(opened("<svg xmlns='http://www.w3.org/2000/svg' width='40' height='30'><g>"
+                                        "<path d='M0 0L5 5' stroke='red'/><text>a</text></g>"
+                                        "<path d='M0 9L5 5' stroke='red'/></svg>"));
+    assert_string_equal(bat_editor_holds(editor),
+                        "{\"kinds\":[{\"words\":\"group\",\"count\":1},{\"words\":\"curve\",\"count\":2},"
+                        "{\"words\":\"foreign content\",\"count\":1}],\"page\":[\"40 px\",\"30 px\"]}");
+    bat_editor_free(editor);
+    bat_document *document = NULL;
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    editor = editing(document);
+    assert_string_equal(bat_editor_holds(editor), "{\"kinds\":[],\"page\":[\"\",\"\"]}");
+    alloc_fail_at(1);
+    assert_null(bat_editor_holds(editor));
+    alloc_fail_at(0);
+    bat_editor_free(editor);
+}
+
 static void memory_may_run_out(void **state) {
     (void)state;
     bat_editor *editor = editing(opened(ART));
@@ -158,7 +177,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_object_is_named), cmocka_unit_test(it_goes_with_the_object),
         cmocka_unit_test(it_is_written),        cmocka_unit_test(there_may_be_none),
-        cmocka_unit_test(memory_may_run_out),
+        cmocka_unit_test(memory_may_run_out),   cmocka_unit_test(what_a_drawing_holds_is_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
