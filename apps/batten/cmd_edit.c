@@ -106,8 +106,8 @@ static int own_port(const char *path) {
 }
 
 /* port < 0: none was asked for. */
-static int serve(const cli_arguments *arguments, const bat_format *format, int port) {
-    const char *path = arguments->operands[0];
+static int serve(const cli_arguments *arguments, const serve_file *file, int port) {
+    const char *path = file->path;
     sigset_t signals;
     sigemptyset(&signals);
     sigaddset(&signals, SIGINT);
@@ -115,8 +115,8 @@ static int serve(const cli_arguments *arguments, const bat_format *format, int p
     sigaddset(&signals, SIGHUP);
     sigprocmask(SIG_BLOCK, &signals, NULL); /* before other threads start: only this one receives them */
     http_server *server;
-    const char *wrong = serve_start(path, format, port < 0 ? own_port(path) : port, port > 0, &server);
-    if (wrong && port < 0) wrong = serve_start(path, format, 0, false, &server);
+    const char *wrong = serve_start(file, port < 0 ? own_port(path) : port, port > 0, &server);
+    if (wrong && port < 0) wrong = serve_start(file, 0, false, &server);
     if (wrong) return fail_data(path, NULL, "cannot be served on port %d: %s", port < 0 ? 0 : port, wrong);
     char address[64];
     snprintf(address, sizeof address, "http://127.0.0.1:%d/", serve_port(server));
@@ -134,16 +134,56 @@ static int serve(const cli_arguments *arguments, const bat_format *format, int p
     return failed;
 }
 
+/* The name of the drawing that is made of the file: NAME.batten beside it. */
+static char *name_beside(const char *path) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    const size_t stem = dot && dot > (slash ? slash + 1 : path) ? (size_t)(dot - path) : strlen(path);
+    char *name = malloc(stem + sizeof ".batten");
+    if (!name) return NULL;
+    memcpy(name, path, stem);
+    memcpy(name + stem, ".batten", sizeof ".batten");
+    return name;
+}
+
+/* What a file of another format holds, as a drawing beside it. *text is to be freed with bat_free. */
+static int begin_beside(const char *path, char **name, char **text, serve_file *file) {
+    drawing_file drawing;
+    struct stat there;
+    *name = name_beside(path);
+    if (!*name) return fail_memory();
+    if (lstat(*name, &there) == 0)
+        return fail_data(path, NULL, "the drawing of it, %s, is there already; edit that", *name);
+    int failed = drawing_read(path, NULL, &drawing);
+    if (failed) return failed;
+    drawing_remark(path, &drawing);
+    *file = (serve_file){.path = *name, .format = bat_format_named("batten")};
+    failed = drawing_print(drawing.document, file->format, path, text, &file->start.size);
+    drawing_free(&drawing);
+    if (failed) return failed;
+    file->start.text = *text;
+    remark("%s: stays as it is; it is saved as %s", path, *name);
+    return EXIT_DONE;
+}
+
+static int edit(const cli_arguments *arguments, const serve_file *file, int port) {
+    const int failed = look_at(file->path, file->format);
+    if (failed) return failed;
+    tidy_up(file->path);
+    return serve(arguments, file, port);
+}
+
 static int run(const cli_arguments *arguments) {
     const char *path = arguments->operands[0];
+    serve_file file = {.path = path, .format = drawing_format(path)};
     long port = -1;
     int failed = arguments_integer(arguments, "--port", 0, 65535, &port);
     if (failed) return failed;
-    const bat_format *format = gzip_is_called(path) ? bat_format_named("svg") : bat_format_called(path);
-    if (!format || !format->keeps) {
+    const bool keeps = file.format && file.format->keeps;
+    if (!keeps && access(path, F_OK) != 0) {
         char words[BAT_FORMATS_WORDS];
         bat_formats_words(".", true, words);
-        return fail_usage(arguments->command, "%s: expected a name that ends in %s", path, words);
+        return fail_usage(arguments->command, "%s: expected a file that is there, or a name that ends in %s",
+                          path, words);
     }
     if (!serve_has_shell())
         return fail_data(path, NULL, "cannot be edited: this build has no editor (web/index.html)");
@@ -152,22 +192,26 @@ static int run(const cli_arguments *arguments) {
             path, NULL,
             "cannot be edited: this build has no batten.wasm (it needs clang 16, lld, wasi-libc)");
     }
-    failed = look_at(path, format);
-    if (failed) return failed;
-    tidy_up(path);
-    return serve(arguments, format, (int)port);
+    char *name = NULL, *text = NULL;
+    if (!keeps) failed = begin_beside(path, &name, &text, &file);
+    if (!failed) failed = edit(arguments, &file, (int)port);
+    bat_free(text);
+    free(name);
+    return failed;
 }
 
 const cli_command command_edit = {
     .name = "edit",
     .usage = "FILE [--port N] [--no-open]",
-    .summary = "Opens the editor in the browser on a drawing, .svg, .svgz or .batten.",
+    .summary = "Opens the editor in the browser on a drawing, or on any file that convert reads.",
     .details =
         "A server for this machine alone gives the editor and takes the drawing back when it is saved; "
         "Ctrl+C\n"
         "ends it. Its address is printed; with a display the browser opens it. A file that is not there is "
         "made\n"
-        "by the first save. Before a save that would lose something of an SVG, the editor asks.",
+        "by the first save. What is in a file that is no .svg, .svgz or .batten, such as a BVH, is saved "
+        "beside it, as\n"
+        "NAME.batten. Before a save that would lose something of an SVG, the editor asks.",
     .example = "batten edit car.svg",
     .operands = 1,
     .options = {{"--port", "N", "the port on 127.0.0.1, else the file's own; 0: any free one"},

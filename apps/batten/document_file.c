@@ -46,13 +46,26 @@ static file_result result_of(io_result result) {
     }
 }
 
-file_result document_file_load(const char *path, const bat_format *format, char **data, size_t *size,
-                               char tag[TAG_ROOM]) {
+static file_result first_drawing(const bat_format *format, const document_start *start, char **data,
+                                 size_t *size) {
+    if (!start->text) return empty_drawing(format, data, size);
+    *data = malloc(start->size + 1);
+    if (!*data) return FILE_FAILED;
+    memcpy(*data, start->text, start->size);
+    *size = start->size;
+    return FILE_DONE;
+}
+
+file_result document_file_load(const char *path, const bat_format *format, const document_start *start,
+                               char **data, size_t *size, char tag[TAG_ROOM]) {
     io_stamp stamp;
     io_result loaded = io_load(path, data, size, &stamp);
     if (loaded != IO_DONE) return result_of(loaded);
     make_tag(*data, *size, stamp.exists, tag);
-    if (!stamp.exists) return empty_drawing(format, data, size);
+    if (!stamp.exists) {
+        free(*data);
+        return first_drawing(format, start, data, size);
+    }
     if (!gzip_open(data, size)) return FILE_DONE;
     errno = EIO; /* damaged since the start */
     return FILE_FAILED;

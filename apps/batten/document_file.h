@@ -16,10 +16,16 @@ typedef enum file_result {
     FILE_FAILED       /* errno says why */
 } file_result;
 
-/* The current bytes (malloc'ed) and their tag, an HTTP entity tag with its quotes. A file that does not exist
- * yet is an empty drawing. */
-file_result document_file_load(const char *path, const bat_format *format, char **data, size_t *size,
-                               char tag[TAG_ROOM]);
+/* What a file that does not exist yet begins as, in its format; text NULL: an empty drawing. */
+typedef struct document_start {
+    const char *text;
+    size_t size;
+} document_start;
+
+/* The current bytes (malloc'ed) and their tag, an HTTP entity tag with its quotes; of a file that does not exist yet those of
+ * `start`. */
+file_result document_file_load(const char *path, const bat_format *format, const document_start *start,
+                               char **data, size_t *size, char tag[TAG_ROOM]);
 /* Replaces the version that `tag` identifies; new_tag is the tag of the new one. Nothing is written unless
  * FILE_DONE. Of simultaneous saves over one version, in this process or in others, exactly one returns
  * FILE_DONE. */

@@ -45,8 +45,7 @@ static const char *const headers[][2] = {
 struct http_server {
     struct MHD_Daemon *daemon;
     guest_list guests;
-    const char *path;
-    const bat_format *format;
+    serve_file file;
     int port;
     char token[TOKEN_ROOM];
     char hosts[2][HOST_ROOM]; /* values allowed for Host */
@@ -195,7 +194,7 @@ static bool is_type(const char *value, const char *type) {
 static http_refusal refuse_body(const http_server *server, struct MHD_Connection *connection, bool put,
                                 size_t *size) {
     const char *type = header(connection, "Content-Type", NULL);
-    if (!type || !is_type(type, server->format->media_type)) {
+    if (!type || !is_type(type, server->file.format->media_type)) {
         return (http_refusal){MHD_HTTP_UNSUPPORTED_MEDIA_TYPE, "The media type is not that of the file."};
     }
     if (put && !header(connection, "If-Match", NULL)) {
@@ -263,7 +262,8 @@ static enum MHD_Result say_failure(struct MHD_Connection *connection, file_resul
 static enum MHD_Result get_document(const http_server *server, struct MHD_Connection *connection) {
     char *data, tag[TAG_ROOM];
     size_t size;
-    file_result result = document_file_load(server->path, server->format, &data, &size, tag);
+    file_result result = document_file_load(server->file.path, server->file.format, &server->file.start,
+                                            &data, &size, tag);
     if (result != FILE_DONE) return say_failure(connection, result);
     struct MHD_Response *response = MHD_create_response_from_buffer(size, data, MHD_RESPMEM_MUST_FREE);
     if (!response) {
@@ -272,7 +272,7 @@ static enum MHD_Result get_document(const http_server *server, struct MHD_Connec
     }
     MHD_add_response_header(response, MHD_HTTP_HEADER_ETAG, tag);
     MHD_add_response_header(response, "X-Batten-Name", server->name);
-    return answer(connection, MHD_HTTP_OK, response, server->format->media_type);
+    return answer(connection, MHD_HTTP_OK, response, server->file.format->media_type);
 }
 
 /* Answers a save: 204 with the new tag, 201 with the name of the new file, or why it failed. */
@@ -296,8 +296,8 @@ static enum MHD_Result put_document(const http_server *server, struct MHD_Connec
     const char *wanted = header(connection, "If-Match", NULL);
     char tag[TAG_ROOM] = "";
     bat_problem problem = {.place = ""};
-    file_result result = document_file_save(server->path, server->format, request->body, request->size,
-                                            wanted, tag, &problem);
+    file_result result = document_file_save(server->file.path, server->file.format, request->body,
+                                            request->size, wanted, tag, &problem);
     return say_saved(connection, result, &problem, MHD_HTTP_NO_CONTENT, MHD_HTTP_HEADER_ETAG, tag);
 }
 
@@ -306,8 +306,8 @@ static enum MHD_Result post_document(const http_server *server, struct MHD_Conne
                                      const http_request *request) {
     char name[NAME_ROOM] = "", shown[CLEAN_ROOM * NAME_ROOM];
     bat_problem problem = {.place = ""};
-    file_result result = document_file_save_beside(server->path, server->format, request->body, request->size,
-                                                   name, &problem);
+    file_result result = document_file_save_beside(server->file.path, server->file.format, request->body,
+                                                   request->size, name, &problem);
     if (result == FILE_CHANGED)
         return say(connection, MHD_HTTP_CONFLICT, "There are too many copies beside the file.", NULL, NULL);
     clean_text(name, shown, sizeof shown);
@@ -519,13 +519,11 @@ static const char *start(http_server *server, int port) {
     return server->daemon ? NULL : "the server cannot be started";
 }
 
-const char *serve_start(const char *path, const bat_format *format, int port, bool lasting,
-                        http_server **out) {
+const char *serve_start(const serve_file *file, int port, bool lasting, http_server **out) {
     http_server *server = calloc(1, sizeof *server);
     if (!server) return "out of memory";
-    server->path = path;
-    server->format = format;
-    const char *slash = strrchr(path, '/');
+    server->file = *file;
+    const char *path = file->path, *slash = strrchr(path, '/');
     char shown[CLEAN_ROOM * 256];
     clean_text(slash ? slash + 1 : path, shown, sizeof shown);
     server->name = percent_encoded(shown);

@@ -27,16 +27,22 @@
 #ifndef BATTEN_APPS_SERVE_H
 #define BATTEN_APPS_SERVE_H
 
-#include "drawing.h"
+#include "document_file.h"
 
 #define SERVE_BODY_MAX ((size_t)64 << 20) /* bytes */
 
 typedef struct http_server http_server;
 
-/* Starts a thread that serves the file at path, which is borrowed. port 0: any free one. lasting: the browser
+/* The file that is served; all borrowed. */
+typedef struct serve_file {
+    const char *path;
+    const bat_format *format;
+    document_start start;
+} serve_file;
+
+/* Starts a thread that serves the file. port 0: any free one. lasting: the browser
  * may keep the shell of this address. NULL on success, else what went wrong (static storage or strerror's). */
-const char *serve_start(const char *path, const bat_format *format, int port, bool lasting,
-                        http_server **out);
+const char *serve_start(const serve_file *file, int port, bool lasting, http_server **out);
 int serve_port(const http_server *server);
 /* Stops after the current request. */
 void serve_stop(http_server *server);

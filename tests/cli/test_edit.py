@@ -487,6 +487,30 @@ class Saving(EditTest):
             self.assertEqual(json.loads(self.done("info", self.path, "--json"))["objects"], [])
             self.assertIn("first save", editor.end()[2])
 
+    def test_other_formats_are_saved_beside(self):
+        """Whatever convert reads is opened as what convert makes of it; the file stays, and NAME.batten is saved."""
+        bvh = ("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\n"
+               "End Site\n{\nOFFSET 0 9 0\n}\n}\nMOTION\nFrames: 2\nFrame Time: 0.1\n0 0 0\n9 8 7\n")
+        obj = "v 0 0 0\nv 1 0 0\nv 0 1 2\nf 1 2 3\n"
+        curve = '{"degree":1,"closed":false,"knots":[0,0,1,1],"points":[[0,0],[3,2]]}'
+        for name, text in (("walk.bvh", bvh), ("a.b.obj", obj), ("curve.json", curve), ("odd", obj)):
+            path = pathlib.Path(self.file(name, text))
+            beside = path.parent / (name.rsplit(".", 1)[0] + ".batten")
+            self.done("convert", path, "wanted.batten")
+            editor = self.editor_on(path)
+            status, headers, body = editor.get("/document")
+            self.assertEqual((status, headers["X-Batten-Name"], beside.exists()), (200, beside.name, False))
+            self.assertEqual(body, (self.folder / "wanted.batten").read_bytes())
+            status, headers, _ = editor.put(body, headers["ETag"])
+            self.assertEqual(status, 204)
+            self.assertEqual((path.read_text(), beside.read_bytes()), (text, body))
+            self.assertEqual(editor.get("/document")[2], body)
+            said = editor.end()[2]
+            self.assertIn("stays as it is", said)
+            self.assertIn(beside.name, said)
+            self.assertIn("edit that", self.refused(1, "edit", path, "--no-open"))
+        self.assertIn("found none", self.refused(1, "edit", self.file("x.glb", "glTF"), "--no-open"))
+
     def test_new_file_that_somebody_else_made_is_not_touched(self):
         editor = self.start("new.batten")
         tag = editor.tag()

@@ -82,7 +82,7 @@ class Usage(ProgramTest):
             ["surface", "redraw", curve, curve, "--u", "1", "--hold", "-1"],
             ["surface", "redraw", curve, curve, "--u", "1", "--reach", "0"],
             ["cast", curve, curve], ["cast", "-", curve, "-"], ["cast", curve, curve, curve, curve],
-            ["edit"], ["edit", curve], ["edit", "-"], ["edit", "x.svg", "--port", "70000"], ["edit", "x.svg", "--port", "a"],
+            ["edit"], ["edit", "nothing.bvh"], ["edit", "-"], ["edit", "x.svg", "--port", "70000"], ["edit", "x.svg", "--port", "a"],
         ):
             with self.subTest(words=words):
                 self.assertRegex(self.refused(2, *words), r"^batten( [a-z]+){0,2}: .*\(see: batten.* --help\)$")
