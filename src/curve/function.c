@@ -1,7 +1,7 @@
 /* Functions of one parameter: the first coordinate of a curve, or a number. */
+#include "curve/function.h"
 #include "curve/curve.h"
 
-#include <batten/function.h>
 #include <math.h>
 
 bat_status bat_function_check(const bat_function *function) {
@@ -19,6 +19,11 @@ void bat_function_eval(const bat_function *function, double x, double out[3]) {
     if (!function->curve) return;
     bat_curve_eval(function->curve, x, 2, jet);
     for (int k = 0; k < 3; k++) out[k] = jet[k * function->curve->dimension];
+}
+
+bat_status bat_function_copy(const bat_function *from, bat_function *to) {
+    *to = bat_function_of(from->constant);
+    return from->curve ? bat_curve_copy(from->curve, &to->curve) : BAT_OK;
 }
 
 void bat_function_clear(bat_function *function) {

@@ -1,6 +1,7 @@
 #include "document/bound.h"
 #include "base/matrix.h"
 #include "curve/curve.h"
+#include "curve/function.h"
 #include "document/digest.h"
 #include "document/kind.h"
 #include "form/wire/match.h"
@@ -11,11 +12,6 @@
 
 /* ---- a bound ---- */
 
-static bat_status copy_function(const bat_function *from, bat_function *to) {
-    *to = (bat_function){from->constant, NULL};
-    return from->curve ? bat_curve_copy(from->curve, &to->curve) : BAT_OK;
-}
-
 static bat_status copy_wire(const bat_wire *from, bat_wire *to) {
     bat_curve *reference = NULL, *domain = NULL;
     bat_status status = from->reference ? bat_curve_copy(from->reference, &reference) : BAT_ARGUMENT;
@@ -23,8 +19,8 @@ static bat_status copy_wire(const bat_wire *from, bat_wire *to) {
     if (status == BAT_OK && from->domain) status = bat_curve_copy(from->domain, &domain);
     to->domain = domain;
     to->turn = from->turn;
-    if (status == BAT_OK) status = copy_function(&from->radius, &to->radius);
-    if (status == BAT_OK) status = copy_function(&from->scale, &to->scale);
+    if (status == BAT_OK) status = bat_function_copy(&from->radius, &to->radius);
+    if (status == BAT_OK) status = bat_function_copy(&from->scale, &to->scale);
     return status;
 }
 

@@ -1,4 +1,5 @@
-/* Objects that follow curves of others. A camera follows one: where that goes it goes, and when it is gone, so is the camera.
+/* Objects that follow curves of others. A camera follows one: where that goes it goes, and when it is gone, so is the camera. A
+ * skeleton likewise, but it stays where it is when the curve is gone.
  * A surface is made from several: it is made again when one changes, and when one is gone, it is free. */
 #ifndef BATTEN_DOCUMENT_FOLLOW_H
 #define BATTEN_DOCUMENT_FOLLOW_H

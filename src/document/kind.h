@@ -23,7 +23,8 @@ typedef enum bat_trait {
     BAT_SPACE = 64,  /* lies in space: files that hold one are of version 2, which older programs refuse */
     BAT_AID = 128,   /* seen while drawing; pictures leave it out */
     BAT_MOVES = 256, /* a camera or a skeleton, whose move can be played */
-    BAT_NEW = 512    /* files that hold one are of the newest version */
+    BAT_NEW = 512,   /* files that hold one are of the newest version */
+    BAT_STAYS = 1024 /* when the object that it follows is gone, it lets go and stays; others go with it */
 } bat_trait;
 
 typedef struct bat_kind_type {

@@ -1,6 +1,7 @@
 /* A skeleton and its motion. Its curves show it: the bones as lines, as they are in the first frame, or at the time that
  * it stands at. */
 #include "base/users.h"
+#include "base/vec.h"
 #include "curve/curve.h"
 #include "document/digest.h"
 #include "document/digest_camera.h"
@@ -30,7 +31,8 @@ typedef struct kept_motion {
 
 typedef struct own_part {
     kept_motion *kept;
-    double time; /* seconds, at which it stands; of nothing that is kept in files */
+    bat_id follows; /* the object whose first curve the root's path lies over; 0: the path is its own */
+    double time;    /* seconds, at which it stands; of nothing that is kept in files */
 } own_part;
 
 static const own_part *part_of(const void *own) { return own; }
@@ -167,8 +169,8 @@ static uint64_t digest_of(const kept_motion *kept) {
 
 /* Makes a new object, or a copy of `object` with another motion, which is taken over on success. */
 static bat_status make(const bat_object *object, bat_id id, const char *name, const bat_style *style,
-                       bat_motion *motion, const double place[PLACE], bat_object **out) {
-    own_part own = {.kept = calloc(1, sizeof *own.kept)};
+                       bat_motion *motion, const double place[PLACE], bat_id follows, bat_object **out) {
+    own_part own = {.kept = calloc(1, sizeof *own.kept), .follows = follows};
     bat_curve **curves = NULL;
     int count = 0;
     if (!own.kept) return BAT_MEMORY;
@@ -185,11 +187,16 @@ static bat_status make(const bat_object *object, bat_id id, const char *name, co
     return status;
 }
 
+static bat_id followed(const bat_object *object) {
+    return part_of(bat_object_own(object, &bat_kind_of_skeleton))->follows;
+}
+
 static bat_status make_of_copy(const bat_object *object, bat_id id, const char *name, const bat_style *style,
                                const bat_motion *motion, const double place[PLACE], bat_object **out) {
+    const bat_id follows = object ? followed(object) : 0;
     bat_motion *copy = NULL;
     bat_status status = bat_motion_copy(motion, &copy);
-    if (status == BAT_OK) status = make(object, id, name, style, copy, place, out);
+    if (status == BAT_OK) status = make(object, id, name, style, copy, place, follows, out);
     if (status != BAT_OK) bat_motion_free(copy);
     return status;
 }
@@ -208,15 +215,14 @@ bat_status bat_object_with_motion(const bat_object *object, const bat_motion *mo
     return make_of_copy(object, 0, NULL, NULL, motion, place, out);
 }
 
-bat_status bat_object_at_time(const bat_object *object, double seconds, bat_object **out) {
-    if (!object || !out) return BAT_ARGUMENT;
-    if (!isfinite(seconds)) return BAT_NUMBER;
-    const void *was = bat_object_own(object, &bat_kind_of_skeleton);
-    if (!was) return BAT_UNSUPPORTED;
-    const own_part own = {.kept = part_of(was)->kept, .time = seconds};
+/* A copy with the same motion, in which only these differ. */
+static bat_status vary(const bat_object *object, bat_id follows, double time, bat_object **out) {
+    const own_part own = {.kept = part_of(bat_object_own(object, &bat_kind_of_skeleton))->kept,
+                          .follows = follows,
+                          .time = time};
     bat_curve **curves = NULL;
     int count = 0;
-    bat_status status = curves_of(own.kept, seconds, &curves, &count);
+    bat_status status = curves_of(own.kept, time, &curves, &count);
     if (status != BAT_OK) return status;
     share(&own);
     status = bat_object_remake(object, &bat_kind_of_skeleton, &own, count, curves, out);
@@ -226,6 +232,13 @@ bat_status bat_object_at_time(const bat_object *object, double seconds, bat_obje
     return status;
 }
 
+bat_status bat_object_at_time(const bat_object *object, double seconds, bat_object **out) {
+    if (!object || !out) return BAT_ARGUMENT;
+    if (!isfinite(seconds)) return BAT_NUMBER;
+    if (!bat_object_own(object, &bat_kind_of_skeleton)) return BAT_UNSUPPORTED;
+    return vary(object, followed(object), seconds, out);
+}
+
 const bat_motion *bat_object_motion(const bat_object *object, double *place) {
     const void *own = bat_object_own(object, &bat_kind_of_skeleton);
     if (!own) return NULL;
@@ -233,10 +246,71 @@ const bat_motion *bat_object_motion(const bat_object *object, double *place) {
     return part_of(own)->kept->motion;
 }
 
+/* ---- what it follows ---- */
+
+/* From the drawing to the motion's own axes; false: the place is flat. */
+static bool inverse_of(const double place[PLACE], double out[PLACE]) {
+    const vec row[3] = {
+        {place[0], place[1], place[2]}, {place[4], place[5], place[6]}, {place[8], place[9], place[10]}};
+    const double volume = vec_dot(row[0], vec_cross(row[1], row[2]));
+    if (!(fabs(volume) > 0)) return false;
+    for (int k = 0; k < 3; k++) {
+        double column[3];
+        vec_store(vec_scale(vec_cross(row[(k + 1) % 3], row[(k + 2) % 3]), 1 / volume), column);
+        for (int i = 0; i < 3; i++) out[4 * i + k] = column[i];
+    }
+    for (int i = 0; i < 3; i++)
+        out[4 * i + 3] = -(out[4 * i] * place[3] + out[4 * i + 1] * place[7] + out[4 * i + 2] * place[11]);
+    return true;
+}
+
+/* A curve of the drawing in the motion's own axes. */
+static bat_status bring_in(const double place[PLACE], const bat_curve *path, bat_curve **out) {
+    double back[PLACE];
+    bat_curve *space = NULL;
+    if (!inverse_of(place, back)) return BAT_SINGULAR;
+    bat_status status = bat_curve_to_dimension(path, 3, &space);
+    if (status == BAT_OK) status = bat_curve_transform(space, back, out);
+    bat_curve_free(space);
+    return status;
+}
+
+/* *out: the motion over that path; NULL: it lies over it already. */
+static bat_status bend(const kept_motion *kept, const bat_curve *path, bat_motion **out) {
+    const bat_shape *bent = kept->motion->bent;
+    bat_curve *own = NULL;
+    *out = NULL;
+    bat_status status = bring_in(kept->place, path, &own);
+    const bool same = status == BAT_OK && bent && bat_curve_is_equal(bat_shape_curve(bent, 0), own);
+    if (status == BAT_OK && !same) status = bat_motion_copy(kept->motion, out);
+    if (status == BAT_OK && !same) status = bat_motion_bend(*out, own);
+    bat_curve_free(own);
+    if (status == BAT_OK) return BAT_OK;
+    bat_motion_free(*out);
+    *out = NULL;
+    return status;
+}
+
+static bat_status follow(const bat_object *object, bat_id id, const bat_curve *path, bat_object **out) {
+    const kept_motion *kept = part_of(bat_object_own(object, &bat_kind_of_skeleton))->kept;
+    bat_motion *made = NULL;
+    *out = NULL;
+    bat_status status = path && id ? bend(kept, path, &made) : BAT_OK;
+    if (status != BAT_OK && status != BAT_MEMORY) id = 0, status = BAT_OK; /* it can't: it lets go */
+    if (status == BAT_OK && made)
+        status = make(object, 0, NULL, NULL, made, kept->place, id, out);
+    else if (status == BAT_OK && id != followed(object))
+        status = vary(object, id, 0, out);
+    if (status != BAT_OK) bat_motion_free(made);
+    return status;
+}
+
 /* ---- what the document asks ---- */
 
 static uint64_t digest(uint64_t digest, const void *own) {
-    return bat_digest_number(digest, part_of(own)->kept->digest);
+    const own_part *part = part_of(own);
+    if (part->follows) digest = bat_digest_number(digest, part->follows);
+    return bat_digest_number(digest, part->kept->digest);
 }
 
 static const char *check(const bat_object *object) {
@@ -269,13 +343,17 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
     bat_style style = bat_style_defaults();
     bat_motion *motion = NULL;
     double place[PLACE];
+    bat_id follows = 0;
     const uint32_t member = bat_json_member(f->json, node, "motion");
     bat_status status = bat_style_from_json(f, node, &style);
+    if (status == BAT_OK) status = bat_fields_id(f, node, "follows", BAT_ID_MAX, &follows);
+    if (status == BAT_OK && follows && follows == id)
+        return bat_fields_complain(f, bat_json_member(f->json, node, "follows"), "follows", "another object");
     if (status == BAT_OK) status = bat_fields_numbers(f, node, "place", PLACE, "12 numbers", place);
     if (status == BAT_OK && !member) return bat_fields_complain(f, node, "motion", "an object");
     if (status == BAT_OK) status = bat_motion_from_json(f->json, member, &motion, f->problem);
     if (status != BAT_OK) return status;
-    status = make(NULL, id, name, &style, motion, place, out);
+    status = make(NULL, id, name, &style, motion, place, follows, out);
     if (status == BAT_OK) return BAT_OK;
     bat_motion_free(motion);
     return bat_fields_say(f, node, status);
@@ -284,6 +362,10 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
 static void write(const bat_object *object, bat_text *text) {
     double place[PLACE];
     const bat_motion *motion = bat_object_motion(object, place);
+    if (followed(object)) {
+        bat_text_string(text, ",\"follows\":");
+        bat_text_integer(text, followed(object));
+    }
     bat_text_string(text, ",\n  \"style\":");
     bat_style_to_json(bat_object_style(object), text);
     bat_text_string(text, ",\n  \"place\":[");
@@ -298,12 +380,14 @@ static void write(const bat_object *object, bat_text *text) {
 const bat_kind_type bat_kind_of_skeleton = {.number = BAT_KIND_SKELETON,
                                             .name = "skeleton",
                                             .traits = BAT_DRAWN | BAT_CURVES | BAT_MADE | BAT_FIXED |
-                                                      BAT_SPACE | BAT_MOVES | BAT_NEW,
+                                                      BAT_SPACE | BAT_MOVES | BAT_NEW | BAT_STAYS,
                                             .size = sizeof(own_part),
                                             .share = share,
                                             .end = end,
                                             .check = check,
                                             .digest = digest,
                                             .transform = transform,
+                                            .followed = followed,
+                                            .follow = follow,
                                             .write = write,
                                             .read = read};

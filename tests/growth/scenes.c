@@ -7,6 +7,7 @@
 
 #include "support/pen.h"
 #include "support/pictures.h"
+#include "support/walker.h"
 
 /* A row of an editor's life: a document, then the commands that lead to the state. */
 static bat_editor *open(bat_document *document, const char *const *commands) {
@@ -588,6 +589,25 @@ static bat_editor *cameras(int n) {
     return editor;
 }
 
+/* A skeleton of n frames, which is selected. */
+static bat_editor *skeleton(int n) {
+    const bat_style style = bat_style_defaults();
+    bat_document *made = document();
+    bat_take *take = walker(3, (size_t)n);
+    bat_motion *motion = NULL;
+    bat_object *object = NULL;
+    const bat_id id = bat_document_new_id(made);
+    if (!take || bat_motion_fit(take, NULL, &motion, NULL) != BAT_OK ||
+        bat_object_create_skeleton(id, "", &style, motion, NULL, &object) != BAT_OK)
+        abort();
+    bat_motion_free(motion), bat_take_free(take);
+    append(made, object, 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    bat_editor_select(editor, id, false);
+    bat_editor_frame(editor);
+    return editor;
+}
+
 static bat_editor *isolated(int n) {
     bat_editor *editor = groups(n);
     bat_editor_command(editor, "isolate");
@@ -600,6 +620,7 @@ const growth_scene growth_scenes[] = {
     {"n rings, ids from the front, half chosen", reversed},
     {"a group of n", group},
     {"a camera along a curve of n points", flight},
+    {"a skeleton of n frames", skeleton},
     {"a camera along a curve of n points, a key chosen", gaze},
     {"n cameras", cameras},
     {"n/4 groups", groups},

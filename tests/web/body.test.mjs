@@ -168,3 +168,54 @@ test('a camera that stands still sees the walk: docked and looked through, scrub
   assert.equal((await state(page)).check, '');
   await context.close();
 });
+
+test('the path of a walk is a curve: laid out by a button, moved by keys, redrawn by a pen, and the walk follows; undone', async (t) => {
+  const server = await serve();
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address, {});
+  await drop(page, 'walk.bvh', walk());
+  await page.waitForSelector('.time:not([hidden])');
+  await quiet(page);
+  const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `body-path-${name}.png`) });
+  const first = await state(page);
+  await page.locator('#stage').focus();
+  await page.keyboard.press('v');
+  await page.keyboard.press('Control+a');
+  await page.click('#actions [data-name="body-path"], #actions [data-command="body-path"]');
+  await quiet(page);
+  const laid = await state(page);
+  assert.notEqual(laid.digest, first.digest);
+  assert.equal(laid.check, '');
+  await shot('laid-out');
+  const seek = (seconds) => page.evaluate((time) => {
+    globalThis.batten.engine.wasm.editor_seek(globalThis.batten.engine.editor, time);
+    globalThis.batten.wake();
+  }, seconds);
+  await seek(1.9);
+  await quiet(page);
+  const before = await page.locator('#overlay').screenshot();
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Shift+ArrowUp');
+  await quiet(page);
+  await shot('raised');
+  const raised = await state(page);
+  assert.notEqual(raised.digest, laid.digest);
+  assert.equal(raised.check, '');
+  assert.notDeepEqual(await page.locator('#overlay').screenshot(), before, 'the body at the playhead has moved');
+  await page.evaluate(() => globalThis.batten.engine.command('tool-sketch'));
+  await hand.stroke([[690, 372], [720, 350], [750, 325], [780, 318], [810, 330], [840, 371]], { pointerType: 'pen' });
+  await quiet(page);
+  await seek(1);
+  await quiet(page);
+  await shot('redrawn');
+  const redrawn = await state(page);
+  assert.notEqual(redrawn.digest, raised.digest);
+  assert.equal(redrawn.check, '');
+  for (let i = 0; i < 8 && (await state(page)).digest !== first.digest; i++) {
+    await page.keyboard.press('Control+z');
+    await quiet(page);
+  }
+  assert.equal((await state(page)).digest, first.digest);
+  await context.close();
+});

@@ -3,6 +3,7 @@
 #include "editor/edit/arrange.h"
 #include "editor/edit/binding.h"
 #include "editor/choice/choice.h"
+#include "editor/commands/body.h"
 #include "editor/commands/surfaces.h"
 #include "editor/commands/wires.h"
 #include "editor/panels/panels.h"
@@ -77,6 +78,7 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_RELEASE: return f->compound > 0;
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
     case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;
+    case BAT_COMMAND_BODY_PATH: return f->roots <= 2 && bat_command_body_path_fits(c);
     case BAT_COMMAND_SURFACE_SWEEP:
     case BAT_COMMAND_SURFACE_RULED:
     case BAT_COMMAND_SURFACE_REVOLVE:

@@ -77,8 +77,8 @@ bat_status bat_transaction_remove(bat_context *c, int index) {
     return before ? add(c, index, before, NULL) : BAT_ARGUMENT;
 }
 
-/* Objects that follow curves go where they go: those that are left are removed at the end, from the last one on, so that
- * indices before them stay. */
+/* Objects that follow curves go where they go: those that are left are removed at the end, or let go, from the last one on, so
+ * that indices before them stay. */
 static bat_status follow(bat_context *c, bool ends) {
     const bat_document *document = c->session->document;
     bat_status status = BAT_OK;
@@ -86,10 +86,16 @@ static bat_status follow(bat_context *c, bool ends) {
     for (int i = bat_document_count(document) - 1; i >= 0 && status == BAT_OK; i--) {
         bat_object *made = NULL;
         if (bat_document_is_left(document, i)) {
-            if (ends) status = bat_transaction_remove(c, i);
-            continue;
+            const bat_object *left = bat_document_at(document, i);
+            if (!ends) continue;
+            if (!bat_object_is(left, BAT_STAYS)) {
+                status = bat_transaction_remove(c, i);
+                continue;
+            }
+            status = bat_object_type(left)->follow(left, 0, NULL, &made);
+        } else {
+            status = bat_document_follower(document, i, &made);
         }
-        status = bat_document_follower(document, i, &made);
         if (status == BAT_OK && made) status = bat_transaction_replace(c, i, made);
         bat_object_release(made);
     }

@@ -2,6 +2,7 @@
 #include "form/camera/camera.h"
 
 #include "base/matrix.h"
+#include "curve/function.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -47,19 +48,14 @@ bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const
 
 /* ---- copies ---- */
 
-static bat_status copy_function(const bat_function *from, bat_function *to) {
-    *to = bat_function_of(from->constant);
-    return from->curve ? bat_curve_copy(from->curve, &to->curve) : BAT_OK;
-}
-
 /* What is a camera's own: all but the path and what is computed of it. */
 static bat_status copy_own(const bat_camera *from, bat_camera *to) {
     const bat_camera_options *o = &from->options;
     to->options = *o;
     to->options.fov = to->options.timing = bat_function_of(0);
     to->options.target_curve = NULL;
-    bat_status status = copy_function(&o->fov, &to->options.fov);
-    if (status == BAT_OK) status = copy_function(&o->timing, &to->options.timing);
+    bat_status status = bat_function_copy(&o->fov, &to->options.fov);
+    if (status == BAT_OK) status = bat_function_copy(&o->timing, &to->options.timing);
     if (status == BAT_OK && o->target_curve)
         status = bat_curve_copy(o->target_curve, (bat_curve **)&to->options.target_curve);
     if (status == BAT_OK) status = bat_rotation_copy(&from->base, &to->base);
