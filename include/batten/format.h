@@ -48,16 +48,17 @@ BAT_API double bat_model_size(const bat_model *model);
 BAT_API bat_status bat_model_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
 BAT_API bat_status bat_model_write(const bat_model *model, char **text, size_t *size);
 /* Wavefront OBJ: faces, and B-spline curves and surfaces ("cstype bspline"). Vertices that only those use are none of
- * the mesh; without faces, points and free forms the vertices are a cloud. BAT_UNSUPPORTED: weights that differ, or a
- * part of a surface. Numbers survive bit for bit. */
+ * the mesh; without faces, points and free forms the vertices are a cloud. BAT_UNSUPPORTED: a
+ * part of a surface. BAT_NUMBER also: weights that are not above 0, or a million times another; with weights that differ a
+ * curve or surface is approximated within a millionth of its size. All other numbers survive bit for bit. */
 BAT_API bat_status bat_obj_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
 BAT_API bat_status bat_obj_write(const bat_model *model, char **text, size_t *size);
 /* IGES 5.3: B-spline curves and surfaces (entities 126, 128), placed by their matrices (124); and STEP (ISO 10303-21),
  * of which AP214 is written: B-spline curves and surfaces of any kind. One unit is a millimetre: other units of a file are
  * converted. A mesh is left out of both. Curves that bound faces are not read, so that trimmed faces come whole; each
  * counts as left out, as whatever else has a shape does; parts of a STEP assembly stay where they were drawn. Curves that
- * lie in z = 0 become planar; but for that, all of a written model comes back bit for bit. Reading: BAT_UNSUPPORTED:
- * weights that differ, several units of length in a STEP file, a binary or compressed IGES file. Writing: BAT_COUNT:
+ * lie in z = 0 become planar; but for that, all of a written model comes back bit for bit. Weights as in
+ * bat_obj_read. Reading: BAT_UNSUPPORTED: several units of length in a STEP file, a binary or compressed IGES file. Writing: BAT_COUNT:
  * neither curve nor surface; BAT_UNSUPPORTED: more than the 9,999,999 lines that IGES can number. */
 BAT_API bat_status bat_iges_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
 BAT_API bat_status bat_iges_write(const bat_model *model, char **bytes, size_t *size);

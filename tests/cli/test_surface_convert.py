@@ -169,7 +169,7 @@ class Convert(ProgramTest):
 
     def test_bad_data(self):
         for text, says in (("v 0 0 nan\n", "line 1"), ("v 0 0 0\nf 1 1 2\n", "line 2"), ("# none\n", "found none"),
-                           ("v 0 0 0\nv 1 0 0 2\ncstype rat bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n", "rational")):
+                           ("v 0 0 0\nv 1 0 0 0\ncstype rat bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n", "weights")):
             out = pathlib.Path(self.file("x.obj", text)).with_name("o.json")
             self.assertIn(says, self.refused(1, "surface", "convert", self.file("x.obj", text), str(out)))
             self.assertFalse(out.exists())

@@ -250,14 +250,9 @@ static bat_status from_control_points(const reading *r, int degree, spline *s) {
     if (s->weights.count > 0 && s->weights.count != count)
         return wrong(r, BAT_COUNT, "expected as many weights as control points, found others");
     settle(r, &s->points);
-    bat_status status;
-    if (bat_weights_are_equal(s->weights.count, s->weights.list)) {
-        status = bat_full_curve(degree, count, s->points.list, s->knots.list, r->out);
-    } else {
-        const double side = bat_full_side(count, s->points.list);
-        status = bat_rational_curve(degree, count, s->points.list, s->weights.list, s->knots.list,
-                                    fmax(1e-6 * side, 1e-300), r->out);
-    }
+    const bat_status status = bat_weighted_curve(degree, count, s->points.list, s->weights.list,
+                                                 s->knots.list, NULL, r->out);
+    if (status == BAT_NUMBER && s->weights.count > 0) return wrong(r, status, BAT_WEIGHTS_EXPECTED);
     return status == BAT_OK ? status : wrong(r, status, bat_status_message(status));
 }
 

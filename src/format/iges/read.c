@@ -1,7 +1,8 @@
-/* Reads IGES 5.3: rational B-spline curves (126) and surfaces (128) whose weights are equal, moved by the matrices (124)
- * that they name. Lengths become millimetres. Curves that bound trimmed surfaces, and curves in the parameters of one,
- * belong to the trims, which are left out. */
+/* Reads IGES 5.3: rational B-spline curves (126) and surfaces (128), moved by the matrices (124) that they name; with weights
+ * that differ they are approximated. Lengths become millimetres. Curves that bound trimmed surfaces, and curves in the
+ * parameters of one, belong to the trims, which are left out. */
 #include "format/iges/iges.h"
+#include "format/model/rational.h"
 #include "format/model/full.h"
 #include "format/model/model.h"
 #include "text/json.h"
@@ -196,7 +197,7 @@ static void place(const parser *p, const double matrix[12], double *points, size
 typedef struct head {
     size_t count[2];
     int degree[2], directions;
-    double *knots[2], *points;
+    double *knots[2], *points, *weights;
 } head;
 
 static bat_status read_head(parser *p, int directions, size_t room, head *out) {
@@ -220,14 +221,16 @@ static bat_status read_head(parser *p, int directions, size_t room, head *out) {
     return status;
 }
 
-/* Room for the knots and points of the head, one after the other. */
+/* Room for the knots, points and weights of the head, one after the other. */
 static bat_status make_room(parser *p, head *h) {
     size_t knots = 0;
     for (int d = 0; d < h->directions; d++) knots += h->count[d] + (size_t)h->degree[d] + 1;
-    h->knots[0] = malloc((knots + 3 * h->count[0] * h->count[1]) * sizeof *h->points);
+    const size_t count = h->count[0] * h->count[1];
+    h->knots[0] = malloc((knots + 4 * count) * sizeof *h->points);
     if (!h->knots[0]) return wrong_here(p, BAT_MEMORY, bat_status_message(BAT_MEMORY));
     h->knots[1] = h->knots[0] + h->count[0] + h->degree[0] + 1;
     h->points = h->knots[0] + knots;
+    h->weights = h->points + 3 * count;
     return BAT_OK;
 }
 
@@ -238,15 +241,11 @@ static bat_status read_to(parser *p, size_t count, double *to) {
     return status;
 }
 
-static bat_status check_weights(parser *p, const head *h) {
+/* Weights that are left out are 1. */
+static bat_status read_weights(parser *p, head *h) {
     const size_t count = h->count[0] * h->count[1];
     bat_status status = read_numbers(p, count, 1);
-    for (size_t i = 0; i < count && status == BAT_OK; i++)
-        if (p->numbers.list[i] != p->numbers.list[0] || p->numbers.list[0] == 0)
-            status = wrong_here(p, BAT_UNSUPPORTED,
-                                h->directions == 1
-                                    ? "126: expected weights that are equal, found a rational curve"
-                                    : "128: expected weights that are equal, found a rational surface");
+    if (status == BAT_OK) memcpy(h->weights, p->numbers.list, count * sizeof *h->weights);
     return status;
 }
 
@@ -254,7 +253,7 @@ static bat_status read_body(parser *p, head *h, double range[4]) {
     bat_status status = make_room(p, h);
     for (int d = 0; d < h->directions && status == BAT_OK; d++)
         status = read_to(p, h->count[d] + (size_t)h->degree[d] + 1, h->knots[d]);
-    if (status == BAT_OK) status = check_weights(p, h);
+    if (status == BAT_OK) status = read_weights(p, h);
     if (status == BAT_OK) status = read_to(p, 3 * h->count[0] * h->count[1], h->points);
     for (int k = 0; k < 2 * h->directions && status == BAT_OK; k++)
         status = read_number(p, k % 2 ? INFINITY : -INFINITY, &range[k]);
@@ -263,12 +262,16 @@ static bat_status read_body(parser *p, head *h, double range[4]) {
     return status;
 }
 
-static bat_status make_curve(parser *p, long line, head *h, const double range[2]) {
+static bat_status refuse(parser *p, long line, bat_status status) {
+    return wrong(p, line, status, status == BAT_NUMBER ? BAT_WEIGHTS_EXPECTED : bat_status_message(status));
+}
+
+static bat_status make_curve(parser *p, long line, const head *h, const double range[2]) {
     bat_curve *curve;
-    bat_status status = bat_full_curve(h->degree[0], h->count[0], h->points, h->knots[0], &curve);
-    if (status != BAT_OK) return wrong(p, line, status, bat_status_message(status));
-    status = bat_full_cut(curve, range, &curve);
-    if (status != BAT_OK) return wrong(p, line, status, "126: expected a part of what the knots give");
+    bat_status status = bat_weighted_curve(h->degree[0], h->count[0], h->points, h->weights, h->knots[0],
+                                           range, &curve);
+    if (status == BAT_PARAMETER) return wrong(p, line, status, "126: expected a part of what the knots give");
+    if (status != BAT_OK) return refuse(p, line, status);
     status = bat_model_add_curve(p->out, curve);
     return status == BAT_OK ? status : wrong(p, line, status, bat_status_message(status));
 }
@@ -278,14 +281,16 @@ static bat_status make_surface(parser *p, long line, const head *h, const double
     const size_t *n = h->count;
     const double *const knots[2] = {h->knots[0], h->knots[1]};
     bat_surface *surface;
-    double *rows = malloc(3 * n[0] * n[1] * sizeof *rows);
+    double *rows = malloc(4 * n[0] * n[1] * sizeof *rows), *weights = rows ? rows + 3 * n[0] * n[1] : NULL;
     if (!rows) return wrong(p, line, BAT_MEMORY, bat_status_message(BAT_MEMORY));
     for (size_t i = 0; i < n[0]; i++)
-        for (size_t j = 0; j < n[1]; j++)
+        for (size_t j = 0; j < n[1]; j++) {
             memcpy(rows + 3 * (i * n[1] + j), h->points + 3 * (j * n[0] + i), 3 * sizeof *rows);
-    bat_status status = bat_full_surface(h->degree, n, rows, knots, &surface);
+            weights[i * n[1] + j] = h->weights[j * n[0] + i];
+        }
+    bat_status status = bat_weighted_surface(h->degree, n, rows, weights, knots, &surface);
     free(rows);
-    if (status != BAT_OK) return wrong(p, line, status, bat_status_message(status));
+    if (status != BAT_OK) return refuse(p, line, status);
     if (!bat_full_is_whole(surface, BAT_U, range) || !bat_full_is_whole(surface, BAT_V, range + 2)) {
         bat_surface_free(surface);
         return wrong(p, line, BAT_UNSUPPORTED, "128: expected the whole of a surface, found a part of it");

@@ -113,14 +113,18 @@ static bat_status assemble(rational *r, bat_curve **out) {
 }
 
 bat_status bat_rational_curve(int degree, size_t count, const double *points, const double *weights,
-                              const double *knots, double tolerance, bat_curve **out) {
+                              const double *knots, const double range[2], double tolerance, bat_curve **out) {
     rational r = {.tolerance = tolerance};
     if (count <= (size_t)degree || count > BAT_POINTS_MAX) return BAT_COUNT;
     if (!(tolerance > 0) || !(weights[0] > 0)) return BAT_NUMBER;
     bat_status status = create(degree, count, points, weights, knots, &r);
-    for (size_t i = (size_t)degree; i < count && status == BAT_OK; i++)
-        if (knots[i] < knots[i + 1]) status = follow(&r, knots[i], knots[i + 1], HALVINGS);
-    if (status == BAT_OK && r.points.list) status = assemble(&r, out);
+    for (size_t i = (size_t)degree; i < count && status == BAT_OK; i++) {
+        const double from = range ? fmax(knots[i], range[0]) : knots[i];
+        const double to = range ? fmin(knots[i + 1], range[1]) : knots[i + 1];
+        if (from < to) status = follow(&r, from, to, HALVINGS);
+    }
+    if (status == BAT_OK && r.segments == 0) status = BAT_PARAMETER;
+    if (status == BAT_OK) status = assemble(&r, out);
     bat_curve_free(r.over), bat_curve_free(r.under);
     bat_numbers_clear(&r.points);
     return status;

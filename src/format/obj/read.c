@@ -2,6 +2,7 @@
  * or surface is written as one with as many points and knots repeated as its degree, and is recognised as closed again. */
 #include "document/format.h"
 #include "format/model/full.h"
+#include "format/model/rational.h"
 #include "format/obj/lines.h"
 #include "format/obj/obj.h"
 #include "text/json.h"
@@ -144,48 +145,64 @@ static bat_status read_name(parser *p) {
 
 /* ---- curves and surfaces ---- */
 
-/* The points of the element, 3 numbers each. */
-static bat_status gather(parser *p, double *points, const char *message) {
-    const double *first = NULL;
+/* An element's points, 3 numbers each, and weights; NULL: it has none. */
+typedef struct net {
+    size_t count;
+    double *points, *weights;
+} net;
+
+static bat_status gather(parser *p, const net *n) {
     bat_status status = BAT_OK;
-    for (size_t i = 0; i < p->indices.count && status == BAT_OK; i++) {
+    for (size_t i = 0; i < n->count && status == BAT_OK; i++) {
         const double *v = p->vertices.list + 4 * (size_t)p->indices.list[i];
-        if (!first) first = v;
-        if (p->rational && (v[3] != first[3] || v[3] == 0)) return wrong(p, BAT_UNSUPPORTED, message);
-        memcpy(points + 3 * i, v, 3 * sizeof *points);
+        memcpy(n->points + 3 * i, v, 3 * sizeof *v);
+        if (n->weights) n->weights[i] = v[3];
         status = add(p, &p->shaping, p->indices.list[i]);
     }
     return status;
 }
 
-static bat_status make_curve(parser *p, double *points, bat_curve **out) {
-    const size_t count = p->indices.count, degree = (size_t)p->degree[0];
-    bat_curve *curve;
-    bat_status status = gather(p, points, "curv: expected weights that are equal, found a rational curve");
-    if (status != BAT_OK) return status;
-    if (count <= degree || p->knots[0].count != count + degree + 1)
-        return wrong(p, BAT_KNOTS, "parm u: expected as many knots as points, degree and one together");
-    status = bat_full_curve(p->degree[0], count, points, p->knots[0].list, &curve);
-    if (status != BAT_OK) return wrong(p, status, bat_status_message(status));
-    status = bat_full_cut(curve, p->domain, out);
-    return status == BAT_OK ? status : wrong(p, status, "curv: expected a part of what the knots give");
+/* Says what is wrong with numbers that make no curve or surface. */
+static bat_status refuse(parser *p, const net *n, const char *word, bat_status status) {
+    char message[160];
+    const bool weights = status == BAT_NUMBER && n->weights;
+    if (status == BAT_PARAMETER) return wrong(p, status, "curv: expected a part of what the knots give");
+    snprintf(message, sizeof message, "%s: %s", word,
+             weights ? BAT_WEIGHTS_EXPECTED : bat_status_message(status));
+    return wrong(p, status, weights ? message : bat_status_message(status));
 }
 
-/* points: in the order of the file, in which u runs first; rows: room for as many. */
-static bat_status make_surface(parser *p, const double *points, double *rows, bat_surface **out) {
-    size_t n[2];
+static bat_status make_curve(parser *p, const net *n, bat_curve **out) {
+    const size_t degree = (size_t)p->degree[0];
+    if (n->count <= degree || p->knots[0].count != n->count + degree + 1)
+        return wrong(p, BAT_KNOTS, "parm u: expected as many knots as points, degree and one together");
+    const bat_status status = bat_weighted_curve(p->degree[0], n->count, n->points, n->weights,
+                                                 p->knots[0].list, p->domain, out);
+    return status == BAT_OK ? status : refuse(p, n, "curv", status);
+}
+
+/* In the file u runs first; rows: room for as many points and weights. */
+static void turn(const net *n, const size_t count[2], const net *rows) {
+    for (size_t i = 0; i < count[0]; i++)
+        for (size_t j = 0; j < count[1]; j++) {
+            const size_t to = i * count[1] + j, from = j * count[0] + i;
+            memcpy(rows->points + 3 * to, n->points + 3 * from, 3 * sizeof *n->points);
+            if (n->weights) rows->weights[to] = n->weights[from];
+        }
+}
+
+static bat_status make_surface(parser *p, const net *n, const net *rows, bat_surface **out) {
+    size_t count[2];
     for (int d = 0; d < 2; d++) {
         const size_t knots = p->knots[d].count, more = (size_t)p->degree[d] + 1;
-        n[d] = knots > more ? knots - more : 0;
+        count[d] = knots > more ? knots - more : 0;
     }
-    if (n[0] == 0 || n[1] == 0 || n[0] > p->indices.count || n[0] * n[1] != p->indices.count)
+    if (count[0] == 0 || count[1] == 0 || count[0] > n->count || count[0] * count[1] != n->count)
         return wrong(p, BAT_KNOTS, "parm: expected knots that fit the number of points and the degrees");
-    for (size_t i = 0; i < n[0]; i++)
-        for (size_t j = 0; j < n[1]; j++)
-            memcpy(rows + 3 * (i * n[1] + j), points + 3 * (j * n[0] + i), 3 * sizeof *rows);
+    turn(n, count, rows);
     const double *const knots[2] = {p->knots[0].list, p->knots[1].list};
-    bat_status status = bat_full_surface(p->degree, n, rows, knots, out);
-    if (status != BAT_OK) return wrong(p, status, bat_status_message(status));
+    bat_status status = bat_weighted_surface(p->degree, count, rows->points, rows->weights, knots, out);
+    if (status != BAT_OK) return refuse(p, n, "surf", status);
     if (bat_full_is_whole(*out, BAT_U, p->domain) && bat_full_is_whole(*out, BAT_V, p->domain + 2))
         return BAT_OK;
     bat_surface_free(*out);
@@ -209,10 +226,10 @@ static bat_status keep_name(parser *p, char ***names, size_t count) {
     return BAT_OK;
 }
 
-static bat_status end_curve(parser *p, double *points) {
+static bat_status end_curve(parser *p, const net *n) {
     bat_model *model = &p->out->model;
     bat_curve *curve = NULL;
-    bat_status status = make_curve(p, points, &curve);
+    bat_status status = make_curve(p, n, &curve);
     if (status != BAT_OK) return status;
     status = keep_name(p, &p->out->curve_names, model->curve_count);
     if (status == BAT_OK && bat_model_add_curve(model, curve) == BAT_OK) return BAT_OK;
@@ -224,11 +241,10 @@ static bat_status end_curve(parser *p, double *points) {
     return no_memory(p);
 }
 
-static bat_status end_surface(parser *p, double *points) {
+static bat_status end_surface(parser *p, const net *n, const net *rows) {
     bat_model *model = &p->out->model;
     bat_surface *surface = NULL;
-    bat_status status = gather(p, points, "surf: expected weights that are equal, found a rational surface");
-    if (status == BAT_OK) status = make_surface(p, points, points + 3 * p->indices.count, &surface);
+    bat_status status = make_surface(p, n, rows, &surface);
     if (status != BAT_OK) return status;
     status = keep_name(p, &p->out->surface_names, model->surface_count);
     if (status == BAT_OK && bat_model_add_surface(model, surface) == BAT_OK) return BAT_OK;
@@ -250,10 +266,15 @@ static bat_status read_end(parser *p) {
     }
     if (p->indices.count > BAT_POINTS_MAX)
         return wrong(p, BAT_COUNT, "end: expected 16777216 points at most, found more");
-    double *points = malloc(6 * p->indices.count * sizeof *points + 1);
-    if (!points) return no_memory(p);
-    bat_status status = what == CURVE ? end_curve(p, points) : end_surface(p, points);
-    free(points);
+    const size_t count = p->indices.count;
+    double *numbers = malloc(8 * count * sizeof *numbers + 1);
+    if (!numbers) return no_memory(p);
+    double *weights = numbers + 6 * count;
+    const net n = {count, numbers, p->rational ? weights : NULL};
+    const net rows = {count, numbers + 3 * count, p->rational ? weights + count : NULL};
+    bat_status status = gather(p, &n);
+    if (status == BAT_OK) status = what == CURVE ? end_curve(p, &n) : end_surface(p, &n, &rows);
+    free(numbers);
     return status;
 }
 

@@ -1,5 +1,6 @@
 /* Reads STEP (ISO 10303-21): the B-spline curves and surfaces of a file, whatever its schema (AP203, AP214, AP242), in
  * millimetres. Trims, placements of parts and every other shape are counted and left out. */
+#include "format/model/rational.h"
 #include "format/step/step.h"
 #include "text/json.h"
 
@@ -101,15 +102,17 @@ static bat_status all_knots(const bat_step_spline *s, int d, size_t count, bat_n
 
 static bat_status make(const parser *p, const bat_step_spline *s, const size_t count[2], double *points,
                        const bat_numbers knots[2]) {
+    const double *weights = s->weights.count > 0 ? s->weights.list : NULL;
     if (s->directions == 1) {
         bat_curve *curve;
-        bat_status status = bat_full_curve((int)s->degree[0], count[0], points, knots[0].list, &curve);
+        bat_status status = bat_weighted_curve((int)s->degree[0], count[0], points, weights, knots[0].list,
+                                               NULL, &curve);
         return status == BAT_OK ? bat_model_add_curve(p->out, curve) : status;
     }
     bat_surface *surface;
     const int degree[2] = {(int)s->degree[0], (int)s->degree[1]};
     const double *const lists[2] = {knots[0].list, knots[1].list};
-    bat_status status = bat_full_surface(degree, count, points, lists, &surface);
+    bat_status status = bat_weighted_surface(degree, count, points, weights, lists, &surface);
     return status == BAT_OK ? bat_model_add_surface(p->out, surface) : status;
 }
 
@@ -122,12 +125,6 @@ static bat_status check(const parser *p, const bat_step_instance *of, const bat_
         return wrong(p, of, BAT_COUNT, "expected 16777216 points at most, found more");
     if (w->count > 0 && w->count != s->points.count)
         return wrong(p, of, BAT_COUNT, "expected as many weights as points, found others");
-    for (size_t i = 0; i < w->count; i++)
-        if (w->list[i] != w->list[0] || w->list[0] == 0)
-            return wrong(p, of, BAT_UNSUPPORTED,
-                         s->directions == 1
-                             ? "RATIONAL_B_SPLINE_CURVE: expected weights that are equal, found others"
-                             : "RATIONAL_B_SPLINE_SURFACE: expected weights that are equal, found others");
     return BAT_OK;
 }
 
@@ -150,7 +147,8 @@ static bat_status add_spline(const parser *p, const bat_step_instance *of, const
     if (status == BAT_OK || said) return status;
     return wrong(p, of, status,
                  status == BAT_KNOTS ? "expected knots that fit the points and the degree, found others"
-                                     : bat_status_message(status));
+                 : status == BAT_NUMBER && s->weights.count > 0 ? BAT_WEIGHTS_EXPECTED
+                                                                : bat_status_message(status));
 }
 
 static bat_status read_one(const parser *p, const bat_step_instance *instance) {

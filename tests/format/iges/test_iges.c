@@ -185,6 +185,36 @@ static void a_part(void **state) {
     bat_model_clear(&m);
 }
 
+/* A quarter of a circle of radius 2, a part of one, and of a cylinder, 6 high. */
+static void rational(void **state) {
+    (void)state;
+#define WEIGHT ".70710678118654757"
+    static const entity list[] = {
+        {126, 0, "00000000",
+         "126,2,2,0,0,0,0,0.,0.,0.,1.,1.,1.,1.," WEIGHT ",1.,2.,0.,0.,2.,2.,0.,0.,2.,0.;"},
+        {126, 0, "00000000",
+         "126,2,2,0,0,0,0,0.,0.,0.,1.,1.,1.,1.," WEIGHT ",1.,2.,0.,0.,2.,2.,0.,0.,2.,0.,.5,1.;"},
+        {128, 0, "00000000",
+         "128,2,1,2,1,0,0,0,0,0,0.,0.,0.,1.,1.,1.,0.,0.,1.,1.,1.," WEIGHT ",1.,1.," WEIGHT
+         ",1.,2.,0.,0.,2.,2.,0.,0.,2.,0.,2.,0.,6.,2.,2.,6.,0.,2.,6.,0.,1.,0.,1.;"}};
+    bat_model m = read(file_of(USUAL, list, 3));
+    double domain[2], p[3];
+    for (int k = 0; k < 2; k++) {
+        bat_curve_domain(m.curves[k], domain);
+        for (int i = 0; i <= 20; i++) {
+            bat_curve_eval(m.curves[k], domain[0] + (domain[1] - domain[0]) * i / 20, 0, p);
+            assert_true(fabs(hypot(p[0], p[1]) - 2) < 2e-6);
+        }
+        bat_curve_eval(m.curves[k], domain[0], 0, p);
+        assert_true(fabs(p[0] - (k ? sqrt(2) : 2)) < 1e-9);
+    }
+    for (int i = 0; i <= 20; i++) {
+        bat_surface_eval(m.surfaces[0], i / 20.0, 0.25, 0, p);
+        assert_true(fabs(hypot(p[0], p[1]) - 2) < 6e-6 && fabs(p[2] - 1.5) < 1e-12);
+    }
+    bat_model_clear(&m);
+}
+
 static void refusals(void **state) {
     (void)state;
 #define SURFACE_HEAD "128,1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,"
@@ -194,11 +224,11 @@ static void refusals(void **state) {
         bat_status status;
         const char *place, *says;
     } cases[] = {
-        {{126, 0, "", "126,1,1,0,0,0,0,0.,0.,1.,1.,1.,2.,0.,0.,0.,1.,2.,0.;"},
-         BAT_UNSUPPORTED,
+        {{126, 0, "", "126,1,1,0,0,0,0,0.,0.,1.,1.,1.,-2.,0.,0.,0.,1.,2.,0.;"},
+         BAT_NUMBER,
          "line 5",
-         "rational"},
-        {{128, 0, "", SURFACE_HEAD "1.,.5," POINTS "0.,1.,0.,1.;"}, BAT_UNSUPPORTED, "line 5", "rational"},
+         "weights"},
+        {{128, 0, "", SURFACE_HEAD "1.,0.," POINTS "0.,1.,0.,1.;"}, BAT_NUMBER, "line 5", "weights"},
         {{128, 0, "", SURFACE_HEAD "1.,1.," POINTS "0.,.5,0.,1.;"}, BAT_UNSUPPORTED, "line 5", "part"},
         {{126, 0, "", "126,8,8,0,0,1,0,0.;"}, BAT_DEGREE, "line 5", "degree from 1 to 7"},
         {{126, 0, "", "126,1,1,0,0,1,0,0.,0.,1.,1.,1.,1.,0.,0.,0.,1.;"}, BAT_COUNT, "line 5", "fewer"},
@@ -297,9 +327,9 @@ static void each_allocation(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(there_and_back), cmocka_unit_test(free_form),
-                                       cmocka_unit_test(units),          cmocka_unit_test(other_entities),
-                                       cmocka_unit_test(a_part),         cmocka_unit_test(refusals),
-                                       cmocka_unit_test(bad_files),      cmocka_unit_test(each_allocation)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(there_and_back), cmocka_unit_test(free_form), cmocka_unit_test(units),
+        cmocka_unit_test(other_entities), cmocka_unit_test(a_part),    cmocka_unit_test(rational),
+        cmocka_unit_test(refusals),       cmocka_unit_test(bad_files), cmocka_unit_test(each_allocation)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

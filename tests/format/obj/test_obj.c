@@ -120,8 +120,8 @@ static void refusals(void **unused) {
         {"v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 3\n", "line 5", BAT_SYNTAX},
         {"v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1\nend\n", "line 7", BAT_KNOTS},
         {"v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 0\nend\n", "line 7", BAT_KNOTS},
-        {"v 0 0 0\nv 1 0 0 2\ncstype rat bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n", "line 7",
-         BAT_UNSUPPORTED},
+        {"v 0 0 0\nv 1 0 0 0\ncstype rat bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n", "line 7",
+         BAT_NUMBER},
         {"v nan 0 0\n", "line 1", BAT_SYNTAX},
         {"v 0 0 0\nv 1e999 0 0\n", "line 2", BAT_NUMBER},
         {"v 0 0 0\nv 1 0 0\nf 1 2 -3\n", "line 3", BAT_SYNTAX},
@@ -134,10 +134,10 @@ static void refusals(void **unused) {
          "1\n"
          "parm v 0 0 1 1\nend\n",
          "line 10", BAT_UNSUPPORTED},
-        {"v 0 0 0\nv 1 0 0\nv 0 1 0 2\nv 1 1 1\ncstype rat bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 "
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0 -2\nv 1 1 1\ncstype rat bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 "
          "0 1 "
          "1\nparm v 0 0 1 1\nend\n",
-         "line 10", BAT_UNSUPPORTED},
+         "line 10", BAT_NUMBER},
         {"surf 0 1 0\n", "line 1", BAT_SYNTAX}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bat_document *document = NULL;

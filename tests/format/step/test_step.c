@@ -199,8 +199,8 @@ static void refusals(void **state) {
         {BEGIN LINE "#3=B_SPLINE_CURVE_WITH_KNOTS('',1,(#1,*),.U.,.F.,.F.," KNOTS END, BAT_SYNTAX, "line 8",
          "a point"},
         {BEGIN LINE "#3=(B_SPLINE_CURVE(1,(#1,#2),.U.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((2,2),(0.,1.),.U.)\n"
-                    "RATIONAL_B_SPLINE_CURVE((1.,2.)));\n" END,
-         BAT_UNSUPPORTED, "line 8", "RATIONAL_B_SPLINE_CURVE"},
+                    "RATIONAL_B_SPLINE_CURVE((1.,0.)));\n" END,
+         BAT_NUMBER, "line 8", "weights"},
         {BEGIN "#1=CARTESIAN_POINT('',(0.,1.E80,0.));\n#2=CARTESIAN_POINT('',(0.,0.,0.));\n" CURVE END,
          BAT_NUMBER, "line 6", "1e75"},
         {BEGIN "#1=CARTESIAN_POINT('',(0.,0.,0.,0.));\n#2=CARTESIAN_POINT('',(0.,0.,0.));\n" CURVE END,
