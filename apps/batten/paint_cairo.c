@@ -188,6 +188,45 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
     return BAT_OK;
 }
 
+/* Groups that are translucent as a whole, as far as they have been begun: the outermost first. */
+typedef struct layers {
+    struct {
+        bat_id id;
+        double opacity;
+    } open[BAT_NESTING_MAX];
+    int depth;
+} layers;
+
+/* What follows is painted for itself, in no more of the picture than the group's contents can reach. */
+static void begin_layer(cairo_t *cairo, const bat_document *document, int index, layers *l) {
+    const bat_object *group = bat_document_at(document, index);
+    double box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY}, room = 2, across = 0;
+    for (int i = index + 1; i < bat_document_end(document, index); i++)
+        grow(bat_document_at(document, i), box);
+    cairo_device_to_user_distance(cairo, &room, &across);
+    cairo_save(cairo);
+    cairo_new_path(cairo);
+    if (box[0] <= box[2])
+        cairo_rectangle(cairo, box[0] - room, box[1] - room, box[2] - box[0] + 2 * room,
+                        box[3] - box[1] + 2 * room);
+    cairo_clip(cairo);
+    cairo_push_group(cairo);
+    l->open[l->depth].id = bat_object_id(group);
+    l->open[l->depth++].opacity = bat_object_style(group)->opacity;
+}
+
+/* Ends the groups that the next object is not in. */
+static void end_layers(cairo_t *cairo, const bat_nesting *nesting, layers *l) {
+    for (bool in = false; l->depth > 0 && !in;) {
+        for (int i = 0; nesting && i < nesting->depth; i++)
+            in = in || nesting->open[i].id == l->open[l->depth - 1].id;
+        if (in) return;
+        cairo_pop_group_to_source(cairo);
+        cairo_paint_with_alpha(cairo, l->open[--l->depth].opacity);
+        cairo_restore(cairo);
+    }
+}
+
 static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area,
                         uint32_t background, bool *whole) {
     if (background & 255) {
@@ -200,18 +239,24 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
     cairo_scale(cairo, scale, scale);
     cairo_translate(cairo, -area->view[0], -area->view[1]);
     bat_nesting nesting = {0};
-    for (int i = 0; i < bat_document_count(document); i++) {
+    layers translucent = {.depth = 0};
+    bat_status status = BAT_OK;
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
+        const bat_object *object = bat_document_at(document, i);
         bat_nesting_level level = {0};
-        bat_nesting_next(&nesting, bat_document_at(document, i), &level);
-        if (level.hidden || !bat_object_is_painted(bat_document_at(document, i))) continue;
-        if (bat_object_is_foreign(bat_document_at(document, i))) {
-            *whole = paint_foreign(cairo, bat_document_at(document, i)) && *whole;
-            continue;
-        }
-        bat_status status = paint_object(cairo, bat_document_at(document, i), 0.05 / scale);
-        if (status != BAT_OK) return status;
+        bat_nesting_next(&nesting, object, &level);
+        end_layers(cairo, &nesting, &translucent);
+        if (level.hidden) continue;
+        if (bat_object_is_group(object) && bat_object_style(object)->opacity < 1)
+            begin_layer(cairo, document, i, &translucent);
+        if (!bat_object_is_painted(object)) continue;
+        if (bat_object_is_foreign(object))
+            *whole = paint_foreign(cairo, object) && *whole;
+        else
+            status = paint_object(cairo, object, 0.05 / scale);
     }
-    return BAT_OK;
+    end_layers(cairo, NULL, &translucent);
+    return status;
 }
 
 const char *paint_document(const bat_document *document, const paint_area *area, picture_kind kind,

@@ -94,6 +94,7 @@ void space_view_of(const bat_document *document, int width, int height, bat_view
 typedef struct picture {
     const bat_viewpoint *view;
     bat_look look;
+    const bat_document *document;
     line_sheet sheet;
 } picture;
 
@@ -186,7 +187,8 @@ static bat_status draw_object(const bat_object *object, void *user) {
     const bat_style *style = bat_object_style(object);
     uint32_t colour = style->stroked ? style->stroke : style->fill;
     if (!style->stroked && !style->filled) return BAT_OK;
-    colour = (colour & ~(uint32_t)255) | (uint32_t)((colour & 255) * style->opacity + 0.5);
+    colour = (colour & ~(uint32_t)255) |
+             (uint32_t)((colour & 255) * bat_seen_opacity(p->document, object) + 0.5);
     const line_pen pen = {colour, style->stroked ? width_of(p, style) : p->sheet.unit, true};
     bat_status status = BAT_OK;
     for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++)
@@ -208,6 +210,7 @@ static void put_background(cairo_t *cairo, uint32_t colour) {
 
 static const char *paint(cairo_t *cairo, const bat_document *document, picture *p,
                          const bat_shading *shading) {
+    p->document = document;
     p->sheet = (line_sheet){.cairo = cairo, .view = p->view, .shading = shading};
     p->sheet.unit = picture_unit(p->view);
     if (p->look != BAT_LOOK_LINES) {

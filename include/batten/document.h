@@ -92,7 +92,8 @@ BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat
 BAT_API bat_status bat_object_create_spline(bat_id id, const char *name, const bat_style *style,
                                             const bat_spline *spline, const bat_tangents_options *options,
                                             bat_object **out);
-/* An empty container; objects in it name it as their parent. layer: true makes a layer, false a group. */
+/* An empty container; objects in it name it as their parent. layer: true makes a layer, false a group. Its style's opacity is
+ * that of all that it holds, painted as one picture. */
 BAT_API bat_status bat_object_create_group(bat_id id, const char *name, bool layer, bat_object **out);
 /* A picture placed by {a, b, c, d, e, f}: its pixel (x, y) lies at (a x + c y + e, b x + d y + f). Retains the
  * picture. Of a style only the opacity applies to an image. BAT_NUMBER: the matrix is not finite or is singular;
@@ -192,8 +193,8 @@ BAT_API bat_status bat_object_with_state(const bat_object *object, bool hidden, 
                                          bat_object **out);
 /* A copy with another id: a duplicate. */
 BAT_API bat_status bat_object_with_id(const bat_object *object, bat_id id, bat_object **out);
-/* A copy with one other curve (ownership is taken), or with another style (of an image only the opacity;
- * groups, guides and planes have none, and stay as they are). With another curve a spline becomes a path, and the
+/* A copy with one other curve (ownership is taken), or with another style (of an image, and of a group as a
+ * whole, only the opacity; guides and planes have none, and stay as they are). With another curve a spline becomes a path, and the
  * curve no longer has levels. */
 BAT_API bat_status bat_object_with_curve(const bat_object *object, int index, bat_curve *curve,
                                          bat_object **out);

@@ -194,10 +194,11 @@ static const bat_object *outside(const bat_document *document, const bat_object 
 
 bat_nesting_level bat_document_level(const bat_document *document, int index) {
     const bat_object *object = bat_document_at(document, index);
-    bat_nesting_level level = {bat_object_id(object), bat_object_is(object, BAT_LAYER), false, false};
+    bat_nesting_level level = {bat_object_id(object), bat_object_is(object, BAT_LAYER), false, false, 1};
     for (int depth = 0; object && depth <= BAT_NESTING_MAX; depth++) {
         level.hidden = level.hidden || bat_object_is_hidden(object);
         level.locked = level.locked || bat_object_is_locked(object);
+        if (bat_object_is_group(object)) level.around *= bat_object_style(object)->opacity;
         object = outside(document, object);
     }
     return level;

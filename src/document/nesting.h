@@ -11,6 +11,7 @@ typedef struct bat_nesting_level {
     bat_id id;
     bool layer;
     bool hidden, locked; /* itself, or a group that it is in */
+    double around; /* the product of the opacities of the groups that it is in; of a group: its own, too */
 } bat_nesting_level;
 
 /* All zeros at the beginning of the list. */

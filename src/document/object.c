@@ -238,7 +238,8 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     }
     if (bat_object_is(object, BAT_CURVES))
         copy->head.style = *style;
-    else if (bat_object_is(object, BAT_DRAWN)) /* what paints nothing has no style, and files store none */
+    else if (bat_object_is(object, BAT_DRAWN) ||
+             bat_object_is(object, BAT_HOLDS)) /* what paints nothing has no style, and files store none */
         copy->head.style.opacity = style->opacity;
     *out = copy;
     return BAT_OK;

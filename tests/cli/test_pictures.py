@@ -87,6 +87,13 @@ FILES = {
                     for y, c in ((20, "butt"), (50, "round"), (80, "square"))),
     "miter limit": '<path d="M10 80L50 20L60 80" fill="none" stroke="#246" stroke-width="9" stroke-miterlimit="1.5"/>',
     "opacity over fill and stroke": BOX + 'fill="#e80" stroke="#246" stroke-width="14" opacity=".5"/>',
+    "group, translucent": f'<g opacity=".5">{BOX}fill="#e80" stroke="#246" stroke-width="14"/>{STAR}fill="#0a5"/></g>',
+    "groups within": f'{STAR}fill="#e80"/><g opacity=".6" transform="rotate(9)"><g style="opacity:.5">{BOX}fill="#a40"/>{STAR}/></g>'
+                     f'{WAVE}/><g id="n" opacity=".3">{BOX}/></g></g>{WAVE}transform="translate(0,20)"/>',
+    "group, in style sheets": f'<style>.h{{opacity:.4}}</style><g class="h">{BOX}fill="#a40"/>{STAR}fill="#246"/></g>',
+    "group, copied": f'<g id="s" opacity=".5">{BOX}fill="#a40"/>{STAR}fill="#246"/></g><use href="#s" opacity=".7" x="30" y="20"/>',
+    "group, with a filter": f'<filter id="f"><feOffset dx="9"/></filter><g opacity=".5">{BOX}fill="#a40"/>{STAR}fill="#246" '
+                            'filter="url(#f)"/></g>',
     "style, within": f'<style>.a rect,.a>path{{fill:#0a5}} g .b{{fill:#a40}} .a > .b{{stroke:#246;stroke-width:6}}</style><g class="a">'
                      f'<g><rect width="30" height="20"/>{BOX}/></g><path class="b" d="M40 50H90V90H40Z"/></g>',
     "style, not": f'<style>path:not(.b){{fill:#a40}} :not(.b):not(svg):first-child+g{{fill:red}} #c:not([fill]){{stroke:#0a5}}</style>'

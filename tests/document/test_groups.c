@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <batten/batten.h>
+#include "document/document.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -220,11 +221,44 @@ static void svg_groups_go_out(void **unused) {
     bat_document_free(document);
 }
 
+/* A group's opacity: in files of the newest version only, in the digest, for all that is in it. */
+static void opacity_is_of_the_whole(void **unused) {
+    (void)unused;
+    bat_document *document = nested(), *back = NULL;
+    const uint64_t before = bat_document_digest(document);
+    char *text;
+    size_t size;
+    assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
+    assert_memory_equal(text, "{\"batten\":1", 11);
+    bat_free(text);
+    const bat_object *group = bat_document_at(document, 0);
+    bat_style style = *bat_object_style(group);
+    bat_object *faded;
+    style.opacity = 0.25;
+    assert_int_equal(bat_object_with_style(group, &style, &faded), BAT_OK);
+    bat_document_replace(document, 0, faded);
+    bat_object_release(faded);
+    assert_true(bat_document_digest(document) != before);
+    assert_true(bat_document_level(document, 1).around == 0.25);
+    assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
+    assert_memory_equal(text, "{\"batten\":6", 11);
+    assert_int_equal(bat_document_read(text, size, &back, NULL), BAT_OK);
+    assert_true(bat_document_digest(back) == bat_document_digest(document));
+    assert_true(bat_object_style(bat_document_at(back, 0))->opacity == 0.25);
+    bat_document_free(back);
+    char *wrong = strstr(text, "\"opacity\":0.25");
+    wrong[strlen("\"opacity\":")] = '7';
+    assert_int_equal(bat_document_read(text, size, &back, NULL), BAT_SYNTAX);
+    bat_free(text);
+    bat_document_free(document);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ends_and_invariants), cmocka_unit_test(digest_tells_them_apart),
-        cmocka_unit_test(native_keeps_all),    cmocka_unit_test(too_deep),
-        cmocka_unit_test(svg_groups_come_in),  cmocka_unit_test(svg_groups_go_out),
+        cmocka_unit_test(ends_and_invariants),     cmocka_unit_test(digest_tells_them_apart),
+        cmocka_unit_test(native_keeps_all),        cmocka_unit_test(too_deep),
+        cmocka_unit_test(svg_groups_come_in),      cmocka_unit_test(svg_groups_go_out),
+        cmocka_unit_test(opacity_is_of_the_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -196,7 +196,8 @@ static void every_copy_keeps_it(void **state) {
         bat_style other = *bat_object_style(object);
         other.opacity = 0.25;
         assert_int_equal(bat_object_with_style(object, &other, &copy), BAT_OK);
-        assert_true((bat_object_style(copy)->opacity == 0.25) == bat_object_is_drawn(object));
+        assert_true((bat_object_style(copy)->opacity == 0.25) ==
+                    (bat_object_is_drawn(object) || bat_object_is_group(object)));
         become(&copy, NULL);
         assert_int_equal(bat_object_with_name(object, bat_object_name(object), &copy), BAT_OK);
         same_head(copy, object, ID, PARENT);

@@ -73,3 +73,33 @@ test('a gradient is moved with its curve, and undone', async (t) => {
   await quiet(page);
   assert.equal(await page.evaluate(() => globalThis.batten.engine.digest()), before);
 });
+
+const GROUPS = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300">
+<g opacity=".5"><rect x="20" y="20" width="100" height="100" fill="#f00"/><rect x="70" y="20" width="100" height="100" fill="#00f"/>
+<g opacity=".5"><rect x="20" y="150" width="100" height="100" fill="#f00"/><rect x="70" y="150" width="100" height="100" fill="#00f"/>
+</g></g></svg>`;
+
+test('groups are translucent as one picture', async (t) => {
+  const server = await serve({ name: 'groups.svg', bytes: Buffer.from(GROUPS) });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address, { colorScheme: 'light' });
+  await page.waitForFunction(() => globalThis.batten.painter.paints);
+  await quiet(page);
+  const points = [[40, 60, [255, 128, 128]], [90, 60, [128, 128, 255]], [150, 60, [128, 128, 255]],
+    [40, 200, [255, 191, 191]], [90, 200, [191, 191, 255]], [10, 10, [255, 255, 255]]];
+  const check = async () => {
+    const found = await stillColours(page, points);
+    points.forEach(([x, y, expected], i) => {
+      const far = Math.max(...expected.map((value, k) => Math.abs(value - found[i][k])));
+      assert.ok(far <= 3, `${x} ${y}: expected ${expected}, found ${found[i]}`);
+    });
+  };
+  await check();
+  await page.keyboard.press('v'); // what is repainted in part is the same
+  await page.mouse.click(...await place(page, 40, 60));
+  await page.keyboard.press('Shift+ArrowDown');
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Escape');
+  await quiet(page);
+  await check();
+});

@@ -1,5 +1,5 @@
-// Painting objects with gradients, dashes and uneven pens, and those that are translucent as a whole. Fetched with a drawing's first
-// such object.
+// Painting objects with gradients, dashes and uneven pens, those that are translucent as a whole, and pictures. Fetched with a
+// drawing's first such object.
 
 import { Cap, Flag, Join, names } from '../engine/codes.js';
 
@@ -14,6 +14,7 @@ const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
 const PERIODS = 256; // at most so often is a gradient repeated
 const HAIRLINE = 0.75; // as in paint.js
 const [PAD, REFLECT] = [0, 1]; // bat_spread
+const CORNERS = 13; // numbers in the path around a picture
 
 /** @type {WeakMap<Float32Array, Paint>} */
 const known = new WeakMap();
@@ -185,7 +186,7 @@ function drawAll(context, item, shape, zoom, theme, flat, opacity) {
 
 /**
  * An object whose fill must not be seen through its stroke is painted in a layer, which then is translucent as a whole.
- * @param {CanvasRenderingContext2D} context @param {Item} item @param {Path2D} shape @param {number} zoom
+ * @param {Context} context @param {Item} item @param {Path2D} shape @param {number} zoom
  * @param {Theme} theme @param {boolean} flat without its stroke
  */
 export function drawPainted(context, item, shape, zoom, theme, flat) {
@@ -193,9 +194,18 @@ export function drawPainted(context, item, shape, zoom, theme, flat) {
     drawAll(context, item, shape, zoom, theme, flat, item.opacity);
     return;
   }
+  drawLayer(context, item, [item.x0, item.y0, item.x1, item.y1], (layer) => drawAll(layer, item, shape, zoom, theme, flat, 1));
+}
+
+/**
+ * What is painted in a layer is then translucent as a whole.
+ * @param {Context} context @param {Item} item @param {number[]} box what of its bounds is wanted @param {(layer: Context) => void} draw
+ */
+export function drawLayer(context, item, box, draw) {
   const matrix = context.getTransform();
-  const corners = [[item.x0, item.y0], [item.x1, item.y0], [item.x1, item.y1], [item.x0, item.y1]]
-    .map(([x, y]) => matrix.transformPoint({ x, y }));
+  const [x0, y0] = [Math.max(item.x0, box[0]), Math.max(item.y0, box[1])];
+  const [x1, y1] = [Math.min(item.x1, box[2]), Math.min(item.y1, box[3])];
+  const corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].map(([x, y]) => matrix.transformPoint({ x, y }));
   const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
   const [left, top] = [Math.max(0, Math.floor(Math.min(...xs)) - 1), Math.max(0, Math.floor(Math.min(...ys)) - 1)];
   const width = Math.min(context.canvas.width, Math.ceil(Math.max(...xs)) + 1) - left;
@@ -206,11 +216,34 @@ export function drawPainted(context, item, shape, zoom, theme, flat) {
   const layer = new OffscreenCanvas(width, height);
   const to = /** @type {OffscreenCanvasRenderingContext2D} */ (layer.getContext('2d'));
   to.setTransform(new DOMMatrix().translate(-left, -top).multiply(matrix));
-  drawAll(to, item, shape, zoom, theme, flat, 1);
+  draw(to);
   context.save();
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.globalAlpha = item.opacity;
   context.drawImage(layer, left, top);
+  context.restore();
+}
+
+/**
+ * Draws a picture between its corners.
+ * @param {Context} context @param {Item} item @param {Float32Array} path around the corners: command, x, y each
+ * @param {ImageBitmap | HTMLImageElement} bitmap @param {number} zoom
+ * @param {typeof import('./warp.js').warp | undefined} warp paints it in perspective
+ */
+export function drawPicture(context, item, path, bitmap, zoom, warp) {
+  const [, x, y, , xRight, yRight, , xFar, yFar, , xDown, yDown] = path;
+  const { width, height } = bitmap;
+  context.save();
+  context.globalAlpha = item.opacity;
+  if (warp && (path.length !== CORNERS || Math.hypot(x - xRight + xFar - xDown, y - yRight + yFar - yDown) > 0.1 / zoom)) {
+    if (path.length === CORNERS) { // else it reaches behind the eye
+      warp(context, bitmap, [[x, y], [xRight, yRight], [xFar, yFar], [xDown, yDown]]);
+    }
+    context.restore();
+    return;
+  }
+  context.transform((xRight - x) / width, (yRight - y) / width, (xDown - x) / height, (yDown - y) / height, x, y);
+  context.drawImage(bitmap, 0, 0);
   context.restore();
 }
 

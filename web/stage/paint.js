@@ -8,6 +8,7 @@ import { isPage, isWhole } from '../engine/frame.js';
 /** @typedef {import('../engine/types.js').Frame} Frame */
 /** @typedef {import('../engine/types.js').Item} Item */
 /** @typedef {import('./theme.js').Theme} Theme */
+/** @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context */
 /** @typedef {{ x: number, y: number, zoom: number, angle: number, originX: number, originY: number }} View */
 /** @typedef {{ item: Item, shape: Path2D, weight: number, corners: Float32Array }} Painted */
 
@@ -21,7 +22,6 @@ const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
 /** Numbers in paths that can be painted within a frame; a heavier view is moved first and repainted when idle. */
 const LIGHT = 15000;
 const IDLE = 90; // milliseconds without a move
-const CORNERS = 13; // numbers in the path around a picture
 const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so that they stay visible
 
 /**
@@ -104,7 +104,7 @@ export class Painter {
     this.flat = false;
     /** Paints a picture in perspective. @type {typeof import('./warp.js').warp | undefined} */
     this.warp = undefined;
-    /** Paints an object with gradients; null: being fetched. @type {typeof import('./gradients.js').drawPainted | null | undefined} */
+    /** Paints objects with gradients, layers and pictures; null: being fetched. @type {typeof import('./gradients.js') | null | undefined} */
     this.paints = undefined;
     this.timer = 0;
     /** Requests another frame. */
@@ -240,27 +240,43 @@ export class Painter {
     context.clearRect(x0, y0, x1 - x0, y1 - y0);
     context.setTransform(matrix);
     const [left, top, right, bottom] = around(matrix.inverse(), [x0 - 2, y0 - 2, x1 + 2, y1 + 2]);
-    for (const { item, shape, corners } of this.list) {
-      if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
-        continue;
-      }
-      if (item.role === Role.IMAGE) {
-        this.#drawPicture(context, item, corners, frame.zoom);
-      } else if ((item.paint || (item.opacity < 1 && isWhole(item))) && this.#fetched()) {
-        this.paints?.(context, item, shape, frame.zoom, this.theme, this.flat);
-      } else {
-        this.#draw(context, item, shape, frame.zoom);
-      }
-    }
+    this.#paintItems(context, 0, this.list.length, [left, top, right, bottom], frame.zoom);
     context.restore();
   }
 
-  /** Whether gradients can be painted; else they are fetched. */
+  /**
+   * Paints those of a stretch of the list that reach into the box (relative to the origin).
+   * @param {Context} context @param {number} from @param {number} to @param {number[]} box @param {number} zoom
+   */
+  #paintItems(context, from, to, box, zoom) {
+    const [left, top, right, bottom] = box;
+    for (let i = from; i < to; i++) {
+      const { item, shape, corners } = this.list[i];
+      const held = item.role === Role.GROUP ? item.picture : 0;
+      if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
+        i += held;
+      } else if (held) {
+        const first = i + 1;
+        if (this.#fetched()) {
+          this.paints?.drawLayer(context, item, box, (layer) => this.#paintItems(layer, first, first + held, box, zoom));
+          i += held;
+        }
+      } else if (item.role === Role.IMAGE) {
+        this.#drawPicture(context, item, corners, zoom);
+      } else if ((item.paint || (item.opacity < 1 && isWhole(item))) && this.#fetched()) {
+        this.paints?.drawPainted(context, item, shape, zoom, this.theme, this.flat);
+      } else {
+        this.#draw(context, item, shape, zoom);
+      }
+    }
+  }
+
+  /** Whether gradients and layers can be painted; else they are fetched. */
   #fetched() {
     if (this.paints === undefined) {
       this.paints = null;
-      void import('./gradients.js').then(({ drawPainted }) => {
-        this.paints = drawPainted;
+      void import('./gradients.js').then((paints) => {
+        this.paints = paints;
         this.stale = true;
         this.onidle();
       });
@@ -268,36 +284,16 @@ export class Painter {
     return this.paints;
   }
 
-  /**
-   * Draws a picture between its corners.
-   * @param {CanvasRenderingContext2D} context
-   * @param {Item} item
-   * @param {Float32Array} path around the corners: command, x, y each
-   * @param {number} zoom
-   */
+  /** @param {Context} context @param {Item} item @param {Float32Array} path @param {number} zoom */
   #drawPicture(context, item, path, zoom) {
     const bitmap = this.pictures.get(item.picture);
     if (bitmap === undefined) {
       this.pictures.set(item.picture, null);
       this.onpicture(item.picture);
     }
-    if (!bitmap) {
-      return;
+    if (this.#fetched() && bitmap) {
+      this.paints?.drawPicture(context, item, path, bitmap, zoom, this.warp);
     }
-    const [, x, y, , xRight, yRight, , xFar, yFar, , xDown, yDown] = path;
-    const { width, height } = bitmap;
-    context.save();
-    context.globalAlpha = item.opacity;
-    if (this.warp && (path.length !== CORNERS || Math.hypot(x - xRight + xFar - xDown, y - yRight + yFar - yDown) > 0.1 / zoom)) {
-      if (path.length === CORNERS) { // else it reaches behind the eye
-        this.warp(context, bitmap, [[x, y], [xRight, yRight], [xFar, yFar], [xDown, yDown]]);
-      }
-      context.restore();
-      return;
-    }
-    context.transform((xRight - x) / width, (yRight - y) / width, (xDown - x) / height, (yDown - y) / height, x, y);
-    context.drawImage(bitmap, 0, 0);
-    context.restore();
   }
 
   /** @param {Frame} frame */
@@ -370,7 +366,7 @@ export class Painter {
   }
 
   /**
-   * @param {CanvasRenderingContext2D} context
+   * @param {Context} context
    * @param {Item} item
    * @param {Path2D} shape
    * @param {number} zoom

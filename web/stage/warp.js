@@ -3,7 +3,7 @@
 const CELLS = 24; // along each side
 
 /**
- * @param {CanvasRenderingContext2D} context in drawing coordinates
+ * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} context in drawing coordinates
  * @param {ImageBitmap | HTMLImageElement} bitmap
  * @param {number[][]} corners of the picture as it is seen, around
  */

@@ -322,6 +322,21 @@ static void add_with_parent(bat_listing *listing, const bat_object *object, bat_
     bat_listing_take(listing, placed);
 }
 
+/* A member of a group that is taken apart: it is as translucent as it looked. */
+static void add_freed(bat_listing *listing, const bat_object *object, const bat_object *group) {
+    bat_style style = *bat_object_style(object);
+    const double opacity = bat_object_style(group)->opacity;
+    bat_object *faded = NULL;
+    if (opacity == 1) {
+        add_with_parent(listing, object, bat_object_parent(group));
+        return;
+    }
+    style.opacity *= opacity;
+    if (bat_object_with_style(object, &style, &faded) != BAT_OK) listing->failed = true;
+    if (faded) add_with_parent(listing, faded, bat_object_parent(group));
+    bat_object_release(faded);
+}
+
 bat_status bat_arrange_group(bat_context *c) {
     const bat_document *document = c->session->document;
     int *roots, count, next = 0;
@@ -392,7 +407,7 @@ bat_status bat_arrange_ungroup(bat_context *c) {
         for (int k = i + 1; k < end && !listing.failed; k++) {
             const bat_object *member = bat_document_at(document, k);
             if (bat_object_parent(member) == bat_object_id(object)) {
-                add_with_parent(&listing, member, bat_object_parent(object));
+                add_freed(&listing, member, object);
                 freed[freed_count++] = bat_object_id(member);
             } else {
                 bat_listing_add(&listing, member);

@@ -191,6 +191,15 @@ static bat_solid *take_solid(bat_scene_entry *entry) {
     return solid;
 }
 
+static void dirty_all(bat_scene *scene) {
+    for (int i = 0; i < 4; i++) scene->dirty[i] = i < 2 ? -3e38f : 3e38f;
+}
+
+/* A group that is painted as one picture. */
+static bool is_layer(const bat_object *object) {
+    return bat_object_is_group(object) && bat_object_style(object)->opacity < 1;
+}
+
 /* Makes entries for the document's objects: those that still exist are moved over, the rest are dropped and counted
  * dirty. */
 static bat_status mirror(bat_scene *scene, const bat_document *document) {
@@ -208,6 +217,7 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
             old = found + 1;
         } else {
             entries[i].object = bat_object_retain(object);
+            if (is_layer(object)) dirty_all(scene);
             find_box(scene, &entries[i]);
             found = former(scene, old, object, false); /* replaced: keeps the two walks in step */
             if (found >= 0) old = found + 1;
@@ -216,6 +226,7 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
     }
     for (int i = 0; i < scene->count; i++)
         if (scene->entries[i].object) {
+            if (is_layer(scene->entries[i].object)) dirty_all(scene);
             if (scene->entries[i].path) bat_box_add(scene->dirty, scene->entries[i].item.bounds);
             free_entry(&scene->entries[i]);
         }
@@ -234,13 +245,10 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
         if (entries[i].path && level.hidden != entries[i].hidden)
             bat_box_add(scene->dirty, entries[i].item.bounds);
         entries[i].hidden = level.hidden;
+        entries[i].around = (float)level.around;
         entries[i].locked = level.locked || entries[i].pale;
     }
     return BAT_OK;
-}
-
-static void dirty_all(bat_scene *scene) {
-    for (int i = 0; i < 4; i++) scene->dirty[i] = i < 2 ? -3e38f : 3e38f;
 }
 
 void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation) {
@@ -269,11 +277,35 @@ bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry)
         item.stroke = 0x000000ff;
         item.width = item.opacity = 1;
     }
+    if (scene->tilted && !scene->outline) item.opacity *= entry->around;
     if (entry->pale) item.opacity *= PALE;
     return item;
 }
 
 void bat_scene_stand(bat_scene *scene, double time) { scene->time = time; }
+
+/* The items of groups that are painted as one picture: where they are in the list, until their objects end. */
+typedef struct layers {
+    int item[BAT_NESTING_MAX], end[BAT_NESTING_MAX];
+    int depth;
+} layers;
+
+/* Counts what is in the groups that end before the object of that index. */
+static void end_layers(layers *l, bat_item *items, int index, int count) {
+    for (; l->depth > 0 && l->end[l->depth - 1] <= index; l->depth--) {
+        bat_item *group = &items[l->item[l->depth - 1]];
+        group->picture = (uint32_t)(count - l->item[l->depth - 1] - 1);
+        bat_box_clear(group->bounds);
+        for (uint32_t i = 1; i <= group->picture; i++) bat_box_add(group->bounds, group[i].bounds);
+    }
+}
+
+static bat_item layer_item(bat_scene *scene, const bat_object *object) {
+    return (bat_item){.id = (uint32_t)bat_object_id(object),
+                      .version = ++scene->versions,
+                      .role = BAT_ROLE_GROUP,
+                      .opacity = (float)bat_object_style(object)->opacity};
+}
 
 /* Empties the scene: better than stale entries, whose indices belong to other objects now. */
 static void drop(bat_scene *scene) {
@@ -314,8 +346,16 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
         }
         item_count = 1;
     }
+    layers open = {.depth = 0};
     for (int i = 0; i < count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
+        end_layers(&open, items, i, item_count);
+        if (!entry->hidden && !scene->tilted && !scene->outline && is_layer(entry->object) &&
+            open.depth < BAT_NESTING_MAX) {
+            open.item[open.depth] = item_count;
+            open.end[open.depth++] = bat_document_end(document, i);
+            items[item_count++] = layer_item(scene, entry->object);
+        }
         if (entry->hidden || !bat_object_is_drawn(entry->object)) continue;
         scene->surfaces = scene->surfaces || bat_object_surface(entry->object) ||
                           bat_object_mesh(entry->object);
@@ -332,6 +372,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
             items[item_count].opacity *= PALE;
         item_count++;
     }
+    end_layers(&open, items, count, item_count);
     free(scene->items);
     scene->items = items;
     scene->item_count = item_count;

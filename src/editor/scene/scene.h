@@ -28,6 +28,7 @@ typedef struct bat_scene_entry {
     bat_item item;
     bool hidden, locked;   /* the object or a group that contains it; what is not isolated counts as locked */
     bool pale;             /* not isolated */
+    float around;          /* bat_nesting_level */
     bat_scene_line *lines; /* one per curve; NULL until requested */
     struct bat_solid *solid; /* scene/solid.h: its buffers in space; NULL until requested */
 } bat_scene_entry;

@@ -124,7 +124,7 @@ static void add_triangles(bat_space *space, bat_space_item *to, const bat_scene_
                            .version = s->version,
                            .kind = BAT_SPACE_TRIANGLES,
                            .colour = style->filled ? style->fill : 0,
-                           .opacity = entry->pale ? 0.2F : (float)style->opacity,
+                           .opacity = entry->pale ? 0.2F : (float)style->opacity * entry->around,
                            .rows = (uint32_t)mesh.rows,
                            .columns = (uint32_t)mesh.columns,
                            .index_count = (uint32_t)(3 * mesh.triangle_count),

@@ -270,6 +270,7 @@ static void write_pictures(const bat_document *document, bool all, bat_text *tex
  * module while a drawing is opened. */
 static bool is_new(const bat_object *object) {
     return bat_object_is(object, BAT_NEW) || bat_object_relief(object) ||
+           (bat_object_is_group(object) && bat_object_style(object)->opacity != 1) ||
            (bat_object_sources(object, NULL) > 0 && bat_object_wires(object, NULL, NULL) > 0);
 }
 

@@ -24,6 +24,11 @@ bat_status bat_seen_each(const bat_document *document,
     return BAT_OK;
 }
 
+double bat_seen_opacity(const bat_document *document, const bat_object *object) {
+    const int index = bat_document_find(document, bat_object_id(object));
+    return bat_object_style(object)->opacity * bat_document_level(document, index).around;
+}
+
 static bool lies_in_page(const bat_curve *curve) {
     const double *points = bat_curve_points(curve);
     if (bat_curve_dimension(curve) == 2) return true;
@@ -75,20 +80,22 @@ static bat_status add_object(const bat_object *object, void *user) {
     if (surface || (!style->stroked && !style->filled)) return BAT_OK;
     for (int k = 0; k < bat_object_curve_count(object); k++) {
         c->styles[c->scene.curve_count] = style;
+        c->opacities[c->scene.curve_count] = bat_seen_opacity(c->document, object);
         c->curves[c->scene.curve_count++] = bat_object_curve(object, k);
     }
     return BAT_OK;
 }
 
 bat_status bat_seen_draw(const bat_document *document, const bat_viewpoint *view, bat_seen_content *out) {
-    *out = (bat_seen_content){.view = view};
+    *out = (bat_seen_content){.view = view, .document = document};
     size_t curves = 1;
     for (int i = 0; i < bat_document_count(document); i++)
         curves += (size_t)bat_object_curve_count(bat_document_at(document, i));
     out->surfaces = malloc(((size_t)bat_document_count(document) + 1) * sizeof *out->surfaces);
     out->curves = malloc(curves * sizeof *out->curves);
     out->styles = malloc(curves * sizeof *out->styles);
-    if (!out->surfaces || !out->curves || !out->styles) return BAT_MEMORY;
+    out->opacities = malloc(curves * sizeof *out->opacities);
+    if (!out->surfaces || !out->curves || !out->styles || !out->opacities) return BAT_MEMORY;
     out->scene.surfaces = out->surfaces, out->scene.curves = out->curves;
     bat_seen_each(document, add_object, out);
     return bat_line_drawing_create(view, &out->scene, &out->lines);
@@ -99,6 +106,7 @@ void bat_seen_clear(bat_seen_content *content) {
     free((void *)content->surfaces);
     free((void *)content->curves);
     free((void *)content->styles);
+    free(content->opacities);
     *content = (bat_seen_content){.view = NULL};
 }
 
@@ -116,7 +124,7 @@ bat_seen_pen bat_seen_pen_of(const bat_seen_content *c, const bat_seen_line *lin
     if (line->kind == BAT_LINE_CURVE) {
         const bat_style *style = c->styles[line->source];
         const uint32_t colour = style->stroked ? style->stroke : style->fill;
-        p.colour = (colour & ~(uint32_t)255) | (uint32_t)((colour & 255) * style->opacity + 0.5);
+        p.colour = (colour & ~(uint32_t)255) | (uint32_t)((colour & 255) * c->opacities[line->source] + 0.5);
         p.width = style->stroked ? fmin(fmax(style->width / pixel_of(c->view), 1), 6) : 1;
     }
     if (line->hidden) p.width *= 0.6, p.colour = (p.colour & ~(uint32_t)255) | (p.colour & 255) / 2;

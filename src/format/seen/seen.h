@@ -8,6 +8,8 @@
 /* Calls `visit` for each object that pictures show, until it does not return BAT_OK. */
 bat_status bat_seen_each(const bat_document *document,
                          bat_status (*visit)(const bat_object *object, void *user), void *user);
+/* How much of an object is seen through: its own opacity and those of the groups that it is in. O(depth log objects). */
+double bat_seen_opacity(const bat_document *document, const bat_object *object);
 /* Whether all of the object lies in the page, z = 0; whether anything that is shown does not. */
 bool bat_seen_in_page(const bat_object *object);
 bool bat_seen_in_space(const bat_document *document);
@@ -21,6 +23,8 @@ typedef struct bat_seen_content {
     const bat_surface **surfaces;
     const bat_curve **curves;
     const bat_style **styles;
+    double *opacities; /* of curve i, with that of the groups around it */
+    const bat_document *document;
     bat_line_scene scene;
     const bat_viewpoint *view;
     bat_line_drawing *lines; /* owned */

@@ -99,6 +99,37 @@ static bool copy_tag(const bat_svg_walk *w, uint32_t element, bat_text *out) {
     return true;
 }
 
+static bool fades(const bat_svg_walk *w, uint32_t element) {
+    for (int i = 0; i < w->depth; i++)
+        if (w->active[i] == element) return w->fades[i];
+    return false;
+}
+
+/* The same for a group of the document around it, which has the opacity. */
+static bool copy_opaque(const bat_svg_walk *w, uint32_t element, bat_text *out) {
+    static const char opaque[] = "opacity:1!important;";
+    const size_t from = out->size;
+    if (!copy_tag(w, element, out) || out->failed) return false;
+    bat_text tag = {0};
+    bat_text_add(&tag, out->data + from, out->size - from);
+    bool styled = false, good = !tag.failed;
+    if (good) {
+        bat_svg_piece piece;
+        const size_t name = 1 + bat_svg_tag_name(tag.data, tag.size);
+        size_t at = name;
+        while (!styled && bat_svg_next_piece(tag.data, tag.size, &at, &piece))
+            styled = piece.equal - piece.name == 5 && memcmp(tag.data + piece.name, "style", 5) == 0;
+        const size_t put = styled ? piece.value : name;
+        out->size = from + put;
+        if (!styled) bat_text_string(out, " style=\"");
+        bat_text_string(out, opaque);
+        if (!styled) bat_text_string(out, "\"");
+        bat_text_add(out, tag.data + put, tag.size - put);
+    }
+    bat_text_free(&tag);
+    return good;
+}
+
 static void write_numbers(const double *numbers, int count, bat_text *out) {
     for (int i = 0; i < count; i++) {
         if (i > 0) bat_text_string(out, " ");
@@ -160,7 +191,8 @@ static bool write_way(const bat_svg_walk *w, uint32_t element, bat_text *out) {
     for (uint32_t at = element; at > 1 && depth < BAT_SVG_DEPTH; at = tag_of(w, at)->parent)
         way[depth++] = at;
     bool good = true;
-    for (int i = depth - 1; i >= 0 && good; i--) good = copy_tag(w, way[i], out);
+    for (int i = depth - 1; i >= 0 && good; i--)
+        good = i > 0 && fades(w, way[i]) ? copy_opaque(w, way[i], out) : copy_tag(w, way[i], out);
     good = good && copy(w, tag_of(w, element)->body, tag_of(w, element)->close, out);
     for (int i = 0; i < depth && good; i++)
         good = copy(w, tag_of(w, way[i])->close, tag_of(w, way[i])->end, out);

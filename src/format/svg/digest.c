@@ -34,6 +34,10 @@ uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_s
     return digest;
 }
 
+uint64_t bat_svg_digest_group(uint64_t digest, double opacity) {
+    return bat_digest_double(bat_digest_number(digest, 2), opacity);
+}
+
 uint64_t bat_svg_digest_image(uint64_t digest, const bat_picture *picture, const double matrix[6],
                               double opacity) {
     digest = bat_digest_number(digest, bat_picture_digest(picture));

@@ -8,6 +8,8 @@
 /* Adds one drawn object: its outline in user units and the visible part of its style and paint (NULL: none). */
 uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_style *style,
                         const bat_paint *paint);
+/* A group that is translucent as a whole; before all that is in it. */
+uint64_t bat_svg_digest_group(uint64_t digest, double opacity);
 uint64_t bat_svg_digest_image(uint64_t digest, const bat_picture *picture, const double matrix[6],
                               double opacity);
 /* The page as written: the document's own, or, when it has none, the box of the drawing with its strokes. */

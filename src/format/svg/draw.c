@@ -21,7 +21,8 @@ static void draw_kind(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
         return;
     }
     if (ways[kind]) ways[kind](w, element, s);
-    if (s->style.opacity < 1 && w->put > before + 1) bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
+    if (kind != BAT_SVG_GROUP && s->style.opacity < 1 && w->put > before + 1)
+        bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
 }
 
 static bool has_pattern(const bat_svg_walk *w, const bat_svg_paint *paint) {
@@ -101,8 +102,9 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
     }
     const bool copied = w->copied;
     const int place = w->place;
-    bat_svg_place(w, element, outer, s.matrix);
+    bat_svg_place(w, element, outer, &s);
     w->copied = copied || kind == BAT_SVG_USE;
+    w->fades[w->depth] = false;
     w->active[w->depth++] = element;
     w->unseen += !shown;
     draw_whole(w, element, &s, copied);
@@ -140,7 +142,8 @@ void bat_svg_draw_root(bat_svg_walk *w) {
         bat_svg_note(&w->notes, 1, BAT_LOSS_INVISIBLE);
         return;
     }
-    bat_svg_place(w, 1, &none, s.matrix);
+    bat_svg_place(w, 1, &none, &s);
+    w->fades[w->depth] = false;
     w->active[w->depth++] = 1;
     bat_svg_draw_children(w, 1, &s);
     w->depth--;

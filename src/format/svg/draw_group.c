@@ -2,9 +2,39 @@
 #include "document/document.h"
 #include "document/kind.h"
 #include "document/nesting.h"
+#include "format/svg/digest.h"
 #include "format/svg/walk.h"
 
 #include <string.h>
+
+/* The opacity is part of what is drawn, whether the group will be needed or not. */
+static bat_status make_group(bat_svg_walk *w, uint32_t element, bat_id id, bool layer, double opacity,
+                             bat_object **out) {
+    bat_object *plain = NULL;
+    bat_status status = bat_object_create_group(id, bat_svg_find_name(w, element), layer, &plain);
+    if (status != BAT_OK || opacity == 1) {
+        *out = plain;
+        return status;
+    }
+    bat_style style = *bat_object_style(plain);
+    style.opacity = opacity;
+    if (!w->unseen) w->digest = bat_svg_digest_group(w->digest, opacity);
+    status = bat_object_with_style(plain, &style, out);
+    bat_object_release(plain);
+    return status;
+}
+
+/* The only member of a group that is not needed has its opacity. */
+static void fade_member(bat_svg_walk *w, int index, double opacity) {
+    const bat_object *object = bat_document_at(w->document, index);
+    bat_style style = *bat_object_style(object);
+    bat_object *faded = NULL;
+    style.opacity *= opacity;
+    const bat_status status = bat_object_with_style(object, &style, &faded);
+    if (faded) bat_document_replace(w->document, index, faded);
+    bat_object_release(faded);
+    if (status != BAT_OK && w->status == BAT_OK) w->status = status;
+}
 
 /* A group in the file becomes a group in the document when it is a layer, has several members, or has one
  * member and a name or is hidden or locked. The others only carry a transform or a style. */
@@ -14,12 +44,14 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     const bat_object *outer = bat_document_at(w->document, bat_document_find(w->document, w->group));
     bool layer = mode && !strcmp(mode, "layer") && (!outer || bat_object_is(outer, BAT_LAYER));
     if (w->groups == BAT_NESTING_MAX) {
+        const long before = w->put;
         bat_svg_draw_children(w, element, s);
+        if (s->style.opacity < 1 && w->put > before + 1) bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
         return;
     }
     bat_id above = w->group, own = bat_document_new_id(w->document);
     int index = bat_document_count(w->document), members = w->members + 1;
-    bat_status status = bat_object_create_group(own, bat_svg_find_name(w, element), layer, &group);
+    bat_status status = make_group(w, element, own, layer, s->opacity, &group);
     if (status != BAT_OK) {
         w->status = status;
         return;
@@ -29,7 +61,10 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     w->group = own;
     w->members = 0;
     w->groups++;
-    bat_svg_draw_children(w, element, s);
+    bat_svg_scope inner = *s;
+    inner.opacity = 1;
+    w->fades[w->depth - 1] = s->style.opacity < 1;
+    bat_svg_draw_children(w, element, &inner);
     w->groups--;
     w->group = above;
     const bat_object *made = bat_document_at(w->document, index);
@@ -43,6 +78,7 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
             w->status = bat_object_with_parent(bat_document_at(w->document, index), above, &moved);
             if (moved) bat_document_replace(w->document, index, moved);
             bat_object_release(moved);
+            if (s->opacity < 1) fade_member(w, index, s->opacity);
         }
     }
     w->members = members;

@@ -77,6 +77,28 @@ static bat_status note_lost(const bat_svg_walk *w, bat_sourced *list, int count)
     return BAT_OK;
 }
 
+/* What each entry has from the elements around it: their opacities, apart from those of groups of the document. */
+static bat_status note_opacities(const bat_svg_walk *w, const bat_document *document, bat_sourced *list,
+                                 int count) {
+    const bat_svg_tree *tree = w->tree;
+    double *within = malloc(tree->count * sizeof *within);
+    int at = 0;
+    if (!within) return BAT_MEMORY;
+    within[0] = 1;
+    for (uint32_t i = 1; i < tree->count; i++) {
+        const double around = within[tree->elements[i].parent];
+        bool group = false;
+        for (; at < count && list[at].element <= i; at++) {
+            const bat_object *object = bat_document_at(document, bat_document_find(document, list[at].id));
+            list[at].opacity = around;
+            group = group || (object && !list[at].copied && bat_object_is_group(object));
+        }
+        within[i] = group ? 1 : around * (w->opacities ? w->opacities[i] : 1);
+    }
+    free(within);
+    return BAT_OK;
+}
+
 bat_status bat_svg_keep(const bat_svg_reader *reader, const bat_svg_walk *w, bool native,
                         bat_document *document) {
     bat_svg_tags tags = {0};
@@ -101,7 +123,8 @@ bat_status bat_svg_keep(const bat_svg_reader *reader, const bat_svg_walk *w, boo
     double page[4];
     bat_document_page(document, page);
     bat_source *source = NULL;
-    status = note_lost(w, w->places, count);
+    status = note_opacities(w, document, w->places, count);
+    if (status == BAT_OK) status = note_lost(w, w->places, count);
     if (status != BAT_OK) return status;
     for (int i = 0; i < count; i++) {
         const bat_object *object = bat_document_at(document, bat_document_find(document, w->places[i].id));

@@ -76,8 +76,12 @@ static void drop_element(bat_svg_patch *p, uint32_t element) {
     const bool holds = bat_svg_is_called(&p->plan, element, "g") ||
                        bat_svg_is_called(&p->plan, element, "a") ||
                        bat_svg_is_called(&p->plan, element, "svg");
-    if (holds && !is_bare(p, element)) return;
     const size_t made = p->made.size;
+    if (holds && !is_bare(p, element)) {
+        if (bat_svg_patch_group_tag(p, element))
+            bat_svg_patch_edit(p, made, tag->open, tag->body - tag->open);
+        return;
+    }
     size_t from = tag->open;
     if (plan->fate[element] & BAT_SVG_NEEDED)
         copy_element(p, tag);

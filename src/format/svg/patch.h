@@ -47,6 +47,8 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
 /* Writes the gradients that the element cannot go on referring to, and gives their ids. */
 bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry,
                                     bool apart);
+/* The same for the element of a group that is gone, where others are left in it. */
+bool bat_svg_patch_group_tag(bat_svg_patch *p, uint32_t element);
 /* A number with which no id of gradients is taken in the file. */
 int bat_svg_patch_number(bat_svg_patch *p);
 void bat_svg_patch_page(bat_svg_patch *p);

@@ -26,7 +26,7 @@ static bool look_in(const bat_svg_plan *plan, uint32_t element, spot *s) {
         if (entry->element > last) break;
         if (entry->element == element) {
             memcpy(s->outer, entry->inner, sizeof s->outer);
-            s->opacity = entry->opacity * (entry->id && entry->style.opacity < 1 ? entry->style.opacity : 1);
+            s->opacity = entry->id ? 1 : entry->opacity; /* a group has its own for what is in it */
         }
         if (entry->element <= element || plan->tags.list[entry->element].parent != element) continue;
         memcpy(s->outer, entry->outer, sizeof s->outer);
@@ -40,10 +40,12 @@ static bool look_in(const bat_svg_plan *plan, uint32_t element, spot *s) {
 static bool find_spot(const bat_svg_plan *plan, bat_id parent, uint32_t below, uint32_t above, spot *s) {
     const bat_svg_tag *tags = plan->tags.list;
     const uint32_t group = bat_svg_plan_group(plan, parent);
+    const bool within = above && bat_svg_plan_holds(plan, group, above);
+    if (within && below && !bat_svg_plan_holds(plan, group, below)) below = 0;
     uint32_t at = below ? below : above;
     s->in = group;
     s->at = tags[group].close;
-    if (at && !below && !bat_svg_plan_holds(plan, group, above)) at = 0;
+    if (at && !below && !within) at = 0;
     if (at) {
         while (tags[at].parent != group && tags[at].parent > 1 &&
                !(below && above && bat_svg_plan_holds(plan, tags[at].parent, above)))
@@ -53,6 +55,20 @@ static bool find_spot(const bat_svg_plan *plan, bat_id parent, uint32_t below, u
     }
     if (s->in == 0 || tags[s->in].body == tags[s->in].end) return false; /* it has no inside */
     return look_in(plan, s->in, s);
+}
+
+/* The opacities of groups around an object that it is not written in. */
+static double missing(const bat_svg_plan *plan, const bat_object *object, uint32_t in) {
+    double product = 1;
+    for (int depth = 0; depth < BAT_NESTING_MAX && bat_object_parent(object); depth++) {
+        const int index = bat_document_find(plan->document, bat_object_parent(object));
+        if (index < 0) break;
+        const bat_sourced *entry = bat_svg_plan_entry(plan, index);
+        object = bat_document_at(plan->document, index);
+        if (!entry || !bat_svg_plan_holds(plan, entry->element, in))
+            product *= bat_object_style(object)->opacity;
+    }
+    return product;
 }
 
 static bool is_identity(const double m[6]) {
@@ -167,6 +183,8 @@ static void write_group(bat_svg_patch *p, int index, int end, const spot *s) {
         bat_text_string(&p->made, "<g");
         bat_svg_write_name(&p->made, " data-name=\"", bat_object_name(object));
         bat_svg_write_state(&p->made, object);
+        if (bat_object_style(object)->opacity != 1)
+            bat_svg_write_number(&p->made, " opacity=\"", bat_object_style(object)->opacity);
         bat_text_string(&p->made, ">");
         open[depth++] = bat_document_end(document, i);
     }
@@ -211,6 +229,7 @@ void bat_svg_patch_new(bat_svg_patch *p) {
             p->status = BAT_UNSUPPORTED;
             break;
         }
+        s.opacity /= fmax(missing(plan, object, s.in), 1e-9);
         const size_t from = p->made.size;
         const bool behind = below != 0;
         if (behind) write_indent(p, &s, false);

@@ -145,6 +145,11 @@ static void set_paint(bat_svg_retag *r, bool fill, bool painted, uint32_t colour
         set_number(r, fill ? "fill-opacity" : "stroke-opacity", floor((colour & 0xff) / 0.255 + 0.5) / 1000);
 }
 
+/* What the element says itself of an object's opacity. */
+static double share_of(double opacity, const bat_sourced *entry) {
+    return entry->opacity > 0 ? fmin(1, opacity / entry->opacity) : opacity;
+}
+
 /* all: whatever the element does not say itself is said. */
 static void set_style(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool all,
                       const bat_svg_ids *ids) {
@@ -181,8 +186,7 @@ static void set_style(bat_svg_retag *r, const bat_object *object, const bat_sour
             (all && !bat_svg_retag_says(r, "stroke-dasharray")))
             set_dashes(r, bat_object_paint(object), scale);
     }
-    if (now->opacity != was->opacity || all)
-        set_number(r, "opacity", entry->opacity > 0 ? fmin(1, now->opacity / entry->opacity) : now->opacity);
+    if (now->opacity != was->opacity || all) set_number(r, "opacity", share_of(now->opacity, entry));
 }
 
 static void set_state(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool hidden) {
@@ -297,13 +301,37 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
             const bat_status status = set_shape(&r, object, entry);
             if (status != BAT_OK) p->status = status;
         }
-    }
+    } else if (bat_object_style(object)->opacity != entry->style.opacity)
+        set_number(&r, "opacity", share_of(bat_object_style(object)->opacity, entry));
     set_state(&r, object, entry, bat_object_is_hidden(object) || hides);
     if (anonymous) bat_svg_retag_set(&r, "id", NULL);
     const bool changed = bat_svg_retag_changed(&r);
     if (changed) bat_svg_retag_write(&r, &p->made);
     bat_svg_retag_free(&r);
     return changed;
+}
+
+/* A group that is no longer one has given its opacity to what was in it. */
+bool bat_svg_patch_group_tag(bat_svg_patch *p, uint32_t element) {
+    const bat_svg_plan *plan = &p->plan;
+    const bat_svg_tag *tag = &plan->tags.list[element];
+    int low = 0, high = bat_source_count(plan->source);
+    while (low < high) { /* the first one of this element */
+        const int middle = (low + high) / 2;
+        if (bat_source_at(plan->source, middle)->element < element)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const bat_sourced *own = low < bat_source_count(plan->source) ? bat_source_at(plan->source, low) : NULL;
+    if (!own || own->element != element || !own->id || own->style.opacity == 1) return false;
+    bat_svg_retag r;
+    bat_svg_retag_begin(&r, plan->text + tag->open, tag->body - tag->open, plan->types, plan->types_size,
+                        plan->sheets);
+    set_number(&r, "opacity", 1);
+    bat_svg_retag_write(&r, &p->made);
+    bat_svg_retag_free(&r);
+    return true;
 }
 
 /* A shape that has become a path ends as one. */

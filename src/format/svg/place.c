@@ -21,15 +21,29 @@ static bat_sourced *add(bat_svg_walk *w) {
     return made;
 }
 
-void bat_svg_place(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, const double inner[6]) {
+/* All are opaque as long as nothing else is known. */
+static bool note_opacity(bat_svg_walk *w, uint32_t element, double opacity) {
+    if (!w->opacities) {
+        w->opacities = malloc(w->tree->count * sizeof *w->opacities);
+        for (uint32_t i = 0; w->opacities && i < w->tree->count; i++) w->opacities[i] = 1;
+    }
+    if (w->opacities) w->opacities[element] = opacity;
+    return w->opacities != NULL;
+}
+
+void bat_svg_place(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer,
+                   const bat_svg_scope *inner) {
     if (!w->keeps || w->copied) return;
     bat_sourced *made = add(w);
-    if (!made) return;
+    if (!made || !note_opacity(w, element, inner->style.opacity)) {
+        w->status = BAT_MEMORY;
+        return;
+    }
     w->place = w->place_count - 1;
     made->element = element;
-    made->opacity = outer->opacity;
+    made->opacity = 1;
     memcpy(made->outer, outer->matrix, sizeof made->outer);
-    memcpy(made->inner, inner, sizeof made->inner);
+    memcpy(made->inner, inner->matrix, sizeof made->inner);
 }
 
 void bat_svg_place_object(bat_svg_walk *w, const bat_object *object) {

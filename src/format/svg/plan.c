@@ -60,7 +60,11 @@ static void touch_edited(bat_svg_plan *plan) {
     for (int i = 0; i < plan->count; i++) {
         const bat_object *object = bat_document_at(plan->document, i);
         const bat_sourced *entry = bat_svg_plan_entry(plan, i);
-        if (!entry || entry->copied || bat_object_is_group(object)) continue;
+        if (!entry || entry->copied) continue;
+        if (bat_object_is_group(object)) {
+            if (bat_svg_restyled(object, entry)) plan->fate[entry->element] |= BAT_SVG_TOUCHED;
+            continue;
+        }
         const bool hidden = bat_object_is_hidden(object) || plan->hidden[i];
         if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) || hidden != entry->hidden)
             plan->fate[entry->element] |= BAT_SVG_TOUCHED;

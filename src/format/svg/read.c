@@ -140,6 +140,7 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
     if (status == BAT_OK && reader->source && !reader->drawn)
         status = bat_svg_keep(reader, w, report->native, document);
     free(w->places);
+    free(w->opacities);
     bat_svg_stand_free(w);
     bat_outline_free(&w->outline);
     bat_pictures_free(&w->pictures);

@@ -52,6 +52,7 @@ struct bat_svg_walk {
     bat_pictures pictures; /* of the images drawn */
     uint64_t digest;
     uint32_t active[BAT_SVG_DEPTH]; /* elements being drawn, outermost first */
+    bool fades[BAT_SVG_DEPTH];      /* of each: it became a group, which has its opacity */
     int depth;
     long drawn, tried, put;
     bat_id group; /* the group being read; 0: none */
@@ -68,6 +69,7 @@ struct bat_svg_walk {
     double page[4];
     /* What each element became, when the file is kept (place.c). */
     bool keeps, copied; /* it is; what is drawn now is drawn from another place */
+    double *opacities;  /* of elements, their own */
     bat_sourced *places;
     int place_count, place_room;
     int place;         /* index of the place of the element being drawn */
@@ -88,7 +90,7 @@ bat_svg_way bat_svg_draw_children;
 
 /* ---- place.c: where things come from ---- */
 /* The element's place; what is drawn until the next call with another element belongs to it. */
-void bat_svg_place(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, const double inner[6]);
+void bat_svg_place(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, const bat_svg_scope *inner);
 void bat_svg_place_object(bat_svg_walk *w, const bat_object *object);
 
 /* ---- walk.c, paint.c: style ---- */

@@ -57,7 +57,8 @@ static bat_status find_ids(const bat_document *document, bool *unique) {
     return BAT_OK;
 }
 
-static void open_group(bat_text *text, const bat_object *object, bool as_id) {
+static void open_group(bat_text *text, const bat_object *object, bool as_id, bool hidden, uint64_t *digest) {
+    const double opacity = bat_object_style(object)->opacity;
     bool layer = bat_object_is(object, BAT_LAYER);
     bat_text_string(text, layer ? "<g inkscape:groupmode=\"layer\"" : "<g");
     bat_svg_write_name(text,
@@ -66,6 +67,10 @@ static void open_group(bat_text *text, const bat_object *object, bool as_id) {
                                : " data-name=\"",
                        bat_object_name(object));
     bat_svg_write_state(text, object);
+    if (opacity != 1) {
+        bat_svg_write_number(text, " opacity=\"", opacity);
+        if (!hidden) *digest = bat_svg_digest_group(*digest, opacity);
+    }
     bat_text_string(text, ">\n");
 }
 
@@ -154,7 +159,7 @@ static bat_status write_objects(const bat_document *document, bat_text *text, ui
         bat_nesting_next(&nesting, object, &level);
         for (int k = nesting.depth - group; k < before; k++) bat_text_string(text, "</g>\n");
         if (group)
-            open_group(text, object, unique[i]);
+            open_group(text, object, unique[i], level.hidden, digest);
         else if (bat_object_picture(object))
             write_image(text, object, unique[i], level.hidden, digest);
         else if (bat_object_is_painted(object))

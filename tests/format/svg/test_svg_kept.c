@@ -323,6 +323,12 @@ static const bat_object *next_painted(const bat_document *document, int *at) {
     return NULL;
 }
 
+/* Its opacity with that of all that it is in. */
+static double seen_through(const bat_document *document, int index) {
+    return bat_object_style(bat_document_at(document, index))->opacity *
+           bat_document_level(document, index).around;
+}
+
 static void expect_same_picture(const bat_document *one, const bat_document *other) {
     int i = 0, k = 0;
     for (;;) {
@@ -340,9 +346,51 @@ static void expect_same_picture(const bat_document *one, const bat_document *oth
         if (s->stroked) assert_int_equal(s->stroke, t->stroke);
         if (s->filled) assert_int_equal(s->fill, t->fill);
         if (s->stroked) assert_true(fabs(s->width - t->width) < 1e-9 * s->width);
-        assert_true(fabs(s->opacity - t->opacity) < 1e-9);
+        assert_true(fabs(seen_through(one, i - 1) - seen_through(other, k - 1)) < 1e-9);
         assert_int_equal(is_hidden(one, a), is_hidden(other, b));
     }
+}
+
+/* A translucent group keeps its element and attribute whatever is edited in it; taken apart, its members have the opacity. */
+static void groups_keep_their_opacity(void **state) {
+    (void)state;
+    const char *file =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 90 90'><g opacity='.5'><text>a</text>"
+        "<path d='M0 0L9 9'/><path d='M9 0L0 9' opacity='.4'/></g></svg>";
+    bat_document *document = opened(file);
+    const int first = bat_document_count(document) - 2;
+    assert_true(bat_object_is_group(bat_document_at(document, 0)));
+    paint(document, first, 0xff0000ff, 3);
+    char *text = written(document, false);
+    assert_non_null(strstr(text, "<g opacity='.5'><text>"));
+    assert_non_null(strstr(text, "<path d='M9 0L0 9' opacity='.4'/>"));
+    bat_free(text);
+    bat_style style = *bat_object_style(bat_document_at(document, 0));
+    bat_object *made;
+    style.opacity = 0.75;
+    assert_int_equal(bat_object_with_style(bat_document_at(document, 0), &style, &made), BAT_OK);
+    bat_document_replace(document, 0, made);
+    bat_object_release(made);
+    text = written(document, false);
+    assert_non_null(strstr(text, "<g opacity='0.75'><text>"));
+    bat_free(text);
+    for (int i = 1; i < bat_document_count(document); i++) {
+        bat_object *free_one;
+        style = *bat_object_style(bat_document_at(document, i));
+        style.opacity *= 0.75;
+        assert_int_equal(bat_object_with_parent(bat_document_at(document, i), 0, &free_one), BAT_OK);
+        assert_int_equal(bat_object_with_style(free_one, &style, &made), BAT_OK);
+        bat_document_replace(document, i, made);
+        bat_object_release(made);
+        bat_object_release(free_one);
+    }
+    bat_document_remove(document, 0);
+    text = written(document, false);
+    bat_document *seen = opened(text);
+    expect_same_picture(document, seen);
+    bat_document_free(seen);
+    bat_free(text);
+    bat_document_free(document);
 }
 
 static int count_of(const char *text, const char *what) {
@@ -396,7 +444,9 @@ static void random_edits_are_written(void **state) {
 static const char *begin_of(const bat_document *document) {
     const char *begin = "{\"batten\":3";
     for (int i = 0; i < bat_document_count(document); i++) {
-        if (bat_object_is_foreign(bat_document_at(document, i))) return "{\"batten\":6";
+        const bat_object *object = bat_document_at(document, i);
+        if (bat_object_is_foreign(object)) return "{\"batten\":6";
+        if (bat_object_is_group(object) && bat_object_style(object)->opacity != 1) return "{\"batten\":6";
         if (bat_object_paint(bat_document_at(document, i))) begin = "{\"batten\":4";
     }
     return begin;
@@ -618,6 +668,7 @@ static void gradients_do_not_gather(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(groups_keep_their_opacity),
         cmocka_unit_test(untouched_files_are_the_same),
         cmocka_unit_test(an_edit_changes_its_element_alone),
         cmocka_unit_test(a_shape_becomes_a_path),

@@ -54,6 +54,7 @@ static void nothing_is_lost(void **state) {
         "<g id='a' transform='rotate(30)scale(2)' fill='#123' class='x'>" BOX "rx='1'/></g><circle r='3'/>",
         "<g inkscape:groupmode='layer' inkscape:label='L' sodipodi:insensitive='true'>" BOX "/></g>",
         "<g opacity='.5'>" BOX "/></g><a>" BOX "/></a>",             /* one thing: its own opacity */
+        "<g opacity='.5'>" BOX "/>" BOX "/></g>",                    /* the group's */
         BOX "display='none'/><g style='display:none'>" BOX "/></g>", /* kept, hidden */
         BOX "stroke-dasharray='1 2' vector-effect='non-scaling-stroke' "
             "marker-end='url(#m)'/>", /* without a stroke */
@@ -83,7 +84,8 @@ static void every_kind_is_found(void **state) {
         {LINE "vector-effect='non-scaling-stroke' transform='scale(2,3)'/>", "{\"effects\":1}"},
         {LINE "transform='scale(1,3)'/>" BOX "transform='scale(1,3)'/>", "{}"},
         {BOX "style='mix-blend-mode:multiply'/><g style='isolation:isolate'/>", "{\"blends\":2}"},
-        {"<g opacity='.5'>" BOX "/>" BOX "/></g>", "{\"opacities\":1}"},
+        {"<symbol id='s'>" BOX "/>" BOX "/></symbol><use href='#s' opacity='.5'/>",
+         "{\"opacities\":1,\"copies\":1}"},
         {"<g shape-rendering='crispEdges'>" BOX "/>" BOX "shape-rendering='auto'/></g>", "{\"hints\":1}"},
         {BOX "id='a'/><use href='#a'/><use xlink:href='#a' x='9'/>", "{\"copies\":2}"},
         {"<svg width='5' height='5'>" BOX "/></svg>", "{\"nested\":1}"},

@@ -131,12 +131,13 @@ static void styles_cascade(void **state) {
     assert_int_equal(count_shown(d), 8);
     assert_true(style_of(d, 0)->width == 7 && style_of(d, 0)->stroke == 0x00800080 &&
                 !style_of(d, 0)->filled);
-    assert_true(style_of(d, 0)->opacity == 0.5 && style_of(d, 0)->cap == BAT_CAP_BUTT);
+    assert_true(bat_object_style(bat_document_at(d, 0))->opacity == 0.5); /* of the group, as one picture */
+    assert_true(style_of(d, 0)->opacity == 1 && style_of(d, 0)->cap == BAT_CAP_BUTT);
     assert_true(style_of(d, 1)->stroke == 0x0000ff80 && style_of(d, 1)->cap == BAT_CAP_ROUND);
     assert_true(style_of(d, 2)->stroke == 0x00808080);
     assert_true(style_of(d, 3)->stroke == 0x00000080 && style_of(d, 3)->width == 2);
     assert_true(style_of(d, 4)->fill == 0xffd700ff && style_of(d, 4)->stroke == 0x00800080);
-    assert_true(style_of(d, 4)->opacity == 0.25 && style_of(d, 4)->width == 3);
+    assert_true(style_of(d, 4)->opacity == 0.5 && style_of(d, 4)->width == 3);
     assert_true(style_of(d, 5)->stroke == 0x00ff0080 && style_of(d, 5)->fill == 0x112233ff);
     assert_true(style_of(d, 5)->join == BAT_JOIN_BEVEL && style_of(d, 5)->miter_limit == 9);
     assert_true(!style_of(d, 6)->stroked && style_of(d, 6)->fill == 0x0102031a && style_of(d, 6)->even_odd);
