@@ -317,6 +317,23 @@ static void drop(bat_scene *scene) {
     dirty_all(scene);
 }
 
+/* The page's item, if there is a page. Returns how many items that makes. */
+static int show_page(bat_scene *scene, const bat_document *document, bat_item *items) {
+    double page[4];
+    bat_document_page(document, page);
+    if (!(page[2] > 0)) return 0;
+    const bool same = scene->item_count && scene->items[0].id == ITEM_PAGE &&
+                      !memcmp(page, scene->page, sizeof page) && scene->items[0].version;
+    memcpy(scene->page, page, sizeof page);
+    if (same)
+        items[0] = scene->items[0];
+    else {
+        items[0] = page_item(scene);
+        bat_box_add(scene->dirty, items[0].bounds);
+    }
+    return 1;
+}
+
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision) {
     if (scene->revision == revision && !scene->stale) return BAT_OK;
     int count = bat_document_count(document);
@@ -331,21 +348,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
         return status;
     }
     scene->stale = scene->surfaces = false;
-    int item_count = 0;
-    double page[4];
-    bat_document_page(document, page);
-    if (page[2] > 0) {
-        bool same = scene->item_count && scene->items[0].id == ITEM_PAGE &&
-                    !memcmp(page, scene->page, sizeof page) && scene->items[0].version;
-        memcpy(scene->page, page, sizeof page);
-        if (same)
-            items[0] = scene->items[0];
-        else {
-            items[0] = page_item(scene);
-            bat_box_add(scene->dirty, items[0].bounds);
-        }
-        item_count = 1;
-    }
+    int item_count = show_page(scene, document, items);
     layers open = {.depth = 0};
     for (int i = 0; i < count; i++) {
         bat_scene_entry *entry = &scene->entries[i];

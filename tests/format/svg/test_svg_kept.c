@@ -372,7 +372,7 @@ static void groups_keep_their_opacity(void **state) {
     bat_document_replace(document, 0, made);
     bat_object_release(made);
     text = written(document, false);
-    assert_non_null(strstr(text, "<g opacity='0.75'><text>"));
+    assert_non_null(strstr(text, "<g opacity=\"0.75\"><text>"));
     bat_free(text);
     for (int i = 1; i < bat_document_count(document); i++) {
         bat_object *free_one;
