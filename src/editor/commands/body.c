@@ -36,11 +36,8 @@ static bat_status lay_out(bat_context *c, const bat_object *body, bat_object **o
     bat_curve *curve = NULL;
     const bat_shape *path = bat_motion_path(bat_object_motion(body, place));
     bat_status status = bat_curve_transform(bat_shape_curve(path, 0), place, &curve);
-    if (status == BAT_OK)
-        status = bat_object_create_path(bat_document_new_id(c->session->document), "", &style, 1, &curve,
-                                        out);
-    if (status != BAT_OK) bat_curve_free(curve);
-    return status;
+    if (status != BAT_OK) return status;
+    return bat_object_create_path(bat_document_new_id(c->session->document), "", &style, 1, &curve, out);
 }
 
 static bat_status lead(bat_context *c, const bat_object *body, const bat_object *path, bat_id *chosen) {
