@@ -1,10 +1,10 @@
 /* Writing a file again with nothing changed but what was edited: the order of things is the document's, the structure
  * the file's. */
-#ifndef BATTEN_FORMAT_SVG_PATCH_H
-#define BATTEN_FORMAT_SVG_PATCH_H
+#ifndef BATTEN_FORMAT_SVG_WRITE_PATCH_H
+#define BATTEN_FORMAT_SVG_WRITE_PATCH_H
 
 #include "format/svg/markup.h"
-#include "format/svg/plan.h"
+#include "format/svg/write/plan.h"
 #include "text/text.h"
 
 /* An object, and where it is written: its element, or its offset in the new text. */

@@ -1,6 +1,6 @@
-#include "format/svg/refer.h"
+#include "format/svg/write/refer.h"
 
-#include "format/svg/retag.h"
+#include "format/svg/write/retag.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #include "document/kind.h"
 #include "format/svg/markup.h"
 #include "format/svg/alone.h"
-#include "format/svg/patch.h"
-#include "format/svg/retag.h"
+#include "format/svg/write/patch.h"
+#include "format/svg/write/retag.h"
 #include "text/number.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "format/svg/patch.h"
+#include "format/svg/write/patch.h"
 
 #include "base/real.h"
 #include "document/digest.h"

@@ -1,7 +1,7 @@
-#include "format/svg/plan.h"
+#include "format/svg/write/plan.h"
 
 #include "document/nesting.h"
-#include "format/svg/refer.h"
+#include "format/svg/write/refer.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* What has become of each element of the file that a document was read from. */
-#ifndef BATTEN_FORMAT_SVG_PLAN_H
-#define BATTEN_FORMAT_SVG_PLAN_H
+#ifndef BATTEN_FORMAT_SVG_WRITE_PLAN_H
+#define BATTEN_FORMAT_SVG_WRITE_PLAN_H
 
 #include "document/document.h"
 #include "format/svg/tags.h"

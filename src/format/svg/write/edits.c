@@ -1,5 +1,5 @@
 /* The pieces of text that take the place of others. */
-#include "format/svg/patch.h"
+#include "format/svg/write/patch.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "format/svg/retag.h"
+#include "format/svg/write/retag.h"
 
 #include <string.h>
 

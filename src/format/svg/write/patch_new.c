@@ -3,7 +3,7 @@
 #include "base/matrix.h"
 #include "document/kind.h"
 #include "format/svg/markup.h"
-#include "format/svg/patch.h"
+#include "format/svg/write/patch.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #include "format/svg/svg.h"
 #include "format/svg/digest.h"
 #include "format/svg/markup.h"
-#include "format/svg/patch.h"
+#include "format/svg/write/patch.h"
 #include "format/seen/seen.h"
 #include "format/svg/tree.h"
 #include "text/text.h"

@@ -1,6 +1,6 @@
 /* A start tag written again with some of its attributes changed, and the rest as it was, character by character. */
-#ifndef BATTEN_FORMAT_SVG_RETAG_H
-#define BATTEN_FORMAT_SVG_RETAG_H
+#ifndef BATTEN_FORMAT_SVG_WRITE_RETAG_H
+#define BATTEN_FORMAT_SVG_WRITE_RETAG_H
 
 #include "format/svg/tags.h"
 
