@@ -245,6 +245,12 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     return BAT_OK;
 }
 
+bat_status bat_object_faded(const bat_object *object, double factor, bat_object **out) {
+    bat_style style = *bat_object_style(object);
+    style.opacity *= factor;
+    return bat_object_with_style(object, &style, out);
+}
+
 bat_status bat_object_with_paint(const bat_object *object, const bat_paint *paint, bat_object **out) {
     if (!object || !out || !bat_object_is_made_of_curves(object)) return BAT_ARGUMENT;
     bat_painted *made = NULL;

@@ -6,5 +6,7 @@
 #include <batten/document.h>
 
 uint64_t bat_digest_object(uint64_t digest, const bat_object *object);
+/* The object with its opacity times that factor. Statuses as of bat_object_with_style. */
+bat_status bat_object_faded(const bat_object *object, double factor, bat_object **out);
 
 #endif

@@ -107,6 +107,14 @@ bat_status bat_text_finish(bat_text *text, char **data, size_t *size) {
     return BAT_OK;
 }
 
+const char *bat_text_keep(bat_text *text, char **kept) {
+    char *data;
+    size_t size;
+    if (bat_text_finish(text, &data, &size) != BAT_OK) return NULL;
+    free(*kept);
+    return *kept = data;
+}
+
 void bat_text_free(bat_text *text) {
     free(text->data);
     *text = (bat_text){0};

@@ -22,6 +22,9 @@ void bat_text_json_string(bat_text *text, const char *string);
 void bat_text_xml(bat_text *text, const char *bytes, size_t size, bool attribute);
 /* Hands the text over, zero-terminated, or frees it and returns BAT_MEMORY. */
 bat_status bat_text_finish(bat_text *text, char **data, size_t *size);
+/* Puts the text, zero-terminated, in the place of an earlier one, which is freed, and returns it. NULL: no memory; the earlier
+ * one stays. */
+const char *bat_text_keep(bat_text *text, char **kept);
 void bat_text_free(bat_text *text);
 
 #endif

@@ -4,7 +4,7 @@
 import { Engine } from '../engine/engine.js';
 import { figure } from './compare.js';
 import { answer, question } from './question.js';
-import { lossList } from './losses.js';
+import { lossList, made, tally } from './losses.js';
 import { readInto, totalOf } from '../keep/files.js';
 import { counted, word } from '../page/words.js';
 import { dress } from '../page/build.js';
@@ -27,27 +27,11 @@ export function holdsOf(engine, bytes, name) {
 
 /** The page and each kind of object with its number. @param {Holds} holds */
 function numbers({ kinds, page }) {
-  const list = document.createElement('ul');
-  list.className = 'losses';
-  const rows = kinds.map(({ words, count }) => [words, String(count)]);
+  const rows = kinds.map(({ words, count }) => /** @type {[string, string]} */ ([words, String(count)]));
   if (page[0]) {
     rows.unshift([word('shell.holds-page'), page.join(' × ')]);
   }
-  for (const [words, value] of rows.length ? rows : [[word('shell.holds-nothing'), '']]) {
-    const row = document.createElement('li');
-    const number = document.createElement('b');
-    number.textContent = value;
-    row.append(words, ' ', number);
-    list.append(row);
-  }
-  return list;
-}
-
-/** @param {string} text */
-function paragraph(text) {
-  const element = document.createElement('p');
-  element.textContent = text;
-  return element;
+  return tally(rows.length ? rows : [[word('shell.holds-nothing'), '']]);
 }
 
 /**
@@ -62,7 +46,7 @@ export async function askToOpen(files, name, { svg, holds, losses, keeps }) {
   box.append(numbers(holds));
   const lost = totalOf(losses);
   if (lost) {
-    box.append(paragraph(counted(keeps ? 'shell.unshown' : 'shell.loses', lost)), ...(keeps ? [] : [lossList(losses)]));
+    box.append(made(counted(keeps ? 'shell.unshown' : 'shell.loses', lost), 'p'), ...(keeps ? [] : [lossList(losses)]));
   }
   both.append(figure(svg, name), box);
   const words = word(files.unsaved ? 'shell.may-replace' : 'shell.may-close', files.name);

@@ -16,7 +16,7 @@ const named = (key) => (word(`loss.${key}.help`) || key).replace(/\.$/, '');
 export const unshownOf = (engine) => JSON.parse(engine.ask('editor_unshown') || '{"rows":[],"total":0}');
 
 /** @param {string} text @param {string} tag */
-function made(text, tag) {
+export function made(text, tag) {
   const element = document.createElement(tag);
   element.textContent = text;
   return element;
@@ -47,19 +47,20 @@ function objects(unshown, choose) {
   return rows;
 }
 
-/** @param {Losses} losses */
-export function lossList(losses) {
-  const rows = document.createElement('ul');
+/** What there is, and how much of it, a row each. @param {[string, string][]} all */
+export function tally(all) {
+  const rows = made('', 'ul');
   rows.className = 'losses';
-  for (const [key, count] of Object.entries(losses)) {
-    const row = document.createElement('li');
-    const number = document.createElement('b');
-    number.textContent = String(count);
-    row.append(named(key), ' ', number);
+  for (const [words, value] of all) {
+    const row = made('', 'li');
+    row.append(words, ' ', made(value, 'b'));
     rows.append(row);
   }
   return rows;
 }
+
+/** @param {Losses} losses */
+export const lossList = (losses) => tally(Object.entries(losses).map(([key, count]) => [named(key), String(count)]));
 
 /** @param {Losses} losses @param {string} name @returns {Promise<string>} 'copy', 'lose', or '' for neither */
 export function ask(name, losses) {

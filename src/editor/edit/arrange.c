@@ -2,6 +2,7 @@
 #include "document/document.h"
 #include "document/follow.h"
 #include "document/nesting.h"
+#include "document/object.h"
 #include "editor/edit/affine.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
@@ -324,15 +325,13 @@ static void add_with_parent(bat_listing *listing, const bat_object *object, bat_
 
 /* A member of a group that is taken apart: it is as translucent as it looked. */
 static void add_freed(bat_listing *listing, const bat_object *object, const bat_object *group) {
-    bat_style style = *bat_object_style(object);
     const double opacity = bat_object_style(group)->opacity;
     bat_object *faded = NULL;
     if (opacity == 1) {
         add_with_parent(listing, object, bat_object_parent(group));
         return;
     }
-    style.opacity *= opacity;
-    if (bat_object_with_style(object, &style, &faded) != BAT_OK) listing->failed = true;
+    if (bat_object_faded(object, opacity, &faded) != BAT_OK) listing->failed = true;
     if (faded) add_with_parent(listing, faded, bat_object_parent(group));
     bat_object_release(faded);
 }

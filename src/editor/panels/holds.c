@@ -7,8 +7,6 @@
 #include "editor/tables/tables.h"
 #include "text/text.h"
 
-#include <stdlib.h>
-
 enum { KINDS_MAX = 32 }; /* more than there are */
 
 typedef struct tally {
@@ -49,12 +47,5 @@ const char *bat_panel_holds(bat_context *c) {
         bat_text_json_string(&json, page[k] > 0.0 ? side : "");
     }
     bat_text_string(&json, "]}");
-    bat_text_add(&json, "", 1);
-    if (json.failed) {
-        bat_text_free(&json);
-        return NULL;
-    }
-    free(c->panels->outline);
-    c->panels->outline = json.data;
-    return c->panels->outline;
+    return bat_text_keep(&json, &c->panels->outline);
 }

@@ -33,7 +33,6 @@
 #include "editor/edit/curves_of.h"
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { ROWS_MAX = 500, POINTS_MAX = 1000 };
@@ -172,17 +171,6 @@ static void quote(bat_text *json, bat_text *words) {
     bat_text_free(words);
 }
 
-static const char *keep(bat_context *c, bat_text *text) {
-    bat_text_add(text, "", 1);
-    if (text->failed) {
-        bat_text_free(text);
-        return NULL;
-    }
-    free(c->panels->outline);
-    c->panels->outline = text->data;
-    return c->panels->outline;
-}
-
 static void member(bat_text *json, const char *name, int64_t value) {
     bat_text_string(json, name);
     if (value < 0) bat_text_string(json, "-");
@@ -216,7 +204,7 @@ const char *bat_panel_outline(bat_context *c, int first, int count) {
         bat_text_string(&json, "}");
     }
     bat_text_string(&json, "]}");
-    return keep(c, &json);
+    return bat_text_keep(&json, &c->panels->outline);
 }
 
 /* The chosen point of the object; -1: none. */
@@ -249,7 +237,7 @@ const char *bat_panel_points(bat_context *c, bat_id id) {
         quote(&json, &words);
     }
     bat_text_string(&json, "]}");
-    return keep(c, &json);
+    return bat_text_keep(&json, &c->panels->outline);
 }
 
 bat_status bat_panel_choose(bat_context *c, bat_id id, int point) {

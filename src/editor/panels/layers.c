@@ -18,7 +18,6 @@
 #include "editor/session/reorder.h"
 #include "document/kind.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 /* What lies in space and is in no picture: planes, views, cameras. */
 static void list_aids(const bat_context *c, bat_text *text) {
@@ -78,12 +77,5 @@ const char *bat_panel_layers(bat_context *c) {
     bat_text_integer(&text, (uint64_t)bat_tracing_count(document));
     list_aids(c, &text);
     bat_text_string(&text, "}");
-    bat_text_add(&text, "", 1);
-    if (text.failed) {
-        bat_text_free(&text);
-        return NULL;
-    }
-    free(c->panels->layers);
-    c->panels->layers = text.data;
-    return c->panels->layers;
+    return bat_text_keep(&text, &c->panels->layers);
 }

@@ -12,7 +12,6 @@
 #include "editor/tools/toolbox.h"
 #include "text/text.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static bool any_muted(bat_ladder ladder, int from, int to) {
@@ -65,13 +64,7 @@ const char *bat_panel_levels(bat_context *c) {
     number(&text, ",\"apart\":", bat_ladder_any(l->apart));
     number(&text, ",\"copying\":", l->copying);
     bat_text_string(&text, "}");
-    bat_text_add(&text, "", 1);
-    if (text.failed) {
-        bat_text_free(&text);
-        return NULL;
-    }
-    free(l->strip);
-    return l->strip = text.data;
+    return bat_text_keep(&text, &l->strip);
 }
 
 /* ---- actions ---- */

@@ -9,7 +9,6 @@
 #include "editor/tools/gazes/fade.h"
 #include "text/text.h"
 #include <math.h>
-#include <stdlib.h>
 
 static const double LONGEST = 1; /* seconds between two frames: what is longer was a pause of the host */
 
@@ -41,13 +40,7 @@ const char *bat_panel_move(bat_context *c) {
     number(&text, ",\"lens\":", c->settings->values[BAT_PROPERTY_LENS]);
     bat_move_rows(c, &text);
     bat_text_string(&text, "}");
-    bat_text_add(&text, "", 1);
-    if (text.failed) {
-        bat_text_free(&text);
-        return NULL;
-    }
-    free(c->panels->move);
-    return c->panels->move = text.data;
+    return bat_text_keep(&text, &c->panels->move);
 }
 
 bat_status bat_panel_seek(bat_context *c, double seconds) {

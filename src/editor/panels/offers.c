@@ -120,12 +120,5 @@ const char *bat_panel_actions(bat_context *c) {
         bat_text_string(&text, bat_command_at((bat_command_id)i)->name);
         if (is_on(c, (bat_command_id)i)) bat_text_string(&text, "*");
     }
-    bat_text_add(&text, "", 1);
-    if (text.failed) {
-        bat_text_free(&text);
-        return NULL;
-    }
-    free(c->panels->actions);
-    c->panels->actions = text.data;
-    return c->panels->actions;
+    return bat_text_keep(&text, &c->panels->actions);
 }

@@ -8,7 +8,6 @@
 #include "editor/tools/sketch/sketching.h"
 #include "editor/view/stage.h"
 #include "text/text.h"
-#include <stdlib.h>
 #include <string.h>
 
 /* "Redraw roof" if the curve has a name. */
@@ -35,13 +34,7 @@ static void word(const bat_context *c, const bat_again *again, int reading, bat_
 
 static const char *finish(bat_context *c, bat_text *text) {
     bat_text_string(text, "]}");
-    bat_text_add(text, "", 1);
-    if (text->failed) {
-        bat_text_free(text);
-        return NULL;
-    }
-    free(c->panels->readings);
-    return c->panels->readings = text->data;
+    return bat_text_keep(text, &c->panels->readings);
 }
 
 static void begin(bat_context *c, bat_text *text, const double place[3], int chosen, double amount) {

@@ -9,7 +9,6 @@
 #include "editor/tools/levels/state.h"
 #include "text/text.h"
 #include "editor/edit/style.h"
-#include <stdlib.h>
 #include <string.h>
 
 static void field(bat_text *line, const char *name, const char *value) {
@@ -100,12 +99,5 @@ const char *bat_panel_tables(bat_context *c) {
         bat_text_json_string(&line, bat_word(c, (bat_string)i));
     }
     bat_text_string(&line, "}}");
-    bat_text_add(&line, "", 1);
-    if (line.failed) {
-        bat_text_free(&line);
-        return NULL;
-    }
-    free(c->panels->tables);
-    c->panels->tables = line.data;
-    return c->panels->tables;
+    return bat_text_keep(&line, &c->panels->tables);
 }

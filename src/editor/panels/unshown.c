@@ -7,8 +7,6 @@
 
 #include <batten/format.h>
 
-#include <stdlib.h>
-
 enum { ROWS_MAX = 500 };
 
 static void write_row(const bat_context *c, const bat_object *object, uint32_t lost, bat_text *json) {
@@ -48,12 +46,5 @@ const char *bat_panel_unshown(bat_context *c) {
     bat_text_string(&json, "],\"total\":");
     bat_text_integer(&json, total);
     bat_text_string(&json, "}");
-    bat_text_add(&json, "", 1);
-    if (json.failed) {
-        bat_text_free(&json);
-        return NULL;
-    }
-    free(c->panels->outline);
-    c->panels->outline = json.data;
-    return c->panels->outline;
+    return bat_text_keep(&json, &c->panels->outline);
 }

@@ -24,6 +24,18 @@ bool bat_weights_are_equal(size_t count, const double *weights) {
     return true;
 }
 
+bat_status bat_weigh(size_t count, const double *points, const double *weights, double *over, size_t size,
+                     double *under) {
+    if (!(weights[0] > 0)) return BAT_NUMBER;
+    for (size_t i = 0; i < count; i++) {
+        const double share = weights[i] / weights[0];
+        if (!(share >= 1 / WEIGHTS && share <= WEIGHTS)) return BAT_NUMBER;
+        for (size_t k = 0; k < 3; k++) over[3 * i + k] = share * points[3 * i + k];
+        for (size_t k = 0; k < size; k++) under[size * i + k] = k == 0 ? share : 0;
+    }
+    return BAT_OK;
+}
+
 /* Point and derivative, 3 numbers each; left: as the span before u has them. */
 static void evaluate(const rational *r, double u, bool left, double out[6]) {
     double over[6], under[4];
@@ -84,13 +96,7 @@ static bat_status follow(rational *r, double a, double b, int halvings) {
 static bat_status create(int degree, size_t count, const double *points, const double *weights,
                          const double *knots, rational *out) {
     double *over = malloc(5 * count * sizeof *over), *under = over ? over + 3 * count : NULL;
-    bat_status status = over ? BAT_OK : BAT_MEMORY;
-    for (size_t i = 0; i < count && status == BAT_OK; i++) {
-        const double share = weights[i] / weights[0];
-        if (!(share >= 1 / WEIGHTS && share <= WEIGHTS)) status = BAT_NUMBER;
-        for (int k = 0; k < 3; k++) over[3 * i + (size_t)k] = share * points[3 * i + (size_t)k];
-        under[2 * i] = share, under[2 * i + 1] = 0;
-    }
+    bat_status status = over ? bat_weigh(count, points, weights, over, 2, under) : BAT_MEMORY;
     const int knot_count = (int)count + degree + 1;
     if (status == BAT_OK)
         status = bat_curve_create(3, degree, false, count, over, knot_count, knots, &out->over);
@@ -116,7 +122,7 @@ bat_status bat_rational_curve(int degree, size_t count, const double *points, co
                               const double *knots, const double range[2], double tolerance, bat_curve **out) {
     rational r = {.tolerance = tolerance};
     if (count <= (size_t)degree || count > BAT_POINTS_MAX) return BAT_COUNT;
-    if (!(tolerance > 0) || !(weights[0] > 0)) return BAT_NUMBER;
+    if (!(tolerance > 0)) return BAT_NUMBER;
     bat_status status = create(degree, count, points, weights, knots, &r);
     for (size_t i = (size_t)degree; i < count && status == BAT_OK; i++) {
         const double from = range ? fmax(knots[i], range[0]) : knots[i];

@@ -6,6 +6,11 @@
 
 /* Whether all weights are the same to 1e-9 of the first: then they say nothing. */
 bool bat_weights_are_equal(size_t count, const double *weights);
+/* over: the points, 3 numbers each, times the weights; under: the weights, `size` numbers each, of which all but the first are
+ * 0; both in shares of the first weight. BAT_NUMBER: a weight that is not between 1e-6 and 1e6 times the first, or the first is
+ * not above 0. */
+bat_status bat_weigh(size_t count, const double *points, const double *weights, double *over, size_t size,
+                     double *under);
 /* The cubic with the values and the first derivatives of the rational curve at its knots and wherever else it has to be
  * halved to stay within tolerance (> 0), measured at seven places of each piece. points: count times x y z, not multiplied by
  * the weights; knots: count + degree + 1; range: of the parameters, of which the curve is made (NULL: all). Planar where all

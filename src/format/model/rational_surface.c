@@ -30,6 +30,11 @@ static void evaluate(const net *n, double u, double v, double out[12]) {
     }
 }
 
+static void find_cell(const net *n, size_t i, size_t j, double range[4]) {
+    memcpy(range, n->lines[0].list + i, 2 * sizeof *range);
+    memcpy(range + 2, n->lines[1].list + j, 2 * sizeof *range);
+}
+
 /* Just before the line, where the surface is as the patch before it has it. */
 static double before(const net *n, int d, double line) {
     return line < n->lines[d].list[n->lines[d].count - 1] ? nextafter(line, -INFINITY) : line;
@@ -113,9 +118,9 @@ static bat_status refine(net *n, bool *done) {
     *done = true;
     for (size_t i = 0; i < nu; i++)
         for (size_t j = 0; j < nv; j++) {
-            const double *u = n->lines[0].list + i, *v = n->lines[1].list + j,
-                         range[4] = {u[0], u[1], v[0], v[1]};
+            double range[4];
             bool more[2] = {false, false};
+            find_cell(n, i, j, range);
             judge(n, range, more);
             marks[i] = marks[i] || more[0];
             marks[nu + j] = marks[nu + j] || more[1];
@@ -142,15 +147,7 @@ static bat_status begin(net *n, const int degree[2], const size_t count[2], cons
     const bool open[2] = {false, false};
     const int knot_count[2] = {(int)count[0] + degree[0] + 1, (int)count[1] + degree[1] + 1};
     double *over = malloc(6 * total * sizeof *over), *under = over ? over + 3 * total : NULL;
-    bat_status status = over ? BAT_OK : BAT_MEMORY;
-    for (size_t i = 0; i < total && status == BAT_OK; i++) {
-        const double share = weights[i] / weights[0];
-        if (!(share >= 1e-6 && share <= 1e6)) status = BAT_NUMBER;
-        for (size_t k = 0; k < 3; k++) {
-            over[3 * i + k] = share * points[3 * i + k];
-            under[3 * i + k] = k == 0 ? share : 0;
-        }
-    }
+    bat_status status = over ? bat_weigh(total, points, weights, over, 3, under) : BAT_MEMORY;
     n->size = bat_full_side(total, points);
     if (status == BAT_OK)
         status = bat_surface_create(degree, open, count, over, knot_count, knots[0], knots[1], &n->over);
@@ -268,9 +265,8 @@ static bat_status assemble(const net *n, bat_surface **out) {
     if (!q.points) return BAT_MEMORY;
     for (size_t i = 0; i < nu; i++)
         for (size_t j = 0; j < nv; j++) {
-            const double *u = n->lines[0].list + i, *v = n->lines[1].list + j,
-                         range[4] = {u[0], u[1], v[0], v[1]};
-            double patch[48];
+            double range[4], patch[48];
+            find_cell(n, i, j, range);
             make_patch(n, range, patch);
             for (size_t a = 0; a < 4; a++)
                 memcpy(q.points + 3 * ((3 * i + a) * q.rows[1] + 3 * j), patch + 12 * a, 12 * sizeof *patch);
@@ -287,7 +283,7 @@ bat_status bat_rational_surface(const int degree[2], const size_t count[2], cons
     for (int d = 0; d < 2; d++)
         if (count[d] <= (size_t)degree[d] || count[d] > BAT_POINTS_MAX) return BAT_COUNT;
     if ((double)count[0] * (double)count[1] > BAT_POINTS_MAX) return BAT_COUNT;
-    if (!(tolerance > 0) || !(weights[0] > 0)) return BAT_NUMBER;
+    if (!(tolerance > 0)) return BAT_NUMBER;
     bat_status status = begin(&n, degree, count, points, weights, knots);
     bool done = false;
     for (int round = 0; round < ROUNDS && status == BAT_OK && !done; round++) status = refine(&n, &done);

@@ -2,6 +2,7 @@
 #include "document/document.h"
 #include "document/kind.h"
 #include "document/nesting.h"
+#include "document/object.h"
 #include "format/svg/digest.h"
 #include "format/svg/walk.h"
 
@@ -16,21 +17,16 @@ static bat_status make_group(bat_svg_walk *w, uint32_t element, bat_id id, bool 
         *out = plain;
         return status;
     }
-    bat_style style = *bat_object_style(plain);
-    style.opacity = opacity;
     if (!w->unseen) w->digest = bat_svg_digest_group(w->digest, opacity);
-    status = bat_object_with_style(plain, &style, out);
+    status = bat_object_faded(plain, opacity, out); /* a new one is opaque */
     bat_object_release(plain);
     return status;
 }
 
 /* The only member of a group that is not needed has its opacity. */
 static void fade_member(bat_svg_walk *w, int index, double opacity) {
-    const bat_object *object = bat_document_at(w->document, index);
-    bat_style style = *bat_object_style(object);
     bat_object *faded = NULL;
-    style.opacity *= opacity;
-    const bat_status status = bat_object_with_style(object, &style, &faded);
+    const bat_status status = bat_object_faded(bat_document_at(w->document, index), opacity, &faded);
     if (faded) bat_document_replace(w->document, index, faded);
     bat_object_release(faded);
     if (status != BAT_OK && w->status == BAT_OK) w->status = status;

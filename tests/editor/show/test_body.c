@@ -9,26 +9,13 @@
 #include <cmocka.h>
 #include <batten/batten.h>
 #include "support/editing.h"
-#include "support/walker.h"
+#include "support/walking.h"
 
 enum { FRAMES = 30 };
 static const double LAST = (FRAMES - 1) / 60.0;
 
 static bat_editor *with_skeleton(void) {
-    const bat_style style = bat_style_defaults();
-    bat_take *take = walker(2, FRAMES);
-    bat_motion_options options = bat_motion_defaults();
-    bat_motion *motion = NULL;
-    bat_object *object = NULL;
-    bat_document *document = NULL;
-    options.tolerance = 0;
-    assert_int_equal(bat_motion_fit(take, &options, &motion, NULL), BAT_OK);
-    assert_int_equal(bat_object_create_skeleton(5, "walker", &style, motion, NULL, &object), BAT_OK);
-    assert_int_equal(bat_document_create(&document), BAT_OK);
-    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
-    bat_editor *editor = editor_of(document);
-    bat_object_release(object);
-    bat_motion_free(motion), bat_take_free(take);
+    bat_editor *editor = editor_of(walking(2, FRAMES, 0, 5));
     bat_editor_frame(editor);
     return editor;
 }

@@ -13,26 +13,11 @@
 #include "document/follow.h"
 #include "support/alloc_fail.h"
 #include "support/editing.h"
-#include "support/walker.h"
+#include "support/walking.h"
 
 enum { FRAMES = 40, TIMES = 23, BODY = 5, NUMBERS = 3 * WALKER_JOINTS * TIMES };
 
-static bat_document *walk(double tolerance) {
-    const bat_style style = bat_style_defaults();
-    bat_take *take = walker(6, FRAMES);
-    bat_motion_options options = bat_motion_defaults();
-    bat_motion *motion = NULL;
-    bat_object *object = NULL;
-    bat_document *document = NULL;
-    options.tolerance = tolerance;
-    assert_int_equal(bat_motion_fit(take, &options, &motion, NULL), BAT_OK);
-    assert_int_equal(bat_object_create_skeleton(BODY, "walker", &style, motion, NULL, &object), BAT_OK);
-    assert_int_equal(bat_document_create(&document), BAT_OK);
-    assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
-    bat_object_release(object);
-    bat_motion_free(motion), bat_take_free(take);
-    return document;
-}
+static bat_document *walk(double tolerance) { return walking(6, FRAMES, tolerance, BODY); }
 
 static bat_editor *opened(double tolerance) {
     bat_editor *editor = editor_of(walk(tolerance));
