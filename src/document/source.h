@@ -14,6 +14,8 @@ typedef struct bat_sourced {
     double outer[6];  /* from the units around the element to the document's */
     double inner[6];  /* from its own units, after its transform, to the document's */
     double opacity;   /* of all that it is in */
+    double
+        own; /* of the element itself, where the object has it apart from its style: foreign content; else 1 */
     /* As it was read; without a meaning when id is 0. */
     uint64_t shape, name; /* digests */
     bat_style style;

@@ -52,14 +52,15 @@ bat_style bat_styling_new(const bat_context *c) {
     return style;
 }
 
-const bat_style *bat_styling_selected(const bat_context *c) {
+const bat_style *bat_styling_selected(const bat_context *c, bat_property_id property) {
     const bat_document *document = c->session->document;
     const bat_style *found = NULL;
     for (int i = 0; i < bat_document_count(document) && c->choice->selection.count;) {
         int end = i + 1;
         if (bat_selection_has(&c->choice->selection, bat_object_id(bat_document_at(document, i)))) {
             end = bat_document_end(document, i);
-            for (int k = i; k < end; k++)
+            if (property == BAT_PROPERTY_OPACITY) found = bat_object_style(bat_document_at(document, i));
+            for (int k = i; k < end && property != BAT_PROPERTY_OPACITY; k++)
                 if (!bat_object_is_group(bat_document_at(document, k)))
                     found = bat_object_style(bat_document_at(document, k));
         }
@@ -92,7 +93,9 @@ bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values)
     for (int i = 0; i < count; i++) c->settings->values[values[i].property] = values[i].value;
     if (!c->choice->selection.count || c->session->busy || c->session->transaction.open) return BAT_OK;
     int *members, member_count;
-    bat_status status = bat_arrange_members(c, &members, &member_count);
+    const bool whole = count == 1 && values->property == BAT_PROPERTY_OPACITY;
+    bat_status status = whole ? bat_arrange_roots(c, &members, &member_count)
+                              : bat_arrange_members(c, &members, &member_count);
     if (status != BAT_OK) return status;
     status = bat_transaction_begin(c);
     for (int i = 0; i < member_count && status == BAT_OK; i++) status = restyle(c, members[i], count, values);

@@ -13,11 +13,13 @@ typedef struct bat_styling {
 
 /* The style's value for the property, within its range. */
 double bat_styling_value(const bat_style *style, bat_property_id property);
-/* Sets the values for new curves, and for everything selected, as one step. */
+/* Sets the values for new curves, and for everything selected, as one step. Opacity alone is given to a group that is
+ * selected, as one picture, and not to each thing in it. */
 bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values);
 /* The style that new curves get. */
 bat_style bat_styling_new(const bat_context *c);
-/* The style of the frontmost selected object; NULL: nothing is selected. */
-const bat_style *bat_styling_selected(const bat_context *c);
+/* The style of the frontmost selected object, or, for its opacity, of the group that is selected as a whole; NULL: nothing
+ * is selected. */
+const bat_style *bat_styling_selected(const bat_context *c, bat_property_id property);
 
 #endif

@@ -48,7 +48,7 @@ static void read_lost(const bat_fields *f, uint32_t node, bat_sourced *entry) {
 static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above, bat_sourced *entry) {
     if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
         return bat_fields_complain(f, node, "elements", "an object");
-    *entry = (bat_sourced){.opacity = 1, .style = bat_style_defaults()};
+    *entry = (bat_sourced){.opacity = 1, .own = 1, .style = bat_style_defaults()};
     bat_id element = 0;
     memcpy(entry->outer, SAME, sizeof SAME);
     bat_status status = bat_fields_id(f, node, "element", ELEMENT_MAX, &element);
@@ -65,6 +65,8 @@ static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above,
     if (status != BAT_OK || entry->id == 0) return status;
     status = read_digest(f, node, "shape", &entry->shape);
     if (status == BAT_OK) status = read_digest(f, node, "name", &entry->name);
+    if (status == BAT_OK)
+        status = bat_fields_number(f, node, "own", 0, 1, "a number from 0 to 1", &entry->own);
     if (status == BAT_OK) status = bat_style_from_json(f, node, &entry->style);
     if (status == BAT_OK) status = read_paint(f, node, entry);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "hidden", &entry->hidden);
@@ -163,6 +165,10 @@ static void write_entry(const bat_sourced *entry, bat_text *text) {
         bat_text_string(text, ",\"style\":");
         bat_style_to_json(&entry->style, text);
         write_paint(entry, text);
+        if (entry->own != 1) {
+            bat_text_string(text, ",\"own\":");
+            bat_text_number(text, entry->own);
+        }
         if (entry->hidden) bat_text_string(text, ",\"hidden\":true");
         if (entry->locked) bat_text_string(text, ",\"locked\":true");
         if (entry->lost) write_lost(entry->lost, text);

@@ -91,6 +91,8 @@ static bat_status note_opacities(const bat_svg_walk *w, const bat_document *docu
         for (; at < count && list[at].element <= i; at++) {
             const bat_object *object = bat_document_at(document, bat_document_find(document, list[at].id));
             list[at].opacity = around;
+            if (object && bat_object_is_foreign(object) && w->opacities)
+                list[at].own = w->opacities[list[at].element];
             group = group || (object && !list[at].copied && bat_object_is_group(object));
         }
         within[i] = group ? 1 : around * (w->opacities ? w->opacities[i] : 1);

@@ -41,7 +41,7 @@ void bat_svg_place(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer
     }
     w->place = w->place_count - 1;
     made->element = element;
-    made->opacity = 1;
+    made->opacity = made->own = 1;
     memcpy(made->outer, outer->matrix, sizeof made->outer);
     memcpy(made->inner, inner->matrix, sizeof made->inner);
 }

@@ -47,6 +47,40 @@ static void style_of_selection_and_of_new(void **state) {
     bat_editor_free(editor);
 }
 
+/* That of a group is the group's, as one picture; that of what is in it stays. */
+static void opacity_of_a_group(void **state) {
+    (void)state;
+    bat_editor *editor = select_editor();
+    uint64_t first = digest(editor);
+    only(editor, 2, 0);
+    bat_editor_set(editor, "opacity", 0.75);
+    bat_editor_command(editor, "select-all");
+    assert_int_equal(bat_editor_command(editor, "group"), BAT_OK);
+    assert_true(value(editor, "opacity") == 1);
+    const int steps = editor->session.history.done;
+    assert_int_equal(bat_editor_set(editor, "opacity", 0.5), BAT_OK);
+    assert_int_equal(editor->session.history.done, steps + 1);
+    const bat_object *group = bat_document_at(bat_editor_document(editor), 0);
+    assert_true(bat_object_is_group(group) && bat_object_style(group)->opacity == 0.5);
+    assert_true(bat_object_style(object(editor, 1))->opacity == 1);
+    assert_true(bat_object_style(object(editor, 2))->opacity == 0.75);
+    assert_true(value(editor, "opacity") == 0.5);
+    assert_true(value(editor, "stroke-width") == 2); /* of what is in it */
+    bat_editor_set(editor, "stroke-width", 5);
+    assert_true(bat_object_style(object(editor, 1))->width == 5);
+    assert_true(bat_object_style(object(editor, 1))->opacity == 1);
+    const bat_frame *frame = bat_editor_frame(editor);
+    int pictures = 0;
+    for (uint32_t i = 0; i < frame->still_count; i++)
+        pictures += frame->still[i].role == BAT_ROLE_GROUP && frame->still[i].opacity == 0.5F;
+    assert_int_equal(pictures, 1);
+    assert_int_equal(bat_editor_command(editor, "ungroup"), BAT_OK);
+    assert_true(bat_object_style(object(editor, 1))->opacity == 0.5);
+    assert_true(bat_object_style(object(editor, 2))->opacity == 0.375);
+    goes_back_and_replays(editor, first);
+    bat_editor_free(editor);
+}
+
 static bool offered(bat_editor *editor, const char *name) {
     const char *list = bat_editor_actions(editor), *at = strstr(list, name);
     return at && (at == list || at[-1] == ' ') && (at[strlen(name)] == ' ' || !at[strlen(name)]);
@@ -94,6 +128,7 @@ static void actions_of_the_selection(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(style_of_selection_and_of_new),
+        cmocka_unit_test(opacity_of_a_group),
         cmocka_unit_test(actions_of_the_selection),
     };
     return cmocka_run_group_tests_name("selection", tests, NULL, NULL);

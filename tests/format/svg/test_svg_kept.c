@@ -393,6 +393,58 @@ static void groups_keep_their_opacity(void **state) {
     bat_document_free(document);
 }
 
+static void fade(bat_document *document, int index, double share) {
+    bat_style style = *bat_object_style(bat_document_at(document, index));
+    bat_object *made;
+    style.opacity *= share;
+    assert_int_equal(bat_object_with_style(bat_document_at(document, index), &style, &made), BAT_OK);
+    bat_document_replace(document, index, made);
+    bat_object_release(made);
+}
+
+/* A text has an opacity of its own: what it gets besides is multiplied with it, as often as the file is saved, by SVG and by
+ * the native format. */
+static void texts_keep_their_opacity(void **state) {
+    (void)state;
+    static const struct {
+        const char *before, *twice;
+    } cases[] = {{"<text opacity='.5'>a</text>", "<text opacity=\"0.125\">a</text>"},
+                 {"<style>text{opacity:.5}</style><text>a</text>", "<text style=\"opacity:0.125\">a</text>"},
+                 {"<g opacity='.5'><text style='fill:red;opacity:.5'>a</text></g>",
+                  "<text style=\"fill:red;opacity:0.125\">a</text></g>"},
+                 {"<text>a</text>", "<text opacity=\"0.25\">a</text>"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int saved = 0; saved < 4;
+             saved++) { /* not at all, as SVG, as SVG with the native document, as that alone */
+            char file[400];
+            snprintf(file, sizeof file,
+                     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 90 90'>%s</svg>", cases[i].before);
+            bat_document *document = opened(file);
+            for (int step = 0; step < 2; step++) {
+                assert_int_equal(bat_document_count(document), 1);
+                fade(document, 0, 0.5);
+                char *text = NULL;
+                size_t size;
+                if (saved == 0 || step == 1) continue;
+                if (saved < 3)
+                    text = written(document, saved == 2);
+                else
+                    assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
+                bat_document_free(document);
+                document = NULL;
+                if (saved < 3)
+                    document = opened(text);
+                else
+                    assert_int_equal(bat_document_read(text, strlen(text), &document, NULL), BAT_OK);
+                bat_free(text);
+            }
+            char *text = written(document, false);
+            if (!strstr(text, cases[i].twice)) fail_msg("%s", text);
+            bat_free(text);
+            bat_document_free(document);
+        }
+}
+
 static int count_of(const char *text, const char *what) {
     int count = 0;
     while ((text = strstr(text, what))) count++, text++;
@@ -669,6 +721,7 @@ static void gradients_do_not_gather(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(groups_keep_their_opacity),
+        cmocka_unit_test(texts_keep_their_opacity),
         cmocka_unit_test(untouched_files_are_the_same),
         cmocka_unit_test(an_edit_changes_its_element_alone),
         cmocka_unit_test(a_shape_becomes_a_path),

@@ -284,6 +284,12 @@ static bat_status set_shape(bat_svg_retag *r, const bat_object *object, const ba
     return bat_object_picture(object) ? set_image(r, object, entry) : set_path(r, object, entry);
 }
 
+/* How translucent an element is itself that has become so much more or less. */
+static void fade_foreign(bat_svg_retag *r, double now, const bat_sourced *entry) {
+    const double was = entry->style.opacity;
+    if (now != was) set_number(r, "opacity", fmin(1, entry->own * (was > 0 ? now / was : now)));
+}
+
 bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool apart,
                        bool hides, bool anonymous, const bat_svg_ids *ids) {
     const bat_svg_plan *plan = &p->plan;
@@ -295,8 +301,8 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
         const bool reshaped = bat_svg_reshaped(object, entry);
         if (!bat_object_is_foreign(object))
             set_style(&r, object, entry, says_all(plan, object, entry, apart), ids);
-        else if (bat_object_style(object)->opacity != entry->style.opacity)
-            set_number(&r, "opacity", bat_object_style(object)->opacity);
+        else
+            fade_foreign(&r, bat_object_style(object)->opacity, entry);
         if (reshaped) {
             const bat_status status = set_shape(&r, object, entry);
             if (status != BAT_OK) p->status = status;
