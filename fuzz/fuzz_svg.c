@@ -62,6 +62,12 @@ static void say_losses(const bat_losses *lost) {
     }
 }
 
+/* From a ten-millionth to millions of units, and none. */
+static double precision_of(uint8_t byte) {
+    static const double list[] = {0, BAT_SVG_UNSEEN, 1e-7, 1e-3, 0.5, 40, 1e6, 1e300};
+    return list[byte % (sizeof list / sizeof *list)];
+}
+
 static void read_again(const char *svg) {
     bat_document *document = NULL;
     bat_svg_report report;
@@ -109,6 +115,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         bat_free(svg);
     } else if (status != BAT_MEMORY && status != BAT_COUNT)
         abort();
+    if (bat_svg_write_within(document, false, size > 0 ? precision_of(data[size - 1]) : 0, &svg, &size) ==
+        BAT_OK)
+        bat_free(svg);
     bat_document_free(back);
     bat_document_free(document);
     return 0;

@@ -61,12 +61,13 @@ static int dxf(const cli_arguments *arguments, const bat_document *document, cha
                      status == BAT_COUNT ? "expected a curve, found none" : bat_status_message(status));
 }
 
-/* SVG without our data. */
-static int plain_svg(const cli_arguments *arguments, const bat_document *document, char **text,
-                     size_t *size) {
-    if (!arguments_value(arguments, "--plain"))
-        return drawing_print(document, bat_format_named("svg"), arguments->operands[0], text, size);
-    const bat_status status = bat_svg_write(document, false, text, size);
+/* SVG, rounded as asked, with our data or without. */
+static int svg(const cli_arguments *arguments, const bat_document *document, char **text, size_t *size) {
+    double precision = BAT_SVG_UNSEEN;
+    const int failed = arguments_number(arguments, "--precision", 0, 1e30, &precision);
+    if (failed) return failed;
+    const bool plain = arguments_value(arguments, "--plain") != NULL;
+    const bat_status status = bat_svg_write_within(document, !plain, precision, text, size);
     return status == BAT_OK ? EXIT_DONE
                             : fail_data(arguments->operands[0], NULL, "%s", bat_status_message(status));
 }
@@ -104,7 +105,7 @@ static const struct {
     const char *format;
     int (*print)(const cli_arguments *arguments, const bat_document *document, char **text, size_t *size);
     const char *options[4];
-} special[] = {{"svg", plain_svg, {"--plain"}},
+} special[] = {{"svg", svg, {"--plain", "--precision"}},
                {"dxf", dxf, {"--arcs"}},
                {"gcode", gcode, {"--arcs", "--feed", "--up", "--down"}},
                {"glif", glif, {"--extremes"}}};
@@ -223,6 +224,8 @@ const cli_command command_convert = {
                 {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},
                 {"--extremes", NULL,
                  "to .glif: curves get a point where they are furthest left, right, up and down"},
+                {"--precision", "D",
+                 "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
                 {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
                 OPTION_LOSSY},
     .run = run,

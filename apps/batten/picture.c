@@ -43,7 +43,7 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
                        const char *in, unsigned char **data, size_t *size) {
     char *inner;
     size_t inner_size;
-    bat_status status = bat_svg_write(document, false, &inner, &inner_size);
+    bat_status status = bat_svg_write_within(document, false, 0, &inner, &inner_size);
     if (status == BAT_MEMORY) return fail_memory();
     if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
     bat_text text = {0};

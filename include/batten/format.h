@@ -275,10 +275,18 @@ BAT_API void bat_svg_reader_free(bat_svg_reader *reader);       /* for giving up
  * the line goes on to say so. 1,000 bytes are enough room. */
 BAT_API void bat_svg_report_line(const bat_svg_report *report, char *line, size_t room);
 
-/* SVG out: exact cubic Béziers, and the native document in the metadata. A document that was read from an SVG file whose
+/* SVG out: cubic Béziers, exact up to degree 3, and the native document in the metadata. Their numbers are rounded where
+ * nobody can see it: no point moves by more than .001 document units, 1e-5 of its curve's size or a thousandth of the
+ * curve's shortest leg; the native document has every bit. A document that was read from an SVG file whose
  * text it keeps is written as that file: what was not edited stays as it was, character by character, and with no edit at
  * all so does the whole file. */
 BAT_API bat_status bat_svg_write(const bat_document *document, bool with_native, char **text, size_t *size);
+/* The same with numbers rounded so that no point moves by more than `precision`, document units; 0: not rounded;
+ * BAT_SVG_UNSEEN: as bat_svg_write does. Elements that are kept as they were in their file are not rounded. BAT_ARGUMENT also
+ * for NaN. */
+#define BAT_SVG_UNSEEN (-1.0)
+BAT_API bat_status bat_svg_write_within(const bat_document *document, bool with_native, double precision,
+                                        char **text, size_t *size);
 /* Whether it keeps the text of its file, so that writing loses nothing of what its reader counted as lost. */
 BAT_API bool bat_svg_is_kept(const bat_document *document);
 

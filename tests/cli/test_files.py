@@ -3,6 +3,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import resource
 import stat
 import subprocess
@@ -241,6 +242,31 @@ class Lossy(ProgramTest):
         self.assertEqual(path.read_bytes(), before)
         self.done("render", path, path, "--lossy")
         self.assertNotIn(b"metadata", path.read_bytes())
+
+    def test_precision(self):
+        def numbers(*options):
+            text = self.done("convert", "a.batten", "-", "--to", "svg", "--plain", *options).decode()
+            return [number for path in re.findall(r' d="([^"]*)"', text) for number in re.findall(r"-?[0-9][-+.e0-9]*", path)]
+
+        points = [[100 * math.sin(i), 7 * i + math.cos(i)] for i in range(40)]
+        self.done("convert", self.file("a.json", {"degree": 3, "closed": False, "points": points, "knots":
+                                                  [0] * 3 + list(range(38)) + [37] * 3}), "a.batten")
+        exact = [float(number) for number in numbers("--precision", "0")]
+        self.assertGreater(max(len(str(number)) for number in exact), 12)
+        for options, apart, decimals in (([], 1e-3, 6), (["--precision", "0.5"], 0.5, 1), (["--precision", "2"], 2, 0)):
+            rounded = numbers(*options)
+            self.assertEqual(len(rounded), len(exact))
+            for x, y in zip(rounded, exact):
+                self.assertLessEqual(abs(float(x) - y), apart)
+                self.assertLessEqual(len(x.partition(".")[2]), decimals)
+        self.assertIn("--precision is for .svg, not for .dxf", self.refused(2, "convert", CAR, "b.dxf", "--precision", "1"))
+        for bad in ("-1", "nan", "inf", "x"):
+            self.refused(2, "convert", CAR, "b.svg", "--precision", bad)
+
+    def test_an_edited_drawing_is_not_much_longer(self):
+        self.done("sketch", f"{CAR}#roof", ROOT / "examples" / "roof.csv", "-o", "car.svg")
+        self.done("convert", "car.svg", "plain.svg", "--plain")
+        self.assertLess((self.folder / "plain.svg").stat().st_size, 1.3 * CAR.stat().st_size)
 
 
 class Info(ProgramTest):

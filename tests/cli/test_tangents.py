@@ -127,6 +127,7 @@ class Tangents(ProgramTest):
         back = json.loads(self.done("convert", self.folder / "out.svg", "-", "--to", "batten"))
         self.assertEqual(back["objects"], objects)
         drawn = numpy.array(self.spline(spline)["bezier"])
+        self.done("convert", self.folder / "out.batten", self.folder / "out.svg", "--precision", "0")
         path = next(line for line in (self.folder / "out.svg").read_text().split("<") if line.startswith("path"))
         numbers = [float(n) for n in re.findall(r"-?[0-9.]+(?:e-?[0-9]+)?", path.split(' d="')[1].split('"')[0])]
         self.assertLess(numpy.abs(numpy.array(numbers[-6:]) - drawn[-1][1:].ravel()).max(), 1e-9)

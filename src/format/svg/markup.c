@@ -1,6 +1,7 @@
 #include "format/svg/markup.h"
 
 #include "base/matrix.h"
+#include "base/real.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
@@ -16,6 +17,9 @@
 static const double CUBICS = 1e-7;
 /* The same: how far handles may be off the thirds of a line, which is rounding. */
 static const double THIRDS = 1e-12;
+/* Where no precision is asked for: how far points may move in document units, of the curve's size and of its shortest leg; legs below that share
+ * of the size are rounding. */
+static const double UNSEEN = 1e-3, SHARE = 1e-5, LEG = 1e-3, NOTHING = 1e-9;
 
 void bat_svg_write_pair(bat_text *text, const double *p) {
     bat_text_number(text, p[0]);
@@ -33,15 +37,51 @@ static bool is_line(const double *p, int dimension, double size) {
     return true;
 }
 
-bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve) {
+/* The shortest leg of the cubics' control polygons that is no rounding. */
+static double shortest_leg(const double *points, int count, int dimension, double extent) {
+    double least = INFINITY;
+    for (int i = 0; i < count; i++, points += 4 * dimension)
+        for (int k = 0; k < 3; k++) {
+            const double *p = points + k * dimension, *q = p + dimension;
+            const double leg = bat_hypot(q[0] - p[0], q[1] - p[1]);
+            if (leg > NOTHING * extent && leg < least) least = leg;
+        }
+    return least;
+}
+
+/* How many times a number is finer than the units when it is rounded: so coarse a power of ten that no point moves by more
+ * than `precision`; 0: numbers stay as they are. */
+static double fineness(double precision) {
+    if (!(precision > 0)) return 0;
+    double fine = 1;
+    while (fine <= 1e15 && sqrt(0.5) > precision * fine) fine *= 10;
+    return fine <= 1e15 ? fine : 0;
+}
+
+static void write_rounded(bat_text *text, const double *p, double fine) {
+    double q[2];
+    for (int i = 0; i < 2; i++) {
+        const double large = p[i] * fine;
+        q[i] = fine > 0 && fabs(large) < 1e15 ? round(large) / fine + 0.0
+                                              : p[i]; /* + 0.0: no negative zero */
+    }
+    bat_svg_write_pair(text, q);
+}
+
+/* scale: of its units, a document unit in them. */
+static bat_status write_curve(bat_text *text, const bat_curve *curve, double precision, double scale) {
     const double extent = bat_curve_size(curve);
     double *points, tolerance = CUBICS * extent;
     int count, dimension = bat_curve_dimension(curve);
     bat_status status = bat_curve_to_cubics(curve, tolerance > 0 ? tolerance : 1, &count, &points);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     const double *p = points;
+    if (precision < 0)
+        precision = fmin(fmin(UNSEEN, SHARE * extent / scale),
+                         LEG * shortest_leg(points, count, dimension, extent) / scale);
+    const double fine = fineness(precision * scale);
     bat_text_string(text, "M");
-    bat_svg_write_pair(text, p);
+    write_rounded(text, p, fine);
     for (int i = 0; i < count; i++, p += 4 * dimension) {
         bool line = bat_curve_degree(curve) == 1 || is_line(p, dimension, extent);
         bat_text_string(text, line ? "L" : "C");
@@ -49,7 +89,7 @@ bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve) {
             const double *q = p + k * dimension;
             if (i == count - 1 && k == 3 && bat_curve_is_closed(curve))
                 q = points; /* the curve closes bit for bit */
-            bat_svg_write_pair(text, q);
+            write_rounded(text, q, fine);
             if (k < 3) bat_text_string(text, " ");
         }
     }
@@ -183,8 +223,17 @@ bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]) {
     return false;
 }
 
-bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6]) {
+/* The least factor by which the matrix scales a distance. */
+static double least_scale(const double m[6]) {
+    const double area = bat_matrix_area(m), sum = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
+    const double most = sqrt(0.5 * (sum + sqrt(fmax(0, (sum - 2 * area) * (sum + 2 * area)))));
+    return most > 0 ? area / most : 0;
+}
+
+bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6],
+                                double precision) {
     bat_status status = BAT_OK;
+    const double scale = m ? least_scale(m) : 1;
     for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
         const bat_curve *curve = bat_object_curve(object, i);
         bat_curve *own = NULL;
@@ -193,7 +242,7 @@ bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const 
             bat_matrix_rows(m, bat_curve_dimension(curve), rows);
             status = bat_curve_transform(curve, rows, &own);
         }
-        if (status == BAT_OK) status = bat_svg_write_curve(text, m ? own : curve);
+        if (status == BAT_OK) status = write_curve(text, m ? own : curve, precision, scale);
         bat_curve_free(own);
     }
     return status;

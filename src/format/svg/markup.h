@@ -9,10 +9,10 @@
 bool bat_svg_inverse(const double m[6], double out[6]); /* false: it has none */
 void bat_svg_write_matrix(const double m[6], bat_text *out);
 void bat_svg_write_pair(bat_text *text, const double *p);
-/* Path data: cubic Béziers, exact up to degree 3. */
-bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve);
-/* All curves of an object, mapped by m before (NULL: as they are). */
-bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6]);
+/* Path data: cubic Béziers of all curves of an object, exact up to degree 3, mapped by m before (NULL: as they are).
+ * precision: as of bat_svg_write_within. */
+bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6],
+                                double precision);
 /* The object's pen as a matrix, and its inverse. False: the pen is round, and both are the identity. */
 bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]);
 /* attribute: with the space before it, and up to the quote behind it: ` width="`. */

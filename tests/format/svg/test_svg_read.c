@@ -264,7 +264,7 @@ static void visible_paths_are_the_curves(void **state) {
         bat_object_release(object);
         char *text;
         size_t size;
-        assert_int_equal(bat_svg_write(document, false, &text, &size), BAT_OK);
+        assert_int_equal(bat_svg_write_within(document, false, 0, &text, &size), BAT_OK);
         back = read_svg(text);
         assert_false(report.native || report.edited);
         assert_int_equal(bat_losses_total(&report.lost), 0);

@@ -338,7 +338,8 @@ static void collect(bat_svg_patch *p, bool with_native) {
     place_native(p, with_native);
 }
 
-bat_status bat_svg_patch_write(const bat_document *document, bool with_native, bat_text *text) {
+bat_status bat_svg_patch_write(const bat_document *document, bool with_native, double precision,
+                               bat_text *text) {
     const bat_source *source = bat_document_origin(document);
     if (bat_document_digest(document) == bat_source_digest(source) &&
         (with_native || !strstr(bat_source_text(source, &(size_t){0}), BAT_SVG_NATIVE_NAMESPACE))) {
@@ -347,7 +348,7 @@ bat_status bat_svg_patch_write(const bat_document *document, bool with_native, b
         bat_text_add(text, same, size);
         return text->failed ? BAT_MEMORY : BAT_OK;
     }
-    bat_svg_patch p = {0};
+    bat_svg_patch p = {.precision = precision};
     bat_status status = bat_svg_plan_make(document, &p.plan);
     if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_UNSUPPORTED;
     const size_t room = (size_t)p.plan.count + 2;

@@ -27,7 +27,8 @@ typedef struct bat_svg_patch {
     bat_svg_mark *kept,
         *fresh; /* whose element stays, by its place in the file; written anew, by their place in made */
     int kept_count, fresh_count;
-    int number; /* of new gradients; 0: not known yet */
+    double precision; /* as of bat_svg_write_within */
+    int number;       /* of new gradients; 0: not known yet */
     bat_status status;
 } bat_svg_patch;
 
@@ -58,6 +59,7 @@ void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat
 void bat_svg_patch_new(bat_svg_patch *p);
 
 /* The file as it is now. BAT_UNSUPPORTED: it cannot be written so. O(size). */
-bat_status bat_svg_patch_write(const bat_document *document, bool with_native, bat_text *out);
+bat_status bat_svg_patch_write(const bat_document *document, bool with_native, double precision,
+                               bat_text *out);
 
 #endif

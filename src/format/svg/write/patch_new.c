@@ -112,7 +112,7 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
     write_transform(m, out);
     bat_svg_write_style_attribute(out, object, &style, &ids);
     bat_text_string(out, " d=\"");
-    p->status = bat_svg_write_curves(out, object, uneven ? back : NULL);
+    p->status = bat_svg_write_curves(out, object, uneven ? back : NULL, p->precision);
     bat_text_string(out, "\"/>");
 }
 

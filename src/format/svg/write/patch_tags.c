@@ -206,19 +206,12 @@ static void set_state(bat_svg_retag *r, const bat_object *object, const bat_sour
     }
 }
 
-static bat_status set_path(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
-    double m[6], rows[12];
+static bat_status set_path(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
+                           double precision) {
+    double m[6];
     bat_text data = {0};
     if (!bat_svg_inverse(entry->inner, m)) return BAT_UNSUPPORTED;
-    bat_status status = BAT_OK;
-    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
-        const bat_curve *curve = bat_object_curve(object, i);
-        bat_curve *own = NULL;
-        bat_matrix_rows(m, bat_curve_dimension(curve), rows);
-        status = bat_curve_transform(curve, rows, &own);
-        if (status == BAT_OK) status = bat_svg_write_curve(&data, own);
-        bat_curve_free(own);
-    }
+    bat_status status = bat_svg_write_curves(&data, object, m, precision);
     bat_text_add(&data, "", 1);
     if (data.failed) status = BAT_MEMORY;
     if (status == BAT_OK) {
@@ -279,9 +272,10 @@ static bat_status set_foreign(bat_svg_retag *r, const bat_object *object, const 
     return set_matrix(r, m);
 }
 
-static bat_status set_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
+static bat_status set_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
+                            double precision) {
     if (bat_object_is_foreign(object) && !is_written_alone(r)) return set_foreign(r, object, entry);
-    return bat_object_picture(object) ? set_image(r, object, entry) : set_path(r, object, entry);
+    return bat_object_picture(object) ? set_image(r, object, entry) : set_path(r, object, entry, precision);
 }
 
 /* How translucent an element is itself that has become so much more or less. */
@@ -304,7 +298,7 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
         else
             fade_foreign(&r, bat_object_style(object)->opacity, entry);
         if (reshaped) {
-            const bat_status status = set_shape(&r, object, entry);
+            const bat_status status = set_shape(&r, object, entry, p->precision);
             if (status != BAT_OK) p->status = status;
         }
     } else if (bat_object_style(object)->opacity != entry->style.opacity)

@@ -110,7 +110,7 @@ static bat_status digest_object(const bat_text *text, size_t start, const bat_ob
 
 /* Writes the path element, and adds what a reader will see of it to the digest. */
 static bat_status write_object(bat_text *text, const bat_object *object, bool as_id, bool hidden,
-                               bat_outline *outline, uint64_t *digest) {
+                               double precision, bat_outline *outline, uint64_t *digest) {
     const bat_style *style = bat_object_style(object);
     double pen[6], back[6];
     const bool uneven = bat_svg_pen(object, pen, back);
@@ -126,7 +126,7 @@ static bat_status write_object(bat_text *text, const bat_object *object, bool as
     bat_svg_write_style(text, object, &ids);
     bat_text_string(text, " d=\"");
     const size_t start = text->size;
-    bat_status status = bat_svg_write_curves(text, object, uneven ? back : NULL);
+    bat_status status = bat_svg_write_curves(text, object, uneven ? back : NULL, precision);
     if (status == BAT_OK && text->failed) status = BAT_MEMORY;
     if (status == BAT_OK && !hidden && (style->stroked || style->filled))
         status = digest_object(text, start, object, outline, digest);
@@ -144,7 +144,8 @@ static void write_image(bat_text *text, const bat_object *object, bool as_id, bo
     if (!hidden) *digest = bat_svg_digest_image(*digest, bat_object_picture(object), m, opacity);
 }
 
-static bat_status write_objects(const bat_document *document, bat_text *text, uint64_t *digest) {
+static bat_status write_objects(const bat_document *document, double precision, bat_text *text,
+                                uint64_t *digest) {
     int count = bat_document_count(document);
     bool *unique = malloc((size_t)count + 1);
     bat_status status = unique ? find_ids(document, unique) : BAT_MEMORY;
@@ -163,7 +164,7 @@ static bat_status write_objects(const bat_document *document, bat_text *text, ui
         else if (bat_object_picture(object))
             write_image(text, object, unique[i], level.hidden, digest);
         else if (bat_object_is_painted(object))
-            status = write_object(text, object, unique[i], level.hidden, &outline, digest);
+            status = write_object(text, object, unique[i], level.hidden, precision, &outline, digest);
     }
     for (int k = 0; k < nesting.depth; k++) bat_text_string(text, "</g>\n");
     bat_outline_free(&outline);
@@ -219,12 +220,12 @@ static bat_status write_seen(const bat_document *document, const bat_viewpoint *
 
 /* The whole file, made anew. view: what it shows; NULL: the page. */
 static bat_status write_anew(const bat_document *document, const bat_viewpoint *view, bool with_native,
-                             bat_text *text) {
+                             double precision, bat_text *text) {
     bat_text objects = {0};
     uint64_t digest;
     double box[4] = {0, 0};
     const bat_status status = view ? write_seen(document, view, &objects, &digest)
-                                   : write_objects(document, &objects, &digest);
+                                   : write_objects(document, precision, &objects, &digest);
     if (status == BAT_OK) {
         if (view)
             box[2] = view->size[0], box[3] = view->size[1];
@@ -241,19 +242,24 @@ static bat_status write_anew(const bat_document *document, const bat_viewpoint *
 }
 
 bat_status bat_svg_write(const bat_document *document, bool with_native, char **out, size_t *size) {
-    if (!document || !out || !size) return BAT_ARGUMENT;
+    return bat_svg_write_within(document, with_native, BAT_SVG_UNSEEN, out, size);
+}
+
+bat_status bat_svg_write_within(const bat_document *document, bool with_native, double precision, char **out,
+                                size_t *size) {
+    if (!document || !out || !size || isnan(precision)) return BAT_ARGUMENT;
     bat_text text = {0};
     if (bat_document_origin(document)) {
-        const bat_status kept = bat_svg_patch_write(document, with_native, &text);
+        const bat_status kept = bat_svg_patch_write(document, with_native, precision, &text);
         if (kept == BAT_OK) return bat_text_finish(&text, out, size);
         bat_text_free(&text);
         if (kept == BAT_MEMORY) return kept;
         text = (bat_text){0};
     }
     const bat_viewpoint *view = bat_seen_shown(document);
-    bat_status status = write_anew(document, view, with_native, &text);
+    bat_status status = write_anew(document, view, with_native, precision, &text);
     if (view && status != BAT_OK && status != BAT_MEMORY) /* more than can be drawn: the page */
-        status = write_anew(document, NULL, with_native, &text);
+        status = write_anew(document, NULL, with_native, precision, &text);
     if (status == BAT_OK) return bat_text_finish(&text, out, size);
     bat_text_free(&text);
     return status;
