@@ -67,6 +67,7 @@ need_to_test() {
     need poppler-utils pdftocairo
     need ghostscript gs
     need assimp-utils assimp
+    need blender blender
     need groff-base groff
     need nodejs node
     need npm npm

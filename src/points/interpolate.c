@@ -1,6 +1,6 @@
 /* C2 cubics through points: slopes from a tridiagonal system that is diagonally dominant, then control points as blossoms of
  * the pieces. */
-#include <batten/interpolate.h>
+#include "points/interpolate.h"
 
 #include "base/real.h"
 
@@ -182,6 +182,21 @@ bat_status bat_interpolate(int dimension, bool closed, size_t count, const doubl
     w.n = take(dimension, count, points, closed, w.points);
     const bat_status status = w.n < (closed ? 3 : 2) ? BAT_COUNT
                                                      : interpolate(&w, closed, closed ? NULL : ends, out);
+    free(block);
+    return status;
+}
+
+bat_status bat_interpolate_at(int dimension, size_t n, const double *points, const double *t,
+                              bat_curve **out) {
+    const size_t m = (size_t)dimension;
+    double *block = malloc(n * (2 * m + 3) * sizeof *block);
+    if (!block) return BAT_MEMORY;
+    work w = {.m = dimension, .n = n, .points = block, .slopes = block + n * m, .t = block + 2 * n * m};
+    w.diagonal = w.t + n, w.upper = w.diagonal + n;
+    memcpy(w.points, points, n * m * sizeof *points);
+    memcpy(w.t, t, n * sizeof *t);
+    solve_open(&w, NULL);
+    const bat_status status = open_curve(&w, out);
     free(block);
     return status;
 }

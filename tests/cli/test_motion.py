@@ -1,7 +1,6 @@
 """batten motion: walks made by a formula, with 31 joints and noise as of markers; read, fitted, scaled, bent. Places of joints
 come from a forward kinematics of this file's own, in numpy."""
 import json
-import shutil
 import subprocess
 import unittest
 
@@ -213,7 +212,6 @@ class Motion(ProgramTest):
                 self.assertLess(apart.min(axis=0).max(), 1e-6, "each joint is on a line")
                 self.assertLess(apart.min(axis=1).max(), 1e-6, "and each point of a line is a joint")
 
-    @unittest.skipUnless(shutil.which("blender"), "Blender is not installed")
     def test_blender_opens_it(self):
         """A walk that was fitted, scaled and written: Blender reads it, and its bones are where numpy puts them."""
         self.file("in.bvh", walk(frames=12))

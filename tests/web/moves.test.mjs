@@ -150,6 +150,69 @@ test('by touch, from a view, looped and in Korean', async (t) => {
   assert.equal((await state(page)).digest, first.digest);
 });
 
+test('from one view and then from others, by pen and keys: a path through them, one step each; a new camera with nothing selected', async (t) => {
+  const { page, hand, first } = await begin(t, {});
+  const command = (name) => page.evaluate((id) => {
+    globalThis.batten.engine.command(id);
+    globalThis.batten.wake();
+  }, name);
+  await command('deselect');
+  await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
+  await command('camera-here');
+  await page.waitForSelector('.time:not([hidden])');
+  await quiet(page);
+  assert.equal((await move(page)).length, 0, 'a tripod');
+  const digests = [first.digest, (await state(page)).digest];
+  await command('camera-here');
+  await quiet(page);
+  assert.equal((await state(page)).digest, digests[1], 'the same view is none');
+  assert.match(await page.locator('#notice-text').textContent(), /ends at this view already/);
+  for (const [from, to] of [[[600, 400], [480, 420]], [[600, 400], [640, 460]], [[500, 300], [700, 330]]]) {
+    await hand.stroke([from, to], { pointerType: 'mouse', button: 'right' });
+    await page.locator('#stage').focus();
+    await page.keyboard.press('+');
+    await quiet(page);
+    await command('camera-here');
+    await quiet(page);
+    const now = await move(page);
+    assert.deepEqual([now.cameras, now.duration, now.at], [1, 4, 4], 'the same camera, at the view');
+    assert.ok(now.length > 0);
+    digests.push((await state(page)).digest);
+  }
+  assert.match(await page.locator('#notice-text').textContent(), /goes through: 4/);
+  const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `moves-${name}.png`) });
+  await shot('views-before');
+  await page.keyboard.press('q');
+  await page.waitForSelector('#stage.through');
+  await quiet(page);
+  await shot('views-last');
+  assert.equal((await move(page)).through, 1);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('-');
+  await page.keyboard.press('-');
+  await page.keyboard.press('-');
+  await quiet(page);
+  await shot('views');
+  await tapSpace(page);
+  await page.waitForFunction(() => {
+    const { engine } = globalThis.batten;
+    const now = JSON.parse(engine.string(engine.wasm.editor_move(engine.editor)));
+    return now.playing && now.at > 0.3 && now.at < 3;
+  });
+  await tapSpace(page);
+  assert.equal((await state(page)).digest, digests.at(-1), 'playing is not editing');
+  await command('deselect');
+  await command('camera-here');
+  await quiet(page);
+  assert.deepEqual([(await move(page)).cameras, (await move(page)).length], [2, 0], 'a new one');
+  for (const digest of digests.toReversed()) {
+    await page.keyboard.press('Control+z');
+    await quiet(page);
+    assert.equal((await state(page)).digest, digest);
+  }
+  assert.equal((await state(page)).check, '');
+});
+
 test('levels and timing over the strip: shake, a stroke over the graph, the duration; undo takes all back', async (t) => {
   const { page, hand, first } = await begin(t, {});
   await page.evaluate(() => globalThis.batten.engine.command('camera-along'));

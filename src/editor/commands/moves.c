@@ -4,6 +4,7 @@
 #include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
 #include "editor/pick/pivot.h"
+#include "editor/scene/seen.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
@@ -12,8 +13,10 @@
 #include "editor/tables/commands.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
+#include "form/camera/views.h"
 #include "document/kind.h"
 #include <math.h>
+#include <stdio.h>
 
 /* ---- making ---- */
 
@@ -71,15 +74,17 @@ bat_status bat_command_camera_along(bat_context *c, bat_command_id id) {
     return status;
 }
 
-/* The pose of the view as it is. */
+/* The pose of the view as it is; in parallel projection, where the eye may be anywhere along the gaze, one that sees the middle of
+ * everything as large as it is seen. */
 static void pose_of(bat_context *c, double place[3], double rotation[4], double *fov) {
-    bat_pivot_set(c, NULL);
-    const bat_view *view = &c->stage->view;
-    double middle[2], right[3], down[3], ahead[3];
+    bat_view seen = c->stage->view;
+    const bat_view *view = &seen;
+    double middle[2], right[3], down[3], ahead[3], all[3];
+    const bool deep = bat_stage_deep(c->stage);
+    if (!deep && bat_pivot_of_all(c, all)) bat_view_set_pivot(&seen, all);
     bat_stage_middle(c->stage, middle);
     bat_view_axes(view, right, down, ahead);
     const bat_ray ray = bat_view_ray(view, middle);
-    const bool deep = bat_stage_deep(c->stage);
     *fov = deep ? view->fov : BAT_FOV;
     const double half = *fov * BAT_PI / 360, tall = fmax(view->height, 1) / view->zoom;
     const double back = deep ? 0 : 0.5 * tall * bat_cos(half) / bat_sin(half);
@@ -89,26 +94,75 @@ static void pose_of(bat_context *c, double place[3], double rotation[4], double 
     quat_store(quat_of_axes(x, y, z), rotation);
 }
 
-bat_status bat_command_camera_here(bat_context *c, bat_command_id id) {
-    double points[6], keys[8], fov;
-    const double knots[4] = {0, 0, 1, 1};
+/* The selected camera, when it can go through another view; *at: where it is. */
+static const bat_object *taking_views(const bat_context *c, int *at) {
+    const bat_selection *selection = &c->choice->selection;
+    if (selection->count != 1) return NULL;
+    *at = bat_document_find(c->session->document, selection->ids[0]);
+    const bat_object *object = bat_document_at(c->session->document, *at);
+    const bat_camera *camera = object ? bat_object_camera(object) : NULL;
+    const bool own = camera && bat_object_followed(object) == 0 && !bat_seen_out_of_reach(c, *at);
+    return own && bat_camera_takes_views(camera) ? object : NULL;
+}
+
+/* Its move goes through the view, too, and the playhead stands there. */
+static bat_status go_through(bat_context *c, int at, const bat_object *object, const bat_camera_pose *view) {
+    char text[24];
+    bat_view_report report = {0};
+    bat_camera *camera = NULL;
+    bat_object *after = NULL;
+    bat_status status = bat_camera_with_view(bat_object_camera(object), view, &camera, &report);
+    if (status == BAT_STATE || status == BAT_COUNT) {
+        bat_notice(c, status == BAT_STATE ? BAT_STRING_NOTICE_VIEW_SAME : BAT_STRING_NOTICE_VIEWS_MANY);
+        return BAT_STATE;
+    }
+    if (status == BAT_OK) status = bat_object_with_camera(object, camera, 0, &after);
+    const double end = camera ? bat_camera_duration(camera) : 0;
+    bat_camera_free(camera);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status == BAT_OK)
+        status = bat_transaction_end(c, bat_transaction_replace(c, at, after), BAT_STRING_STEP_VIEW_KEY);
+    bat_object_release(after);
+    if (status != BAT_OK) {
+        bat_notice_failure(c, status);
+        return status;
+    }
+    bat_moves_sync(c);
+    c->moves->at = end;
+    c->moves->version++;
+    snprintf(text, sizeof text, "%zu", report.views);
+    bat_notice_value(c, report.sudden ? BAT_STRING_NOTICE_VIEWS_SUDDEN : BAT_STRING_NOTICE_VIEWS, text);
+    return BAT_OK;
+}
+
+/* A camera that stands at a pose: a path of no length. */
+static bat_status stand(bat_context *c, const bat_camera_pose *view) {
+    static const double knots[4] = {0, 0, 1, 1};
+    double points[6], keys[8];
     bat_curve *path = NULL;
     bat_camera *camera = NULL;
-    (void)id;
-    pose_of(c, points, keys, &fov);
-    for (int i = 0; i < 3; i++) points[3 + i] = points[i];
-    for (int i = 0; i < 4; i++) keys[4 + i] = keys[i];
+    for (int i = 0; i < 3; i++) points[i] = points[3 + i] = view->position[i];
+    for (int i = 0; i < 4; i++) keys[i] = keys[4 + i] = view->rotation[i];
     const bat_rotation_curve base = {
         .degree = 1, .count = 2, .points = keys, .knot_count = 4, .knots = knots};
     bat_camera_options options = bat_camera_defaults();
     options.base = &base;
-    options.fov = bat_function_of(fov);
+    options.fov = bat_function_of(view->fov);
     bat_status status = bat_curve_create(3, 1, false, 2, points, 4, knots, &path);
     if (status == BAT_OK) status = bat_camera_create(path, &options, &camera);
     bat_curve_free(path);
     if (status == BAT_OK) return put(c, camera, 0);
     bat_notice_failure(c, status);
     return status;
+}
+
+bat_status bat_command_camera_here(bat_context *c, bat_command_id id) {
+    bat_camera_pose view = {0};
+    int at = -1;
+    bat_moves_sync(c);
+    const bat_object *object = id == BAT_COMMAND_CAMERA_NEW ? NULL : taking_views(c, &at);
+    pose_of(c, view.position, view.rotation, &view.fov);
+    return object ? go_through(c, at, object, &view) : stand(c, &view);
 }
 
 /* ---- playing ---- */

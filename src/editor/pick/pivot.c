@@ -56,7 +56,8 @@ static void hold(double low[3], double high[3], const double *point, int dimensi
     }
 }
 
-/* The middle of the box around the control points of what is selected, or of everything and the page. */
+/* The middle of the box around the control points of what is selected, or of everything and the page; of what is seen, not of
+ * the cameras that see it. */
 static bool middle(bat_context *c, bool selected, double out[3]) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, page[4];
     bat_document_page(c->session->document, page);
@@ -64,7 +65,7 @@ static bool middle(bat_context *c, bool selected, double out[3]) {
         const bat_object *object = bat_document_at(c->session->document, i);
         if (i >= end && bat_selection_has(&c->choice->selection, bat_object_id(object)))
             end = bat_document_end(c->session->document, i);
-        if (bat_seen_hidden(c, i) || (selected && i >= end)) continue;
+        if (bat_seen_hidden(c, i) || (selected && i >= end) || bat_object_camera(object)) continue;
         for (int j = 0; j < bat_object_curve_count(object); j++) {
             const bat_curve *curve = bat_object_curve(object, j);
             const int size = bat_curve_dimension(curve);
@@ -76,6 +77,11 @@ static bool middle(bat_context *c, bool selected, double out[3]) {
         hold(low, high, (double[]){page[0] + i * page[2], page[1] + i * page[3]}, 2);
     for (int k = 0; k < 3; k++) out[k] = low[k] / 2 + high[k] / 2;
     return low[0] <= high[0];
+}
+
+bool bat_pivot_of_all(bat_context *c, double out[3]) {
+    bat_seen_sync(c);
+    return middle(c, false, out);
 }
 
 void bat_pivot_set(bat_context *c, const double *pixel) {

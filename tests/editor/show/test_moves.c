@@ -275,6 +275,95 @@ static void stands_where_the_view_is(void **state) {
     bat_editor_free(editor);
 }
 
+/* From other views, while it is selected: one camera, whose move goes through all of them; each looks as its view did. */
+static void through_views(bool deep) {
+    enum { VIEWS = 4, MARKS = 4 };
+    static const char *const turns[VIEWS - 1][2] = {
+        {"orbit-right", "zoom-in"}, {"orbit-up", "orbit-up"}, {"zoom-out", "pan-left"}};
+    bat_editor *editor = with_curve();
+    const uint64_t first = digest(editor);
+    const double origin[3] = {0};
+    double was[VIEWS][MARKS][2], now[2];
+    uint64_t digests[VIEWS];
+    bat_editor_set(editor, "perspective", deep);
+    bat_editor_command(editor, "orbit-up");
+    for (int v = 0; v < VIEWS; v++) {
+        for (int k = 0; v > 0 && k < 2; k++)
+            assert_int_equal(bat_editor_command(editor, turns[v - 1][k]), BAT_OK);
+        for (int i = 0; i < MARKS; i++)
+            seen(editor, (double[]){200 + 150 * i, 390 + 30 * i, 10 * i}, origin, was[v][i]);
+        assert_int_equal(bat_editor_command(editor, "camera-here"), BAT_OK);
+        digests[v] = digest(editor);
+        assert_true(value(editor, "cameras") == 1 && value(editor, "duration") == 4);
+        assert_int_equal(bat_editor_frame(editor)->selected, 1);
+        assert_int_equal(bat_editor_command(editor, "camera-here"), BAT_STATE); /* the same view again */
+        assert_string_equal(bat_editor_frame(editor)->notice,
+                            "The camera ends at this view already: move or turn the view first");
+        assert_true(digest(editor) == digests[v]);
+        at_is(editor, v ? 4 : 0);
+    }
+    assert_true(value(editor, "length") > 0);
+    const bat_camera *camera = bat_object_camera(last(editor));
+    const double *knots = bat_curve_knots(bat_camera_path(camera));
+    bat_editor_command(editor, "view-home");
+    for (int v = 0; v < VIEWS; v++) { /* the time at which it is there, by halving */
+        double a = 0, b = 4;
+        bat_camera_pose pose;
+        for (int k = 0; k < 60; k++) {
+            bat_camera_at_time(camera, 0.5 * (a + b), &pose);
+            *(pose.u < knots[3 + v] ? &a : &b) = 0.5 * (a + b);
+        }
+        bat_editor_seek(editor, v ? b : 0);
+        bat_editor_command(editor, "look-through");
+        for (int i = 0; i < MARKS; i++) {
+            seen(editor, (double[]){200 + 150 * i, 390 + 30 * i, 10 * i}, origin, now);
+            for (int k = 0; k < 2; k++) assert_true(fabs(now[k] - was[v][i][k]) < (deep ? 1e-4 : 60));
+        }
+        bat_editor_command(editor, "cancel");
+    }
+    check(editor);
+    replays(editor, 1);
+    for (int v = VIEWS - 1; v > 0; v--) { /* each is one step */
+        assert_true(digest(editor) == digests[v]);
+        bat_editor_command(editor, "undo");
+    }
+    assert_true(digest(editor) == digests[0]);
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == first);
+    bat_editor_free(editor);
+}
+
+static void goes_through_views(void **state) {
+    (void)state;
+    through_views(true);
+    through_views(false);
+}
+
+/* Another camera is begun with nothing selected, with something else selected, and by its own command. */
+static void another_camera_can_begin(void **state) {
+    (void)state;
+    bat_editor *editor = with_curve();
+    bat_editor_command(editor, "camera-here");
+    bat_editor_command(editor, "orbit-right");
+    assert_int_equal(bat_editor_command(editor, "camera-new"), BAT_OK);
+    assert_true(value(editor, "cameras") == 2 && value(editor, "length") == 0);
+    bat_editor_command(editor, "deselect");
+    bat_editor_command(editor, "orbit-right");
+    assert_int_equal(bat_editor_command(editor, "camera-here"), BAT_OK);
+    assert_true(value(editor, "cameras") == 3 && value(editor, "length") == 0);
+    bat_editor_select(editor, bat_object_id(bat_document_at(bat_editor_document(editor), 0)), false);
+    bat_editor_command(editor, "orbit-right");
+    assert_int_equal(bat_editor_command(editor, "camera-here"), BAT_OK);
+    assert_true(value(editor, "cameras") == 4 && value(editor, "length") == 0);
+    bat_editor_select(editor, bat_object_id(bat_document_at(bat_editor_document(editor), 0)), false);
+    bat_editor_command(editor, "camera-along"); /* it goes where its curve goes */
+    assert_int_equal(bat_editor_command(editor, "camera-here"), BAT_OK);
+    assert_true(value(editor, "cameras") == 6 && value(editor, "length") == 0);
+    check(editor);
+    replays(editor, 1);
+    bat_editor_free(editor);
+}
+
 /* The selected camera is the one that is played; without a selection the one before. */
 static void the_selected_one_is_played(void **state) {
     (void)state;
@@ -298,13 +387,17 @@ static void the_selected_one_is_played(void **state) {
 
 static void every_allocation_may_fail(void **state) {
     (void)state;
-    static const char *const commands[] = {"camera-along", "camera-here"};
-    for (int i = 0; i < 2; i++) {
+    static const char *const commands[] = {"camera-along", "camera-here", "camera-here"};
+    for (int i = 0; i < 3; i++) {
         bool reached = true;
         for (long n = 1; reached; n++) {
             bat_editor *editor = with_curve();
             bat_editor_command(editor, "tool-select");
             bat_editor_command(editor, "select-all");
+            if (i == 2) { /* another view of a camera that stands */
+                bat_editor_command(editor, "camera-here");
+                bat_editor_command(editor, "orbit-up");
+            }
             bat_editor_frame(editor);
             const uint64_t first = digest(editor);
             alloc_fail_at(n);
@@ -324,6 +417,7 @@ int main(void) {
         cmocka_unit_test(is_made_along_a_curve),      cmocka_unit_test(plays_by_the_hosts_time),
         cmocka_unit_test(a_tap_of_space_plays),       cmocka_unit_test(steps_are_frames),
         cmocka_unit_test(sees_what_the_camera_sees),  cmocka_unit_test(stands_where_the_view_is),
+        cmocka_unit_test(goes_through_views),         cmocka_unit_test(another_camera_can_begin),
         cmocka_unit_test(the_selected_one_is_played), cmocka_unit_test(every_allocation_may_fail)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
