@@ -205,7 +205,7 @@ test('from one view and then from others, by pen and keys: a path through them, 
   await command('camera-here');
   await quiet(page);
   assert.deepEqual([(await move(page)).cameras, (await move(page)).length], [2, 0], 'a new one');
-  for (const digest of digests.toReversed()) {
+  for (const digest of digests.reverse()) {
     await page.keyboard.press('Control+z');
     await quiet(page);
     assert.equal((await state(page)).digest, digest);
