@@ -2,6 +2,7 @@
 #include "paint_bytes.h"
 #include "paint_foreign.h"
 
+#include "document/clip.h"
 #include "document/kind.h"
 #include "document/nesting.h"
 
@@ -188,31 +189,49 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
     return BAT_OK;
 }
 
-/* Groups that are translucent as a whole, as far as they have been begun: the outermost first. */
+/* From now on only what lies in all regions is painted, until cairo_restore. */
+static bat_status clip_to(cairo_t *cairo, const bat_clip *clip, double tolerance) {
+    bat_status status = BAT_OK;
+    for (; clip && status == BAT_OK; clip = bat_clip_within(clip)) {
+        cairo_new_path(cairo);
+        for (int i = 0; i < bat_clip_curve_count(clip) && status == BAT_OK; i++)
+            status = trace(cairo, bat_clip_curve(clip, i), tolerance);
+        cairo_set_fill_rule(cairo,
+                            bat_clip_is_even_odd(clip) ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+        cairo_clip(cairo);
+    }
+    return status;
+}
+
+/* Groups that are translucent as a whole or clipped, as far as they have been begun: the outermost first. */
 typedef struct layers {
     struct {
         bat_id id;
-        double opacity;
+        double opacity; /* 1: they are no picture of their own */
     } open[BAT_NESTING_MAX];
     int depth;
 } layers;
 
 /* What follows is painted for itself, in no more of the picture than the group's contents can reach. */
-static void begin_layer(cairo_t *cairo, const bat_document *document, int index, layers *l) {
+static bat_status begin_layer(cairo_t *cairo, const bat_document *document, int index, double tolerance,
+                              layers *l) {
     const bat_object *group = bat_document_at(document, index);
+    cairo_save(cairo);
+    l->open[l->depth].id = bat_object_id(group);
+    l->open[l->depth++].opacity = bat_object_style(group)->opacity;
+    const bat_status status = clip_to(cairo, bat_object_clip(group), tolerance);
+    if (status != BAT_OK || bat_object_style(group)->opacity == 1) return status;
     double box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY}, room = 2, across = 0;
     for (int i = index + 1; i < bat_document_end(document, index); i++)
         grow(bat_document_at(document, i), box);
     cairo_device_to_user_distance(cairo, &room, &across);
-    cairo_save(cairo);
     cairo_new_path(cairo);
     if (box[0] <= box[2])
         cairo_rectangle(cairo, box[0] - room, box[1] - room, box[2] - box[0] + 2 * room,
                         box[3] - box[1] + 2 * room);
     cairo_clip(cairo);
     cairo_push_group(cairo);
-    l->open[l->depth].id = bat_object_id(group);
-    l->open[l->depth++].opacity = bat_object_style(group)->opacity;
+    return BAT_OK;
 }
 
 /* Ends the groups that the next object is not in. */
@@ -221,10 +240,28 @@ static void end_layers(cairo_t *cairo, const bat_nesting *nesting, layers *l) {
         for (int i = 0; nesting && i < nesting->depth; i++)
             in = in || nesting->open[i].id == l->open[l->depth - 1].id;
         if (in) return;
-        cairo_pop_group_to_source(cairo);
-        cairo_paint_with_alpha(cairo, l->open[--l->depth].opacity);
+        if (l->open[--l->depth].opacity != 1) {
+            cairo_pop_group_to_source(cairo);
+            cairo_paint_with_alpha(cairo, l->open[l->depth].opacity);
+        }
         cairo_restore(cairo);
     }
+}
+
+static bool is_layer(const bat_object *object) {
+    return bat_object_is_group(object) && (bat_object_style(object)->opacity < 1 || bat_object_clip(object));
+}
+
+/* As far as it is seen. */
+static bat_status paint_clipped(cairo_t *cairo, const bat_object *object, double tolerance, bool *whole) {
+    cairo_save(cairo);
+    bat_status status = clip_to(cairo, bat_object_clip(object), tolerance);
+    if (status == BAT_OK && bat_object_is_foreign(object))
+        *whole = paint_foreign(cairo, object) && *whole;
+    else if (status == BAT_OK)
+        status = paint_object(cairo, object, tolerance);
+    cairo_restore(cairo);
+    return status;
 }
 
 static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area,
@@ -247,13 +284,9 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
         bat_nesting_next(&nesting, object, &level);
         end_layers(cairo, &nesting, &translucent);
         if (level.hidden) continue;
-        if (bat_object_is_group(object) && bat_object_style(object)->opacity < 1)
-            begin_layer(cairo, document, i, &translucent);
-        if (!bat_object_is_painted(object)) continue;
-        if (bat_object_is_foreign(object))
-            *whole = paint_foreign(cairo, object) && *whole;
-        else
-            status = paint_object(cairo, object, 0.05 / scale);
+        if (is_layer(object)) status = begin_layer(cairo, document, i, 0.05 / scale, &translucent);
+        if (status == BAT_OK && bat_object_is_painted(object))
+            status = paint_clipped(cairo, object, 0.05 / scale, whole);
     }
     end_layers(cairo, NULL, &translucent);
     return status;

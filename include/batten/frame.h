@@ -48,7 +48,8 @@ typedef enum bat_role {
     BAT_ROLE_GUIDELINE, /* the drawing's guides */
     BAT_ROLE_PAGE_BACK, /* instead of PAGE: seen from behind */
     BAT_ROLE_PIVOT,     /* what the view turns about */
-    BAT_ROLE_GROUP /* in the static list: the items that follow are painted as one picture, which then has the opacity */
+    BAT_ROLE_GROUP, /* in the static list: the items that follow are painted as one picture, which then has the opacity */
+    BAT_ROLE_CLIP /* in the static list: of the items that follow, what lies within the path is painted */
 } bat_role;
 
 enum {
@@ -71,7 +72,7 @@ typedef struct bat_item {
     float bounds[4];     /* x0 y0 x1 y1 with stroke width, relative to the origin */
     const float *path;
     uint32_t
-        picture; /* role IMAGE: the same number, the same picture (bat_editor_picture); GROUP: how many items */
+        picture; /* role IMAGE: the same number, the same picture (bat_editor_picture); GROUP, CLIP: how many items */
     uint32_t paint_count; /* floats */
     const float *paint;   /* role OBJECT: what paints it besides its colours; NULL: nothing */
 } bat_item;

@@ -4,6 +4,7 @@
 
 #include "base/users.h"
 #include "curve/curve.h"
+#include "document/clip.h"
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -34,6 +35,7 @@ typedef struct head {
     bool hidden, locked;
     bat_style style;
     bat_painted *paint; /* NULL: none */
+    bat_clip *clip;     /* NULL: none */
 } head;
 
 struct bat_object {
@@ -100,11 +102,17 @@ static void measure(bat_object *object) {
     if (object->type->bounds) object->type->bounds(object->own, object->box);
 }
 
+/* An object's head that it shares with another: what it refers to has one more user. */
+static void set_head(bat_object *object, const head *with) {
+    object->head = *with;
+    bat_painted_retain(with->paint);
+    bat_clip_retain(with->clip);
+}
+
 static bat_status make(const bat_kind_type *type, const head *with, const char *name, const void *own,
                        int count, bat_curve *const *curves, bat_object **out) {
     bat_object *object = allocate(type, count, name);
     if (!object) return BAT_MEMORY;
-    object->head = *with;
     for (int i = 0; i < count; i++) {
         object->parts[i] = part_create();
         if (!object->parts[i]) {
@@ -113,7 +121,7 @@ static bat_status make(const bat_kind_type *type, const head *with, const char *
             return BAT_MEMORY;
         }
     }
-    bat_painted_retain(object->head.paint);
+    set_head(object, with);
     for (int i = 0; i < count; i++) part_fill(object->parts[i], curves[i], NULL);
     if (own) memcpy(object->own, own, type->size);
     measure(object);
@@ -154,8 +162,7 @@ bat_status bat_object_remake(const bat_object *object, const bat_kind_type *type
 static bat_object *share_as(const bat_object *object, const bat_kind_type *type, const char *name) {
     bat_object *copy = allocate(type, object->count, name);
     if (!copy) return NULL;
-    copy->head = object->head;
-    bat_painted_retain(copy->head.paint);
+    set_head(copy, &object->head);
     memcpy(copy->box, object->box, sizeof copy->box);
     for (int i = 0; i < object->count; i++) {
         copy->parts[i] = object->parts[i];
@@ -201,8 +208,7 @@ bat_status bat_object_regroup(const bat_object *object, const bat_kind_type *typ
     }
     bat_object *made = allocate(type, count, object->name);
     if (!made) return BAT_MEMORY;
-    made->head = object->head;
-    bat_painted_retain(made->head.paint);
+    set_head(made, &object->head);
     for (int i = 0; i < count; i++) {
         made->parts[i] = list[i].object->parts[list[i].curve];
         bat_users_add(&made->parts[i]->users);
@@ -267,6 +273,19 @@ bat_status bat_object_with_paint(const bat_object *object, const bat_paint *pain
     return BAT_OK;
 }
 
+bat_status bat_object_with_clip(const bat_object *object, const bat_clip *clip, bat_object **out) {
+    if (!object || !out || !(bat_object_is(object, BAT_DRAWN) || bat_object_is(object, BAT_HOLDS)))
+        return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    bat_clip_release(copy->head.clip);
+    copy->head.clip = bat_clip_retain(clip);
+    *out = copy;
+    return BAT_OK;
+}
+
+const bat_clip *bat_object_clip(const bat_object *object) { return object->head.clip; }
+
 const bat_paint *bat_object_paint(const bat_object *object) { return bat_painted_paint(object->head.paint); }
 
 bat_status bat_object_with_parent(const bat_object *object, bat_id parent, bat_object **out) {
@@ -314,6 +333,7 @@ bat_object *bat_object_retain(const bat_object *object) {
 void bat_object_release(bat_object *object) {
     if (!object || !bat_users_drop(&object->users)) return;
     bat_painted_release(object->head.paint);
+    bat_clip_release(object->head.clip);
     for (int i = 0; i < object->count; i++) part_release(object->parts[i]);
     if (object->type->end) object->type->end(object->own);
     free(object);
@@ -393,5 +413,6 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     if (object->head.hidden) digest = bat_digest_number(digest, 2);
     if (object->head.locked) digest = bat_digest_number(digest, 3);
     if (object->head.paint) digest = bat_digest_number(digest, bat_painted_digest(object->head.paint));
+    if (object->head.clip) digest = bat_digest_number(digest, bat_clip_digest(object->head.clip));
     return object->type->digest ? object->type->digest(digest, object->own) : digest;
 }

@@ -1,6 +1,7 @@
 #include "document/source.h"
 
 #include "base/users.h"
+#include "document/clip.h"
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -118,6 +119,7 @@ void bat_sourced_note(bat_sourced *entry, const bat_object *object) {
     entry->style = *bat_object_style(object);
     for (int k = 0; k < BAT_PAINT_PARTS; k++)
         entry->paint[k] = bat_paint_digest(bat_object_paint(object), (bat_paint_part)k);
+    entry->clip = bat_clip_digest(bat_object_clip(object));
     entry->hidden = bat_object_is_hidden(object);
     entry->locked = bat_object_is_locked(object);
 }

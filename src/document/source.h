@@ -20,7 +20,8 @@ typedef struct bat_sourced {
     uint64_t shape, name; /* digests */
     bat_style style;
     uint64_t paint[BAT_PAINT_PARTS]; /* digests */
-    bool boxed;                      /* a gradient of it is placed by its shape's box */
+    uint64_t clip;                   /* digest */
+    bool boxed;                      /* a gradient or its clip path is placed by its box */
     bool hidden, locked;
     uint32_t lost; /* what of its look in the file is not shown: a bit 1 << bat_loss each */
 } bat_sourced;

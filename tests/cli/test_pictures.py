@@ -2,7 +2,7 @@
 # label: slow
 """Small files, one for each way in which curves are painted: `batten render` and rsvg-convert make the same pictures, of the
 file and of the file as it is written anew, without what was kept of it. Left out is what librsvg 2.54 does otherwise than SVG
-says: the box of a turned shape, gradients without extent, strokes that do not scale."""
+says: the box of a turned shape, gradients without extent, strokes that do not scale, clip paths of clip paths."""
 import os
 import pathlib
 import shutil
@@ -125,6 +125,31 @@ FILES = {
               '<use href="#s" x="30" y="30" transform="scale(.7)" fill="#0a5"/>',
     "copies of a gradient": f'<linearGradient id="a">{STOPS}</linearGradient><defs><g id="s">{BOX}fill="url(#a)"/></g></defs>'
                             '<use href="#s" transform="scale(.8,.4)"/><use href="#s" x="40" y="50" transform="scale(.6)"/>',
+    "clip": f'<clipPath id="c"><circle cx="50" cy="50" r="30"/></clipPath>{STAR}fill="#a40" stroke="#246" stroke-width="9" '
+            'clip-path="url(#c)"/>',
+    "clip, in the shape's units": f'<clipPath id="c" transform="rotate(9)"><rect x="30" y="10" width="30" height="50"/></clipPath>'
+                                  f'{STAR}fill="#a40" transform="translate(9 4) scale(.8 .6) rotate(20)" clip-path="url(#c)"/>',
+    "clip, in parts of the box": '<clipPath id="c" clipPathUnits="objectBoundingBox"><path d="M0 0H1V.5L.5 1Z"/></clipPath>'
+                                 f'{BOX}fill="#a40" stroke="#000" stroke-width="9" clip-path="url(#c)"/><g clip-path="url(#c)">'
+                                 '<path d="M5 75H40V95H5Z"/><circle cx="60" cy="85" r="9" fill="#0a5"/></g>',
+    "clip, rules": f'<clipPath id="c" clip-rule="evenodd">{STAR}/></clipPath><clipPath id="d">{STAR}/></clipPath><g fill="#a40">'
+                   '<path d="M0 0H50V100H0Z" clip-path="url(#c)"/><path d="M50 0H100V100H50Z" style="clip-path:url(#d)"/></g>',
+    "clip, many shapes": f'<clipPath id="c">{BOX}/><circle cx="20" cy="70" r="18"/><path d="M60 60H95V95H60Z"/><rect width="9" '
+                         'height="99" visibility="hidden"/></clipPath><g clip-path="url(#c)"><path d="M0 0H100V100H0Z" '
+                         'fill="#a40"/></g>',
+    "clip, shapes from elsewhere": f'<defs>{BOX}id="b" transform="scale(.9)"/></defs><clipPath id="c"><use href="#b" x="-9" y="9"/>'
+                                   f'</clipPath>{STAR}fill="#a40" clip-path="url(#c)"/>',
+    "clip, translucent group": f'<clipPath id="c"><circle cx="50" cy="50" r="40"/></clipPath><g opacity=".5" clip-path="url(#c)">'
+                               f'{BOX}fill="#a40"/>{STAR}fill="#0a5"/></g>',
+    "clip, groups in groups": f'<clipPath id="c"><circle cx="40" cy="50" r="35"/></clipPath><clipPath id="d"><path d="M40 0H90V90H40'
+                              f'Z"/></clipPath><g clip-path="url(#c)">{BOX}fill="#a40"/><g clip-path="url(#d)" '
+                              f'transform="rotate(9)">{STAR}fill="#0a5" clip-path="url(#c)"/>{WAVE}/></g></g>',
+    "clip, of copies": f'<clipPath id="c"><circle cx="50" cy="50" r="40"/></clipPath><defs><g id="s">{BOX}fill="#a40"/>{STAR}'
+                       'fill="#0a5"/></g></defs><use href="#s" clip-path="url(#c)"/>',
+    "clip, empty": f'<clipPath id="c"/><clipPath id="d"><path d="M5 5H50"/></clipPath>{BOX}fill="#a40" clip-path="url(#c)"/>{STAR}'
+                   f'fill="#0a5" clip-path="url(#d)"/><path d="M80 80H95V95Z" clip-path="url(#none)"/>',
+    "clip, uneven pen": '<clipPath id="c"><circle cx="90" cy="50" r="40"/></clipPath><path d="M20 20H160V70H20Z" fill="none" '
+                        'stroke="#246" stroke-width="12" transform="scale(.5 1.2)" clip-path="url(#c)"/>',
     "nested": f'<svg x="10" y="10" width="60" height="80" viewBox="0 0 100 100" preserveAspectRatio="none">{linear()}</svg>',
 }
 

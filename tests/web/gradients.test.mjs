@@ -103,3 +103,41 @@ test('groups are translucent as one picture', async (t) => {
   await quiet(page);
   await check();
 });
+
+// A shape in a circle; a group in a ring, translucent, of which a part is clipped again; a clip path of shapes that go round in
+// opposite ways, within another.
+const CLIPS = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><clipPath id="c"><circle cx="70" cy="70" r="50"/></clipPath>
+<clipPath id="d"><path clip-rule="evenodd" d="M150 20H250V120H150ZM180 50H220V90H180Z"/></clipPath><clipPath id="e"><path d="M140 10H260V40H140Z"/></clipPath>
+<clipPath id="f" clip-path="url(#g)"><path d="M20 150H80V250H20Z"/><path d="M60 150V250H120V150Z"/></clipPath><clipPath id="g"><path d="M0 140H400V200H0Z"/></clipPath>
+<rect x="10" y="10" width="120" height="120" fill="#f00" clip-path="url(#c)"/>
+<g clip-path="url(#d)" opacity=".5"><rect x="140" y="10" width="120" height="120" fill="#0f0"/><rect x="140" y="10" width="120" height="120" fill="#00f" clip-path="url(#e)"/></g>
+<rect y="140" width="200" height="160" fill="#f00" clip-path="url(#f)"/></svg>`;
+
+test('only what lies within clip paths is painted', async (t) => {
+  const server = await serve({ name: 'clips.svg', bytes: Buffer.from(CLIPS) });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address, { colorScheme: 'light' });
+  await page.waitForFunction(() => globalThis.batten.painter.paints);
+  await quiet(page);
+  const [white, red, blue, green] = [[255, 255, 255], [255, 0, 0], [128, 128, 255], [128, 255, 128]];
+  const points = [[70, 30, red], [25, 25, white], [115, 115, white], [165, 30, blue], [165, 60, green], [200, 70, white], [145, 60, white],
+    [30, 170, red], [70, 170, red], [110, 170, red], [130, 170, white], [70, 210, white]];
+  const check = async (dy = 0) => {
+    const found = await stillColours(page, points.map(([x, y]) => [x, y + (x < 130 && y < 130 ? dy : 0)]));
+    points.forEach(([x, y, expected], i) => {
+      const far = Math.max(...expected.map((value, k) => Math.abs(value - found[i][k])));
+      assert.ok(far <= 3, `${x} ${y}: expected ${expected}, found ${found[i]}`);
+    });
+  };
+  await check();
+  await page.keyboard.press('v'); // what is moved takes its clip along, and what is repainted in part is the same
+  await page.mouse.click(...await place(page, 70, 60));
+  await page.keyboard.press('Shift+ArrowDown');
+  await quiet(page);
+  await page.keyboard.press('Escape');
+  await quiet(page);
+  await check(10);
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  await check();
+});

@@ -9,7 +9,7 @@ export const Modifier = Object.freeze({ SHIFT: 1, CTRL: 2, ALT: 4, META: 8 });
 export const Role = Object.freeze({ OBJECT: 0, HIGHLIGHT: 1, STRETCH: 2, TRANSITION: 3, INK: 4, FIT: 5, PREDICTED: 6,
   KNOT: 7, PAGE: 8, PENDING: 9, SELECTION: 10, HANDLE: 11, MARQUEE: 12, GHOST: 13, POINT: 14, CHOSEN: 15, PROMPT: 16,
   ARROW: 17, WEDGE: 18, BEYOND: 19, GUIDE: 20, VALUE: 21, POLYGON: 22, COMB: 23, REACH: 24, ERASED: 25, IMAGE: 26,
-  GRID: 27, GRID_STRONG: 28, RULER: 29, GUIDELINE: 30, PAGE_BACK: 31, PIVOT: 32, GROUP: 33 });
+  GRID: 27, GRID_STRONG: 28, RULER: 29, GUIDELINE: 30, PAGE_BACK: 31, PIVOT: 32, GROUP: 33, CLIP: 34 });
 /** How an item is painted. */
 export const Flag = Object.freeze({ STROKED: 1, FILLED: 2, EVEN_ODD: 4, SCREEN_WIDTH: 8, DASHED: 16 });
 /** Commands of a path. */

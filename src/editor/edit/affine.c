@@ -1,6 +1,7 @@
 #include "editor/edit/affine.h"
 
 #include "base/matrix.h"
+#include "document/clip.h"
 #include "document/kind.h"
 #include "document/paint.h"
 
@@ -29,13 +30,27 @@ static bat_status map_paint(bat_object *made, const double matrix[6], double lon
     return status;
 }
 
+/* The same for what of it is seen. */
+static bat_status map_clip(bat_object *made, const double matrix[6], bat_object **out) {
+    bat_clip *clip = NULL;
+    *out = made;
+    if (!bat_object_clip(made)) return BAT_OK;
+    bat_status status = bat_clip_mapped(bat_object_clip(made), matrix, &clip);
+    if (status == BAT_OK) status = bat_object_with_clip(made, clip, out);
+    bat_clip_release(clip);
+    bat_object_release(made);
+    return status;
+}
+
 bat_status bat_affine_object(const bat_object *object, const double matrix[6], bool strokes,
                              bat_object **out) {
     bat_object *made = NULL, *thicker = NULL;
+    if (bat_object_is_group(object)) return map_clip(bat_object_retain(object), matrix, out);
     bat_status status = image_of(object, matrix, &made);
     const double area = bat_matrix_area(matrix);
     strokes = strokes && area > 0 && fabs(area - 1) > 1e-12;
     if (status == BAT_OK) status = map_paint(made, matrix, strokes ? sqrt(area) : 1, &made);
+    if (status == BAT_OK) status = map_clip(made, matrix, &made);
     if (status != BAT_OK) return status;
     *out = made;
     if (!strokes || !bat_object_is(made, BAT_CURVES)) return BAT_OK;

@@ -6,7 +6,7 @@
 
 /* The object's image under a matrix of base/matrix.h; every curve is as bat_curve_transform makes it. A spline stays
  * a spline when its points give exactly that curve (to rounding); otherwise it becomes a path. strokes: the line
- * width grows with the square root of the area. BAT_ARGUMENT: objects of this kind have no image. */
+ * width grows with the square root of the area. Of a group, what is seen of it is mapped. BAT_ARGUMENT: objects of this kind have no image. */
 bat_status bat_affine_object(const bat_object *object, const double matrix[6], bool strokes,
                              bat_object **out);
 

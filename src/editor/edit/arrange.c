@@ -1,4 +1,5 @@
 #include "editor/edit/arrange.h"
+#include "document/clip.h"
 #include "document/document.h"
 #include "document/follow.h"
 #include "document/nesting.h"
@@ -41,7 +42,15 @@ bat_status bat_arrange_roots(const bat_context *c, int **roots, int *count) {
     return BAT_OK;
 }
 
-bat_status bat_arrange_members(const bat_context *c, int **members, int *count) {
+bool bat_arrange_moves(const bat_object *object) {
+    return !bat_object_is_group(object) || bat_object_clip(object);
+}
+
+static bool is_member(const bat_object *object) { return !bat_object_is_group(object); }
+
+/* What is selected, or in something that is, as far as it is wanted. */
+static bat_status collect(const bat_context *c, bool (*wanted)(const bat_object *object), int **members,
+                          int *count) {
     const bat_document *document = c->session->document;
     int *roots = NULL, roots_count = 0, n = 0;
     bat_status status = bat_arrange_roots(c, &roots, &roots_count);
@@ -49,12 +58,20 @@ bat_status bat_arrange_members(const bat_context *c, int **members, int *count) 
     if (status == BAT_OK && !found) status = BAT_MEMORY;
     for (int i = 0; i < roots_count && found; i++)
         for (int k = roots[i], end = bat_document_end(document, k); k < end; k++)
-            if (!bat_object_is_group(bat_document_at(document, k))) found[n++] = k;
+            if (wanted(bat_document_at(document, k))) found[n++] = k;
     free(roots);
     if (status != BAT_OK) return status;
     *members = found;
     *count = n;
     return BAT_OK;
+}
+
+bat_status bat_arrange_members(const bat_context *c, int **members, int *count) {
+    return collect(c, is_member, members, count);
+}
+
+bat_status bat_arrange_moving(const bat_context *c, int **members, int *count) {
+    return collect(c, bat_arrange_moves, members, count);
 }
 
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]) {
@@ -133,13 +150,13 @@ static bat_status apply(bat_context *c, bat_listing *listing, bat_string label) 
     return status;
 }
 
-/* Transforms the objects first to end, except groups; within a transaction. */
+/* Transforms the objects first to end, within a transaction. */
 static bat_status transform_range(bat_context *c, int first, int end, const double matrix[6]) {
     bool strokes = c->settings->values[BAT_PROPERTY_SCALE_STROKES] != 0;
     for (int i = first; i < end; i++) {
         const bat_object *before = bat_document_at(c->session->document, i);
         bat_object *after = NULL;
-        if (bat_object_is_group(before)) continue;
+        if (!bat_arrange_moves(before)) continue;
         bat_status status = bat_affine_object(before, matrix, strokes, &after);
         if (status == BAT_OK) status = bat_transaction_replace(c, i, after);
         bat_object_release(after);
@@ -210,7 +227,7 @@ static void copy_range(bat_context *c, bat_listing *listing, int first, int end,
         }
         bat_status status = bat_object_with_id(object, bat_document_new_id(c->session->document), &copy);
         if (status == BAT_OK) status = bat_object_with_parent(copy, parent, &placed);
-        if (status == BAT_OK && !bat_object_is_group(placed))
+        if (status == BAT_OK && bat_arrange_moves(placed))
             status = bat_affine_object(placed, matrix, false, &moved);
         bat_object_release(copy);
         if (moved) {
@@ -323,16 +340,27 @@ static void add_with_parent(bat_listing *listing, const bat_object *object, bat_
     bat_listing_take(listing, placed);
 }
 
-/* A member of a group that is taken apart: it is as translucent as it looked. */
+/* Seen as far as it and the group are. */
+static bat_status clip_within(const bat_object *object, const bat_object *group, bat_object **out) {
+    bat_clip *clip = NULL;
+    bat_status status = bat_clip_join(bat_object_clip(object), bat_object_clip(group), &clip);
+    const bool can = bat_object_is_drawn(object) || bat_object_is_group(object);
+    if (status == BAT_OK && can)
+        status = bat_object_with_clip(object, clip, out);
+    else if (status == BAT_OK)
+        *out = bat_object_retain(object);
+    bat_clip_release(clip);
+    return status;
+}
+
+/* A member of a group that is taken apart: it looks as it did. */
 static void add_freed(bat_listing *listing, const bat_object *object, const bat_object *group) {
-    const double opacity = bat_object_style(group)->opacity;
-    bat_object *faded = NULL;
-    if (opacity == 1) {
-        add_with_parent(listing, object, bat_object_parent(group));
-        return;
-    }
-    if (bat_object_faded(object, opacity, &faded) != BAT_OK) listing->failed = true;
+    bat_object *faded = NULL, *clipped = NULL;
+    bat_status status = clip_within(object, group, &clipped);
+    if (status == BAT_OK) status = bat_object_faded(clipped, bat_object_style(group)->opacity, &faded);
+    if (status != BAT_OK) listing->failed = true;
     if (faded) add_with_parent(listing, faded, bat_object_parent(group));
+    bat_object_release(clipped);
     bat_object_release(faded);
 }
 

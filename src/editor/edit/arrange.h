@@ -13,6 +13,10 @@
 bat_status bat_arrange_roots(const bat_context *c, int **roots, int *count);
 /* The same for everything in the roots except groups; there may be none. */
 bat_status bat_arrange_members(const bat_context *c, int **members, int *count);
+/* Those that move with it: its members, and the groups in it that are clipped. */
+bat_status bat_arrange_moving(const bat_context *c, int **members, int *count);
+/* Whether a matrix changes it: not groups, unless they are clipped. */
+bool bat_arrange_moves(const bat_object *object);
 /* The exact box of the outlines of objects first to end. False: there are none. */
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]);
 /* The box of the selection. */

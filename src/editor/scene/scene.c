@@ -32,6 +32,7 @@ static void free_entry(bat_scene_entry *entry) {
     if (entry->solid) bat_solid_free(entry->solid);
     free(entry->path);
     free(entry->paint);
+    bat_scene_regions_free(entry->regions, bat_object_clip(entry->object));
     bat_object_release(entry->posed);
     bat_object_release(entry->object);
 }
@@ -200,6 +201,11 @@ static bool is_layer(const bat_object *object) {
     return bat_object_is_group(object) && bat_object_style(object)->opacity < 1;
 }
 
+/* A group that changes how what is in it is painted. */
+static bool reaches_in(const bat_object *object) {
+    return is_layer(object) || (bat_object_is_group(object) && bat_object_clip(object));
+}
+
 /* Makes entries for the document's objects: those that still exist are moved over, the rest are dropped and counted
  * dirty. */
 static bat_status mirror(bat_scene *scene, const bat_document *document) {
@@ -217,7 +223,7 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
             old = found + 1;
         } else {
             entries[i].object = bat_object_retain(object);
-            if (is_layer(object)) dirty_all(scene);
+            if (reaches_in(object)) dirty_all(scene);
             find_box(scene, &entries[i]);
             found = former(scene, old, object, false); /* replaced: keeps the two walks in step */
             if (found >= 0) old = found + 1;
@@ -226,7 +232,7 @@ static bat_status mirror(bat_scene *scene, const bat_document *document) {
     }
     for (int i = 0; i < scene->count; i++)
         if (scene->entries[i].object) {
-            if (is_layer(scene->entries[i].object)) dirty_all(scene);
+            if (reaches_in(scene->entries[i].object)) dirty_all(scene);
             if (scene->entries[i].path) bat_box_add(scene->dirty, scene->entries[i].item.bounds);
             free_entry(&scene->entries[i]);
         }
@@ -284,9 +290,11 @@ bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry)
 
 void bat_scene_stand(bat_scene *scene, double time) { scene->time = time; }
 
-/* The items of groups that are painted as one picture: where they are in the list, until their objects end. */
+enum { LAYERS = (BAT_NESTING_MAX + 1) * (BAT_CLIP_REGIONS_MAX + 1) };
+
+/* The items of groups that are painted as one picture, and of clips: where they are in the list, until their objects end. */
 typedef struct layers {
-    int item[BAT_NESTING_MAX], end[BAT_NESTING_MAX];
+    int item[LAYERS], end[LAYERS];
     int depth;
 } layers;
 
@@ -305,6 +313,48 @@ static bat_item layer_item(bat_scene *scene, const bat_object *object) {
                       .version = ++scene->versions,
                       .role = BAT_ROLE_GROUP,
                       .opacity = (float)bat_object_style(object)->opacity};
+}
+
+static void begin_layer(layers *l, int item, int end) {
+    l->item[l->depth] = item;
+    l->end[l->depth++] = end;
+}
+
+static bat_item region_item(bat_scene *scene, const bat_scene_entry *entry, int region) {
+    /* Behind the numbers of objects. */
+    const uint32_t id = region == 0 ? 1u << 31 | (uint32_t)bat_object_id(entry->object) : 0;
+    return (bat_item){.id = id,
+                      .version = id ? ++scene->versions : 0,
+                      .role = BAT_ROLE_CLIP,
+                      .flags = entry->regions[region].flags,
+                      .opacity = 1,
+                      .path_count = entry->regions[region].count,
+                      .path = entry->regions[region].path};
+}
+
+/* Adds the items that a group or an object begins with; returns how many there are in all. */
+static int show_around(bat_scene *scene, bat_scene_entry *entry, int end, layers *open, bat_item *items,
+                       int count) {
+    const bat_clip *clip = bat_object_clip(entry->object);
+    if (scene->tilted || scene->outline || open->depth + BAT_CLIP_REGIONS_MAX >= LAYERS) return count;
+    if (clip && !entry->regions && !(entry->regions = bat_scene_regions(clip, scene->origin)))
+        scene->stale = true; /* retried with the next frame */
+    for (int k = 0; k < bat_clip_count(clip) && entry->regions; k++) {
+        begin_layer(open, count, end);
+        items[count++] = region_item(scene, entry, k);
+    }
+    if (!is_layer(entry->object)) return count;
+    begin_layer(open, count, end);
+    items[count++] = layer_item(scene, entry->object);
+    return count;
+}
+
+/* The most items that there can be. */
+static size_t item_room(const bat_document *document) {
+    size_t room = (size_t)bat_document_count(document) + 1;
+    for (int i = 0; i < bat_document_count(document); i++)
+        room += (size_t)bat_clip_count(bat_object_clip(bat_document_at(document, i)));
+    return room;
 }
 
 /* Empties the scene: better than stale entries, whose indices belong to other objects now. */
@@ -337,7 +387,7 @@ static int show_page(bat_scene *scene, const bat_document *document, bat_item *i
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision) {
     if (scene->revision == revision && !scene->stale) return BAT_OK;
     int count = bat_document_count(document);
-    bat_item *items = calloc((size_t)count + 1, sizeof *items);
+    bat_item *items = calloc(item_room(document), sizeof *items);
     bat_status status = items ? BAT_OK : BAT_MEMORY;
     if (scene->revision != revision) {
         if (status == BAT_OK) status = mirror(scene, document);
@@ -353,12 +403,8 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     for (int i = 0; i < count; i++) {
         bat_scene_entry *entry = &scene->entries[i];
         end_layers(&open, items, i, item_count);
-        if (!entry->hidden && !scene->tilted && !scene->outline && is_layer(entry->object) &&
-            open.depth < BAT_NESTING_MAX) {
-            open.item[open.depth] = item_count;
-            open.end[open.depth++] = bat_document_end(document, i);
-            items[item_count++] = layer_item(scene, entry->object);
-        }
+        if (!entry->hidden)
+            item_count = show_around(scene, entry, bat_document_end(document, i), &open, items, item_count);
         if (entry->hidden || !bat_object_is_drawn(entry->object)) continue;
         scene->surfaces = scene->surfaces || bat_object_surface(entry->object) ||
                           bat_object_mesh(entry->object);
@@ -389,7 +435,9 @@ static void lose_paths(bat_scene *scene) {
     for (int i = 0; i < scene->count; i++) {
         free(scene->entries[i].path);
         free(scene->entries[i].paint);
+        bat_scene_regions_free(scene->entries[i].regions, bat_object_clip(scene->entries[i].object));
         scene->entries[i].path = scene->entries[i].paint = NULL;
+        scene->entries[i].regions = NULL;
         scene->entries[i].item = (bat_item){0};
     }
     scene->item_count = 0;

@@ -7,6 +7,7 @@
 #define BATTEN_EDITOR_SCENE_SCENE_H
 
 #include "editor/choice/isolation.h"
+#include "editor/scene/clips.h"
 #include "editor/scene/path.h"
 #include "editor/view/stage.h"
 #include <batten/nearest.h>
@@ -19,12 +20,13 @@ typedef struct bat_scene_line {
 } bat_scene_line;
 
 typedef struct bat_scene_entry {
-    bat_object *object; /* retained */
-    bat_object *posed;  /* as it stands at the scene's time, for pictures in space; NULL: as it is */
-    double posed_at;    /* the time */
-    double box[4];      /* of the outline, drawing coordinates (editor/view/stage.h) */
-    float *path;        /* NULL until made */
-    float *paint;       /* made with the path; NULL: none */
+    bat_object *object;        /* retained */
+    bat_object *posed;         /* as it stands at the scene's time, for pictures in space; NULL: as it is */
+    double posed_at;           /* the time */
+    double box[4];             /* of the outline, drawing coordinates (editor/view/stage.h) */
+    float *path;               /* NULL until made */
+    float *paint;              /* made with the path; NULL: none */
+    bat_scene_region *regions; /* of its clip; NULL until requested */
     bat_item item;
     bool hidden, locked;   /* the object or a group that contains it; what is not isolated counts as locked */
     bool pale;             /* not isolated */

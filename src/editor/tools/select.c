@@ -180,7 +180,7 @@ static void find_sources(bat_context *c, bat_selecting *s) {
 static bat_status take_hold(bat_context *c, bat_selecting *s) {
     const bat_document *document = c->session->document;
     int count;
-    bat_status status = bat_arrange_members(c, &s->indices, &count);
+    bat_status status = bat_arrange_moving(c, &s->indices, &count);
     if (status != BAT_OK) return status;
     s->before = malloc(((size_t)count + 1) * sizeof *s->before);
     if (!s->before) return BAT_MEMORY;

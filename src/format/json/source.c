@@ -32,7 +32,7 @@ static bat_status read_paint(const bat_fields *f, uint32_t node, bat_sourced *en
         if (!at || !bat_json_text(f->json, at) ||
             !bat_digest_scan(bat_json_text(f->json, at), &entry->paint[k]))
             return bat_fields_complain(f, list, "paint", "three digests");
-    return bat_fields_flag(f, node, "boxed", &entry->boxed);
+    return BAT_OK;
 }
 
 /* ["clips", ...]; what is not known is skipped. */
@@ -69,6 +69,9 @@ static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above,
         status = bat_fields_number(f, node, "own", 0, 1, "a number from 0 to 1", &entry->own);
     if (status == BAT_OK) status = bat_style_from_json(f, node, &entry->style);
     if (status == BAT_OK) status = read_paint(f, node, entry);
+    if (status == BAT_OK && bat_json_member(f->json, node, "clip"))
+        status = read_digest(f, node, "clip", &entry->clip);
+    if (status == BAT_OK) status = bat_fields_flag(f, node, "boxed", &entry->boxed);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "hidden", &entry->hidden);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "locked", &entry->locked);
     read_lost(f, node, entry);
@@ -131,10 +134,11 @@ static bool is_equal(const double *a, const double *b) {
 static void write_paint(const bat_sourced *entry, bat_text *text) {
     bool any = false;
     for (int k = 0; k < BAT_PAINT_PARTS; k++) any = any || entry->paint[k];
-    if (!any) return;
-    for (int k = 0; k < BAT_PAINT_PARTS; k++)
+    for (int k = 0; k < BAT_PAINT_PARTS && any; k++)
         write_digest(text, k > 0 ? ",\"" : ",\"paint\":[\"", entry->paint[k]);
-    bat_text_string(text, entry->boxed ? "],\"boxed\":true" : "]");
+    if (any) bat_text_string(text, "]");
+    if (entry->clip) write_digest(text, ",\"clip\":\"", entry->clip);
+    if (entry->boxed && (any || entry->clip)) bat_text_string(text, ",\"boxed\":true");
 }
 
 static void write_lost(uint32_t lost, bat_text *text) {

@@ -7,6 +7,7 @@
 #include "text/base64.h"
 #include "format/json/curve.h"
 #include "format/json/fields.h"
+#include "format/json/clip.h"
 #include "format/json/paint.h"
 #include "format/json/source.h"
 #include "kinds/kinds.h"
@@ -43,6 +44,8 @@ static bat_status place_object(const bat_fields *f, uint32_t node, bat_object *o
     if (status == BAT_OK) status = bat_fields_flag(f, node, "locked", &locked);
     if (status == BAT_OK && bat_json_member(f->json, node, "paint"))
         status = bat_paint_from_json(f, node, &object);
+    if (status == BAT_OK && bat_json_member(f->json, node, "clip"))
+        status = bat_clip_from_json(f, node, &object);
     if (status == BAT_OK && parent > 0) {
         status = bat_object_with_parent(object, parent, &placed);
         status = exchange(f, node, status, "parent: not itself", placed, &object);
@@ -246,6 +249,7 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     if (bat_object_is_hidden(object)) bat_text_string(text, ",\"hidden\":true");
     if (bat_object_is_locked(object)) bat_text_string(text, ",\"locked\":true");
     if (bat_object_paint(object)) bat_paint_to_json(bat_object_paint(object), text);
+    if (bat_object_clip(object)) bat_clip_to_json(bat_object_clip(object), text);
     if (type->write) type->write(object, text);
     bat_text_string(text, "}");
 }
@@ -269,7 +273,7 @@ static void write_pictures(const bat_document *document, bool all, bat_text *tex
 /* Whether it came with the last version. What has no sources is not asked for wires: that would fetch the second part of the
  * module while a drawing is opened. */
 static bool is_new(const bat_object *object) {
-    return bat_object_is(object, BAT_NEW) || bat_object_relief(object) ||
+    return bat_object_is(object, BAT_NEW) || bat_object_relief(object) || bat_object_clip(object) ||
            (bat_object_is_group(object) && bat_object_style(object)->opacity != 1) ||
            (bat_object_sources(object, NULL) > 0 && bat_object_wires(object, NULL, NULL) > 0);
 }

@@ -99,15 +99,14 @@ static bool copy_tag(const bat_svg_walk *w, uint32_t element, bat_text *out) {
     return true;
 }
 
-static bool fades(const bat_svg_walk *w, uint32_t element) {
+static unsigned given(const bat_svg_walk *w, uint32_t element) {
     for (int i = 0; i < w->depth; i++)
-        if (w->active[i] == element) return w->fades[i];
-    return false;
+        if (w->active[i] == element) return w->given[i];
+    return 0;
 }
 
-/* The same for a group of the document around it, which has the opacity. */
-static bool copy_opaque(const bat_svg_walk *w, uint32_t element, bat_text *out) {
-    static const char opaque[] = "opacity:1!important;";
+/* The same for a group of the document around it, which has the opacity and the clip path. */
+static bool copy_bare(const bat_svg_walk *w, uint32_t element, unsigned without, bat_text *out) {
     const size_t from = out->size;
     if (!copy_tag(w, element, out) || out->failed) return false;
     bat_text tag = {0};
@@ -122,10 +121,12 @@ static bool copy_opaque(const bat_svg_walk *w, uint32_t element, bat_text *out) 
         const size_t put = styled ? piece.value : name;
         out->size = from + put;
         if (!styled) bat_text_string(out, " style=\"");
-        bat_text_string(out, opaque);
+        if (without & BAT_SVG_ITS_OPACITY) bat_text_string(out, "opacity:1!important;");
+        if (without & BAT_SVG_ITS_CLIP) bat_text_string(out, "clip-path:none!important;");
         if (!styled) bat_text_string(out, "\"");
         bat_text_add(out, tag.data + put, tag.size - put);
     }
+    out->failed = out->failed || tag.failed;
     bat_text_free(&tag);
     return good;
 }
@@ -192,7 +193,8 @@ static bool write_way(const bat_svg_walk *w, uint32_t element, bat_text *out) {
         way[depth++] = at;
     bool good = true;
     for (int i = depth - 1; i >= 0 && good; i--)
-        good = i > 0 && fades(w, way[i]) ? copy_opaque(w, way[i], out) : copy_tag(w, way[i], out);
+        good = i > 0 && given(w, way[i]) ? copy_bare(w, way[i], given(w, way[i]), out)
+                                         : copy_tag(w, way[i], out);
     good = good && copy(w, tag_of(w, element)->body, tag_of(w, element)->close, out);
     for (int i = 0; i < depth && good; i++)
         good = copy(w, tag_of(w, way[i])->close, tag_of(w, way[i])->end, out);

@@ -38,6 +38,13 @@ uint64_t bat_svg_digest_group(uint64_t digest, double opacity) {
     return bat_digest_double(bat_digest_number(digest, 2), opacity);
 }
 
+uint64_t bat_svg_digest_region(uint64_t digest, const bat_outline *outline, bool even_odd) {
+    digest = bat_digest_number(bat_digest_number(digest, 3), even_odd);
+    digest = bat_digest_number(digest, (uint64_t)outline->subpath_count);
+    for (size_t i = 0; i < 2 * outline->count; i++) digest = bat_digest_double(digest, outline->points[i]);
+    return digest;
+}
+
 uint64_t bat_svg_digest_image(uint64_t digest, const bat_picture *picture, const double matrix[6],
                               double opacity) {
     digest = bat_digest_number(digest, bat_picture_digest(picture));

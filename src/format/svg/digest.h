@@ -10,6 +10,8 @@ uint64_t bat_svg_digest(uint64_t digest, const bat_outline *outline, const bat_s
                         const bat_paint *paint);
 /* A group that is translucent as a whole; before all that is in it. */
 uint64_t bat_svg_digest_group(uint64_t digest, double opacity);
+/* A shape of a clip path, in the document's units or those of a box. */
+uint64_t bat_svg_digest_region(uint64_t digest, const bat_outline *outline, bool even_odd);
 uint64_t bat_svg_digest_image(uint64_t digest, const bat_picture *picture, const double matrix[6],
                               double opacity);
 /* The page as written: the document's own, or, when it has none, the box of the drawing with its strokes. */

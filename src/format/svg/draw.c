@@ -104,10 +104,12 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
     const int place = w->place;
     bat_svg_place(w, element, outer, &s);
     w->copied = copied || kind == BAT_SVG_USE;
-    w->fades[w->depth] = false;
+    w->given[w->depth] = 0;
     w->active[w->depth++] = element;
     w->unseen += !shown;
-    draw_whole(w, element, &s, copied);
+    bat_svg_clip_begin(w, element, outer, &s);
+    if (w->status == BAT_OK) draw_whole(w, element, &s, copied);
+    bat_svg_clip_end(&s);
     w->unseen -= !shown;
     w->depth--;
     w->copied = copied;
@@ -143,7 +145,7 @@ void bat_svg_draw_root(bat_svg_walk *w) {
         return;
     }
     bat_svg_place(w, 1, &none, &s);
-    w->fades[w->depth] = false;
+    w->given[w->depth] = 0;
     w->active[w->depth++] = 1;
     bat_svg_draw_children(w, 1, &s);
     w->depth--;

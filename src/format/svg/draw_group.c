@@ -1,4 +1,5 @@
 /* Groups, layers, and switches. */
+#include "document/digest.h"
 #include "document/document.h"
 #include "document/kind.h"
 #include "document/nesting.h"
@@ -52,19 +53,25 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
         w->status = status;
         return;
     }
+    w->boxed = s->boxed != NULL;
     bat_svg_put_object(w, element, s->style.shown, group);
     if (w->status != BAT_OK) return;
+    const bool clipped = s->clip || s->boxed;
+    if (s->clip_digest && !w->unseen) w->digest = bat_digest_number(w->digest, s->clip_digest);
     w->group = own;
     w->members = 0;
     w->groups++;
     bat_svg_scope inner = *s;
     inner.opacity = 1;
-    w->fades[w->depth - 1] = s->style.opacity < 1;
+    inner.clip = inner.boxed = NULL;
+    inner.clip_digest = 0;
+    w->given[w->depth - 1] = (uint8_t)((s->style.opacity < 1 ? BAT_SVG_ITS_OPACITY : 0) |
+                                       (clipped ? BAT_SVG_ITS_CLIP : 0));
     bat_svg_draw_children(w, element, &inner);
     w->groups--;
     w->group = above;
     const bat_object *made = bat_document_at(w->document, index);
-    bool plain = !layer && !*bat_object_name(made) && !bat_object_is_hidden(made) &&
+    bool plain = !layer && !clipped && !*bat_object_name(made) && !bat_object_is_hidden(made) &&
                  !bat_object_is_locked(made);
     if (w->status == BAT_OK && ((w->members == 1 && plain) || (w->members == 0 && !layer))) {
         members = members - 1 + w->members;
@@ -77,6 +84,8 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
             if (s->opacity < 1) fade_member(w, index, s->opacity);
         }
     }
+    if (w->status == BAT_OK && bat_document_find(w->document, own) == index)
+        bat_svg_clip_group(w, element, s, index);
     w->members = members;
 }
 

@@ -1,5 +1,6 @@
 /* An image whose picture is embedded in the file becomes an image object. */
 #include "base/matrix.h"
+#include "document/digest.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
@@ -39,19 +40,26 @@ void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     if (height < 0) height = width * box[3] / box[2];
     const char *ratio = bat_svg_attribute_of(w, element, "preserveAspectRatio");
     if (ratio && strstr(ratio, "slice")) bat_svg_note(&w->notes, element, BAT_LOSS_CLIP);
-    bat_svg_fit(box, bat_svg_length_of(w, element, "x", s->width, 0),
-                bat_svg_length_of(w, element, "y", s->height, 0), width, height, ratio, m);
+    const double at[2] = {bat_svg_length_of(w, element, "x", s->width, 0),
+                          bat_svg_length_of(w, element, "y", s->height, 0)};
+    bat_svg_fit(box, at[0], at[1], width, height, ratio, m);
     bat_matrix_compose(s->matrix, m, matrix);
     bat_status status = (bat_picture_is_drawing(picture) ? bat_object_create_foreign
                                                          : bat_object_create_image)(
         bat_document_new_id(w->document), bat_svg_find_name(w, element), picture, matrix, s->opacity,
         &object);
+    if (status == BAT_OK)
+        status = bat_svg_clip_object(s, (double[4]){at[0], at[1], at[0] + width, at[1] + height}, &object);
     if (status == BAT_OK) {
+        if (s->clip_digest && !w->unseen) w->digest = bat_digest_number(w->digest, s->clip_digest);
         if (!w->unseen)
             w->digest = bat_svg_digest_image(w->digest, picture, bat_object_matrix(object), s->opacity);
+        w->boxed = s->boxed != NULL;
         bat_svg_put_object(w, element, s->style.shown, object);
-    } else
+    } else {
+        bat_object_release(object);
         bat_svg_note(&w->notes, element, BAT_LOSS_IMAGE);
+    }
     if (status == BAT_MEMORY) w->status = status;
     bat_picture_release(picture);
 }

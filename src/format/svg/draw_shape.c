@@ -1,4 +1,5 @@
 /* A shape becomes a path object with one curve per subpath. */
+#include "document/digest.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
@@ -71,7 +72,8 @@ static bat_object *with_paint(bat_svg_walk *w, uint32_t element, bat_object *obj
     return made;
 }
 
-static void add_object(bat_svg_walk *w, uint32_t element, bool shown, const bat_svg_painted *painted) {
+static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
+                       const bat_svg_painted *painted) {
     const bat_style *style = &painted->style;
     const char *name = bat_svg_find_name(w, element);
     bat_curve **curves = malloc((size_t)w->outline.subpath_count * sizeof *curves);
@@ -89,8 +91,9 @@ static void add_object(bat_svg_walk *w, uint32_t element, bool shown, const bat_
         for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
     if (object && !bat_paint_is_plain(&painted->paint))
         object = with_paint(w, element, object, &painted->paint);
+    if (object && bat_svg_clip_object(s, box, &object) == BAT_MEMORY) status = BAT_MEMORY;
     if (object) {
-        bat_svg_put_object(w, element, shown, object);
+        bat_svg_put_object(w, element, s->style.shown, object);
         if (w->unseen)
             w->report->hidden++;
         else
@@ -129,12 +132,14 @@ void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     bat_outline_box(&w->outline, box);
     bat_outline_transform(&w->outline, s->matrix);
     bat_svg_resolve_style(w, element, s, box, &painted);
+    w->boxed = w->boxed || s->boxed;
     const bat_style style = painted.style;
     if (!style.stroked && !style.filled) {
         bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
         return;
     }
     bat_svg_note_style(w, element, s, &painted);
+    if (s->clip_digest && !w->unseen) w->digest = bat_digest_number(w->digest, s->clip_digest);
     if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style, &painted.paint);
-    add_object(w, element, s->style.shown, &painted);
+    add_object(w, element, s, box, &painted);
 }

@@ -56,7 +56,7 @@ void bat_svg_draw_use(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
     bat_svg_cascade(w, target, &inner, &own.style);
     bat_svg_note_own_style(w, target, &own.style);
     own.opacity = inner.opacity * own.style.opacity;
-    w->fades[w->depth] = false;
+    w->given[w->depth] = 0;
     w->active[w->depth++] = target;
     if (own.style.shown) draw_viewport(w, target, element, 0, 0, &own);
     w->depth--;

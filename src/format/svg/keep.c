@@ -5,6 +5,7 @@
 #include "format/svg/alone.h"
 #include "format/svg/markup.h"
 #include "format/svg/reader.h"
+#include "format/svg/svg.h"
 #include "format/svg/tags.h"
 #include "format/svg/walk.h"
 #include "text/json.h"

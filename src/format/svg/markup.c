@@ -116,7 +116,8 @@ void bat_svg_write_state(bat_text *text, const bat_object *object) {
     if (bat_object_is_locked(object)) bat_text_string(text, " data-locked=\"true\"");
 }
 
-void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const double m[6], double opacity) {
+void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const double m[6], double opacity,
+                           const bat_svg_ids *ids) {
     double sides[2];
     size_t size;
     const void *bytes = bat_picture_bytes(picture, &size);
@@ -130,20 +131,12 @@ void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const dou
     }
     bat_text_string(text, ")\"");
     if (opacity != 1) bat_svg_write_number(text, " opacity=\"", opacity);
+    bat_svg_refer_clip(text, ids);
     bat_text_string(text, " href=\"data:");
     bat_text_string(text, bat_picture_type(picture));
     bat_text_string(text, ";base64,");
     bat_base64_write(text, bytes, size);
     bat_text_string(text, "\"/>");
-}
-
-bool bat_svg_inverse(const double m[6], double out[6]) {
-    const double det = m[0] * m[3] - m[1] * m[2];
-    if (!(fabs(det) > 0) || !isfinite(1 / det)) return false;
-    const double a = m[3] / det, b = -m[1] / det, c = -m[2] / det, d = m[0] / det;
-    const double made[6] = {a, b, c, d, -(a * m[4] + c * m[5]), -(b * m[4] + d * m[5])};
-    memcpy(out, made, sizeof made);
-    return true;
 }
 
 void bat_svg_write_matrix(const double m[6], bat_text *out) {
@@ -198,7 +191,7 @@ bat_svg_ids bat_svg_write_gradients(bat_text *text, const bat_object *object, co
     const bat_paint *paint = bat_object_paint(object);
     const bat_style *style = bat_object_style(object);
     const unsigned long id = (unsigned long)bat_object_id(object);
-    bat_svg_ids ids = {{0}, {0}};
+    bat_svg_ids ids = {0};
     if (!paint) return ids;
     if (style->filled && paint->fill.count) {
         snprintf(ids.fill, sizeof ids.fill, BAT_SVG_PAINT_ID "%lu-fill-%d", id, number);
@@ -209,6 +202,50 @@ bat_svg_ids bat_svg_write_gradients(bat_text *text, const bat_object *object, co
         bat_svg_write_gradient(text, &paint->stroke, m, ids.stroke);
     }
     return ids;
+}
+
+bat_status bat_svg_write_region(bat_text *text, const bat_clip *region, const double m[6]) {
+    bat_status status = BAT_OK;
+    double rows[12];
+    bat_matrix_rows(m, 2, rows);
+    for (int i = 0; i < bat_clip_curve_count(region) && status == BAT_OK; i++) {
+        bat_curve *own = NULL;
+        status = bat_curve_transform(bat_clip_curve(region, i), rows, &own);
+        if (status == BAT_OK) status = write_curve(text, own, 0, 1);
+        bat_curve_free(own);
+    }
+    return status;
+}
+
+/* From the outermost region inwards. */
+bat_status bat_svg_write_clip(bat_text *text, const bat_object *object, const double m[6], int number,
+                              char id[BAT_SVG_ID]) {
+    const bat_clip *list[BAT_CLIP_REGIONS_MAX];
+    int count = 0;
+    bat_status status = BAT_OK;
+    for (const bat_clip *at = bat_object_clip(object); at; at = bat_clip_within(at)) list[count++] = at;
+    for (int k = count - 1; k >= 0 && status == BAT_OK; k--) {
+        char outer[BAT_SVG_ID];
+        memcpy(outer, id, sizeof outer);
+        snprintf(id, BAT_SVG_ID, BAT_SVG_PAINT_ID "%lu-clip-%d-%d", (unsigned long)bat_object_id(object), k,
+                 number);
+        bat_text_string(text, "<clipPath id=\"");
+        bat_text_string(text, id);
+        if (k < count - 1) {
+            bat_text_string(text, "\" clip-path=\"url(#");
+            bat_text_string(text, outer);
+            bat_text_string(text, ")");
+        }
+        bat_text_string(text, "\">");
+        if (bat_clip_curve_count(list[k]) > 0) {
+            bat_text_string(text, bat_clip_is_even_odd(list[k]) ? "<path clip-rule=\"evenodd\" d=\""
+                                                                : "<path clip-rule=\"nonzero\" d=\"");
+            status = bat_svg_write_region(text, list[k], m);
+            bat_text_string(text, "\"/>");
+        }
+        bat_text_string(text, "</clipPath>");
+    }
+    return status;
 }
 
 bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]) {
@@ -270,6 +307,13 @@ static void write_paint(bat_text *text, const char *property, uint32_t colour, c
     bat_svg_write_number(text, value, floor((colour & 0xff) / 0.255 + 0.5) / 1000);
 }
 
+void bat_svg_refer_clip(bat_text *text, const bat_svg_ids *ids) {
+    if (!*ids->clip) return;
+    bat_text_string(text, " clip-path=\"url(#");
+    bat_text_string(text, ids->clip);
+    bat_text_string(text, ")\"");
+}
+
 void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg_ids *ids) {
     const bat_style *style = bat_object_style(object);
     const bat_paint *paint = bat_object_paint(object);
@@ -303,6 +347,7 @@ void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg
         }
     }
     if (style->opacity != 1) bat_svg_write_number(text, " opacity=\"", style->opacity);
+    bat_svg_refer_clip(text, ids);
 }
 
 static void declare(bat_text *text, const char *property, double number) {
@@ -352,6 +397,11 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
             bat_text_string(text, "none;");
     }
     declare(text, "opacity:", style->opacity);
+    if (*ids->clip) {
+        bat_text_string(text, ";clip-path:url(#");
+        bat_text_string(text, ids->clip);
+        bat_text_string(text, ")");
+    }
     bat_text_string(text, "\"");
 }
 

@@ -2,11 +2,11 @@
 #ifndef BATTEN_FORMAT_SVG_MARKUP_H
 #define BATTEN_FORMAT_SVG_MARKUP_H
 
+#include "document/clip.h"
 #include "document/paint.h"
 #include "format/seen/seen.h"
 #include "text/text.h"
 
-bool bat_svg_inverse(const double m[6], double out[6]); /* false: it has none */
 void bat_svg_write_matrix(const double m[6], bat_text *out);
 void bat_svg_write_pair(bat_text *text, const double *p);
 /* Path data: cubic Béziers of all curves of an object, exact up to degree 3, mapped by m before (NULL: as they are).
@@ -24,20 +24,27 @@ enum { BAT_SVG_ID = 48 };
 void bat_svg_write_gradient(bat_text *text, const bat_gradient *gradient, const double m[6], const char *id);
 /* The elements of the gradients of a paint (NULL: it has none) that are used, and their ids: empty without one. */
 typedef struct bat_svg_ids {
-    char fill[BAT_SVG_ID], stroke[BAT_SVG_ID];
+    char fill[BAT_SVG_ID], stroke[BAT_SVG_ID], clip[BAT_SVG_ID];
 } bat_svg_ids;
-/* Ids that begin so belong to gradients. */
+/* Ids that begin so belong to gradients and clip paths. */
 #define BAT_SVG_PAINT_ID "batten-paint-"
 /* number: to tell the ids from those that are taken. */
 bat_svg_ids bat_svg_write_gradients(bat_text *text, const bat_object *object, const double m[6], int number);
+/* Path data of a clip's innermost region, mapped by m before. */
+bat_status bat_svg_write_region(bat_text *text, const bat_clip *region, const double m[6]);
+/* The elements of the object's clip, which is mapped by m before; id: of the innermost; it stays as it is without a clip. */
+bat_status bat_svg_write_clip(bat_text *text, const bat_object *object, const double m[6], int number,
+                              char id[BAT_SVG_ID]);
 /* The value of stroke-dasharray. */
 void bat_svg_write_dashes(bat_text *text, const bat_paint *paint, double scale);
+void bat_svg_refer_clip(bat_text *text, const bat_svg_ids *ids); /* the attribute; nothing without one */
 void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg_ids *ids);
 /* The same as one attribute, which overrules style sheets and says all that something around it could say otherwise. */
 void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, const bat_style *style,
                                    const bat_svg_ids *ids);
 /* The rest of an image element after its name: placed by m, and ended. */
-void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const double m[6], double opacity);
+void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const double m[6], double opacity,
+                           const bat_svg_ids *ids);
 void bat_svg_write_state(bat_text *text, const bat_object *object); /* hidden, locked */
 /* Writes the lines as paths of a group, hidden ones, dashed and below the others, when `dashed`. digest (may be NULL): of
  * what a reader will find, is added to. */

@@ -17,6 +17,7 @@ typedef enum bat_svg_name {
     BAT_SVG_CAP,
     BAT_SVG_JOIN,
     BAT_SVG_RULE,
+    BAT_SVG_CLIP_RULE,
     BAT_SVG_VISIBILITY,
     BAT_SVG_OPACITY,
     BAT_SVG_DISPLAY,

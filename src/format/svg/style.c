@@ -29,6 +29,7 @@ bat_svg_style bat_svg_style_child(const bat_svg_style *parent) {
     bat_svg_style style = *parent, initial = bat_svg_style_initial();
     style.odd &= BAT_SVG_INHERITED;
     style.opacity = style.stop_opacity = 1;
+    style.clip = NULL;
     style.shown = true;
     style.stop = initial.stop;
     return style;
@@ -100,6 +101,8 @@ static void inherit(bat_svg_style *style, const bat_svg_style *parent, bat_svg_n
     case BAT_SVG_CAP: style->cap = parent->cap; break;
     case BAT_SVG_JOIN: style->join = parent->join; break;
     case BAT_SVG_RULE: style->even_odd = parent->even_odd; break;
+    case BAT_SVG_CLIP_RULE: style->clip_even_odd = parent->clip_even_odd; break;
+    case BAT_SVG_CLIP: style->clip = parent->clip; break;
     case BAT_SVG_VISIBILITY: style->visible = parent->visible; break;
     case BAT_SVG_OPACITY: style->opacity = parent->opacity; break;
     case BAT_SVG_DISPLAY: style->shown = parent->shown; break;
@@ -142,8 +145,9 @@ static bool set_word(bat_svg_style *style, bat_svg_name property, const char *va
         if ((word = choose(value, joins, 3)) >= 0) style->join = (bat_join)word;
         return word >= 0;
     default:
-        if ((word = choose(value, rules, 2)) >= 0) style->even_odd = word == 1;
-        return word >= 0;
+        if ((word = choose(value, rules, 2)) < 0) return false;
+        *(property == BAT_SVG_RULE ? &style->even_odd : &style->clip_even_odd) = word == 1;
+        return true;
     }
 }
 
@@ -252,7 +256,8 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
     case BAT_SVG_MITER: return set_length(&style->miter_limit, value, 0, 1);
     case BAT_SVG_CAP:
     case BAT_SVG_JOIN:
-    case BAT_SVG_RULE: return set_word(style, name, value);
+    case BAT_SVG_RULE:
+    case BAT_SVG_CLIP_RULE: return set_word(style, name, value);
     case BAT_SVG_VISIBILITY: style->visible = strcmp(value, "visible") == 0; return true;
     case BAT_SVG_DISPLAY: style->shown = strcmp(value, "none") != 0; return true;
     case BAT_SVG_FONT:
@@ -264,6 +269,10 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
     case BAT_SVG_DASHES:
         set_odd(style, name, value);
         style->dashes = style->odd & BAT_SVG_BIT(BAT_SVG_DASHES) ? source : NULL;
+        return true;
+    case BAT_SVG_CLIP:
+        set_odd(style, name, value);
+        style->clip = strncmp(value, "url(", 4) == 0 ? source + 4 : NULL;
         return true;
     default: set_odd(style, name, value); return true;
     }

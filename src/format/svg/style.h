@@ -44,9 +44,11 @@ typedef struct bat_svg_style {
     int anchor;          /* of a text: 0 its start, 1 its middle, 2 its end */
     bool vertical, base; /* it runs downwards; its lines do not stand on their base line */
     bool even_odd, visible;
-    uint32_t odd; /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
+    bool clip_even_odd; /* as part of a clip path */
+    uint32_t odd;       /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
     /* not inherited */
     double opacity;
+    const char *clip; /* the content of url(), where it was read; NULL: none */
     bool shown;
     bat_svg_paint stop; /* of a gradient */
     double stop_opacity;

@@ -14,6 +14,7 @@ void bat_svg_skip(const char **at, const char *end);
 /* Matrices are as in base/matrix.h. */
 /* Reads a transform attribute; when it does not parse, returns false and m is the identity. */
 bool bat_svg_transform(const char *text, double m[6]);
+bool bat_svg_inverse(const double m[6], double out[6]); /* false: it has none */
 /* Reads x y w h; false when it does not parse or a side is negative. */
 bool bat_svg_view_box(const char *text, double box[4]);
 /* Maps box into the viewport at x, y according to preserveAspectRatio (may be NULL). */

@@ -152,3 +152,12 @@ bool bat_svg_length(const char *text, double whole, double *value) {
     *value = number;
     return true;
 }
+
+bool bat_svg_inverse(const double m[6], double out[6]) {
+    const double det = m[0] * m[3] - m[1] * m[2];
+    if (!(fabs(det) > 0) || !isfinite(1 / det)) return false;
+    const double a = m[3] / det, b = -m[1] / det, c = -m[2] / det, d = m[0] / det;
+    const double made[6] = {a, b, c, d, -(a * m[4] + c * m[5]), -(b * m[4] + d * m[5])};
+    memcpy(out, made, sizeof made);
+    return true;
+}

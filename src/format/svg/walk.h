@@ -23,8 +23,11 @@ enum { BAT_SVG_DRAWN_MAX = 1 << 20, BAT_SVG_TRIED_MAX = 1 << 28 };
 typedef struct bat_svg_scope {
     double matrix[6];
     bat_svg_style style;
-    double opacity;       /* product of the opacities of the containers */
-    double width, height; /* of the viewport */
+    double opacity;         /* product of the opacities of the containers */
+    struct bat_clip *clip;  /* what of it is seen; NULL: all */
+    struct bat_clip *boxed; /* within this, too, in parts of its box; NULL: all */
+    uint64_t clip_digest;   /* of both, as they were read */
+    double width, height;   /* of the viewport */
 } bat_svg_scope;
 
 /* The stops of a gradient. */
@@ -34,6 +37,9 @@ typedef struct bat_svg_stops {
     bool more;     /* than BAT_STOPS_MAX */
     uint32_t mean; /* colour */
 } bat_svg_stops;
+
+/* What an element has given to the group of the document that it is. */
+typedef enum bat_svg_given { BAT_SVG_ITS_OPACITY = 1, BAT_SVG_ITS_CLIP = 2 } bat_svg_given;
 
 typedef struct bat_svg_walk bat_svg_walk;
 typedef void bat_svg_way(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
@@ -52,7 +58,7 @@ struct bat_svg_walk {
     bat_pictures pictures; /* of the images drawn */
     uint64_t digest;
     uint32_t active[BAT_SVG_DEPTH]; /* elements being drawn, outermost first */
-    bool fades[BAT_SVG_DEPTH];      /* of each: it became a group, which has its opacity */
+    uint8_t given[BAT_SVG_DEPTH];   /* of each: what the group has that it became (bat_svg_given) */
     int depth;
     long drawn, tried, put;
     bat_id group; /* the group being read; 0: none */
@@ -121,6 +127,15 @@ bat_svg_served bat_svg_gradient(bat_svg_walk *w, uint32_t element, const bat_svg
                                 const double box[4], double share, bat_stop *stops, bat_gradient *out,
                                 uint32_t *colour);
 void bat_svg_stops_free(bat_svg_walk *w);
+
+/* ---- clip.c: what is seen ---- */
+/* Sets what of an element is seen, in the scope at its place, from its style and the scope around it; ended by bat_svg_clip_end. */
+void bat_svg_clip_begin(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, bat_svg_scope *s);
+void bat_svg_clip_end(bat_svg_scope *s);
+/* Gives that to the object of the element, whose box is that in its own units. */
+bat_status bat_svg_clip_object(const bat_svg_scope *s, const double box[4], bat_object **object);
+/* The same for the group of that index, once it holds all that it does. */
+void bat_svg_clip_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, int index);
 
 /* ---- note_drawn.c: what is lost ---- */
 /* Losses from an element apart from its style; from its style, apart from what is inherited; from a shape's

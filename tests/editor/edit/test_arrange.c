@@ -6,10 +6,12 @@
 #include <cmocka.h>
 #include "base/matrix.h"
 #include "curve/curve.h"
+#include "document/clip.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
 #include "editor/editor.h"
 #include "support/selecting.h"
+#include <batten/measure.h>
 #include <batten/refine.h>
 
 /* Whatever the matrix, a group's transform is the transform of its curves. */
@@ -120,6 +122,97 @@ static void groups_and_order(void **state) {
     bat_editor_free(editor);
 }
 
+/* ---- clips ---- */
+
+static bat_curve *line_through(size_t count, const double *points) {
+    bat_curve *made = NULL;
+    assert_int_equal(bat_curve_create_clamped(2, 1, count, points, &made), BAT_OK);
+    return made;
+}
+
+/* The group 3, seen in a square from 100 to 700, of the lines 1 and 2. */
+static bat_editor *clipped_editor(void) {
+    static const double square[] = {100, 100, 700, 100, 700, 700, 100, 700, 100, 100};
+    static const double lines[2][4] = {{200, 200, 800, 200}, {200, 600, 800, 600}};
+    bat_document *document = NULL;
+    bat_curve *around = line_through(5, square);
+    bat_clip *clip = NULL;
+    bat_object *plain = NULL, *group = NULL;
+    const bat_style style = bat_style_defaults();
+    bat_document_create(&document);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    assert_int_equal(bat_clip_create(1, &around, false, NULL, &clip), BAT_OK);
+    assert_int_equal(bat_object_create_group(3, NULL, false, &plain), BAT_OK);
+    assert_int_equal(bat_object_with_clip(plain, clip, &group), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, group), BAT_OK);
+    for (int i = 0; i < 2; i++) {
+        bat_curve *line = line_through(2, lines[i]);
+        bat_object *path = NULL, *placed = NULL;
+        assert_int_equal(bat_object_create_path((bat_id)i + 1, NULL, &style, 1, &line, &path), BAT_OK);
+        assert_int_equal(bat_object_with_parent(path, 3, &placed), BAT_OK);
+        assert_int_equal(bat_document_insert(document, i + 1, placed), BAT_OK);
+        bat_object_release(path);
+        bat_object_release(placed);
+    }
+    bat_object_release(plain);
+    bat_object_release(group);
+    bat_clip_release(clip);
+    bat_curve_free(around);
+    bat_editor *editor = editor_of(document);
+    bat_editor_command(editor, "tool-select");
+    return editor;
+}
+
+/* Where the only region of what is seen of the object begins. */
+static void expect_clip(const bat_editor *editor, bat_id id, double x, double y) {
+    double low[2], high[2];
+    const bat_clip *clip = bat_object_clip(object(editor, id));
+    assert_int_equal(bat_clip_count(clip), 1);
+    bat_curve_bounds(bat_clip_curve(clip, 0), low, high);
+    if (fabs(low[0] - x) > 1e-9 || fabs(low[1] - y) > 1e-9)
+        fail_msg("%g %g, not %g %g", low[0], low[1], x, y);
+}
+
+/* What is seen of a group moves with it, by key, by drag and as a copy, and becomes what is seen of its members when it is
+ * taken apart; a member that is moved by itself moves within it. */
+static void clips_go_along(void **state) {
+    (void)state;
+    bat_editor *editor = clipped_editor();
+    uint64_t first = digest(editor);
+    pen p = mouse(editor);
+    const bat_frame *frame = bat_editor_frame(editor);
+    assert_int_equal(frame->still_count, 4); /* the page, the clip, the two lines */
+    assert_true(frame->still[1].role == BAT_ROLE_CLIP && frame->still[1].picture == 2);
+    only(editor, 3, 0);
+    bat_editor_key(editor, "ArrowRight", true, BAT_SHIFT, 0);
+    expect_clip(editor, 3, 110, 100);
+    drag(&p, 400, 200, 420, 230);
+    expect_clip(editor, 3, 130, 130);
+    expect_box(editor, 1, 230, 230, 830, 230);
+    bat_editor_command(editor, "duplicate");
+    expect_clip(editor, 4, 140, 140);
+    expect_clip(editor, 3, 130, 130);
+    bat_editor_command(editor, "undo");
+    only(editor, 2, 0);
+    bat_editor_key(editor, "ArrowRight", true, BAT_SHIFT, 0);
+    expect_clip(editor, 3, 130, 130);
+    assert_null(bat_object_clip(object(editor, 2)));
+    only(editor, 3, 0);
+    bat_editor_command(editor, "ungroup");
+    expect_clip(editor, 1, 130, 130);
+    expect_clip(editor, 2, 130, 130);
+    only(editor, 2, 0);
+    bat_editor_key(editor, "ArrowRight", true, BAT_SHIFT, 0);
+    expect_clip(editor, 1, 130, 130);
+    expect_clip(editor, 2, 140, 130);
+    frame = bat_editor_frame(editor);
+    assert_int_equal(frame->still_count, 5);
+    assert_true(frame->still[1].role == BAT_ROLE_CLIP && frame->still[3].role == BAT_ROLE_CLIP);
+    assert_true(frame->still[1].picture == 1 && frame->still[3].picture == 1);
+    goes_back_and_replays(editor, first);
+    bat_editor_free(editor);
+}
+
 static void aligns_and_distributes(void **state) {
     (void)state;
     bat_editor *editor = select_editor();
@@ -160,6 +253,7 @@ int main(void) {
         cmocka_unit_test(transforms_are_of_the_curves),
         cmocka_unit_test(splines_stay_splines),
         cmocka_unit_test(groups_and_order),
+        cmocka_unit_test(clips_go_along),
         cmocka_unit_test(aligns_and_distributes),
     };
     return cmocka_run_group_tests_name("arrange", tests, NULL, NULL);

@@ -23,6 +23,20 @@ void bat_svg_patch_mark(bat_svg_patch *p, bat_id id) {
     p->fresh[p->fresh_count++] = (bat_svg_mark){id, p->made.size};
 }
 
+int bat_svg_patch_number(bat_svg_patch *p) {
+    if (p->number) return p->number;
+    for (const char *at = p->plan.text; (at = strstr(at, BAT_SVG_PAINT_ID)); at++) {
+        const char *end = at + sizeof BAT_SVG_PAINT_ID - 1;
+        int number = 0;
+        while (*end == '-' || (*end >= 'a' && *end <= 'z') || (*end >= '0' && *end <= '9')) {
+            number = *end >= '0' && *end <= '9' && number < 100000000 ? 10 * number + (*end - '0') : 0;
+            end++;
+        }
+        if (number > p->number) p->number = number;
+    }
+    return ++p->number;
+}
+
 /* ---- gradients that were written for shapes which have others now ---- */
 
 enum { PREFIX = sizeof BAT_SVG_PAINT_ID - 1 };
@@ -46,7 +60,8 @@ static size_t id_size(const char *text) {
 
 static const char *id_of(const bat_svg_plan *plan, const bat_svg_tag *tag) {
     static const char *const begins[] = {"<linearGradient id=\"" BAT_SVG_PAINT_ID,
-                                         "<radialGradient id=\"" BAT_SVG_PAINT_ID};
+                                         "<radialGradient id=\"" BAT_SVG_PAINT_ID,
+                                         "<clipPath id=\"" BAT_SVG_PAINT_ID};
     for (size_t i = 0; i < sizeof begins / sizeof *begins; i++)
         if (strncmp(plan->text + tag->open, begins[i], strlen(begins[i])) == 0)
             return plan->text + tag->open + strlen(begins[i]) - PREFIX;

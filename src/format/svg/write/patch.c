@@ -93,11 +93,13 @@ static void drop_element(bat_svg_patch *p, uint32_t element) {
     bat_svg_patch_edit(p, made, from, tag->end - from);
 }
 
-/* An element that is written elsewhere takes its id along, so nothing is left for those that refer to it. */
+/* An element that is written elsewhere takes its id along, so nothing is left for those that refer to it; unless it has been
+ * edited: then they go on finding it as it was. */
 static void drop_elements(bat_svg_patch *p) {
     const bat_svg_plan *plan = &p->plan;
     for (int i = 0; i < plan->count; i++)
-        if (plan->stay[i] == BAT_SVG_MOVED)
+        if (plan->stay[i] == BAT_SVG_MOVED &&
+            !(plan->fate[bat_svg_plan_entry(plan, i)->element] & BAT_SVG_TOUCHED))
             plan->fate[bat_svg_plan_entry(plan, i)->element] &= (uint8_t)~BAT_SVG_NEEDED;
     for (uint32_t i = 1; i < plan->tags.count; i++)
         if (plan->fate[i] & BAT_SVG_GONE) drop_element(p, i);
@@ -236,6 +238,7 @@ static bat_status read_again(const bat_document *document, const bat_text *text,
     double all[4];
     bat_document_bounds(document, all);
     const double slack = 1e-3 * fmax(1, bat_hypot(all[2] - all[0], all[3] - all[1]));
+    const bool clipped = bat_svg_is_clipped(document) || bat_svg_is_clipped(again);
     int k = 0;
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         const bat_object *object = bat_document_at(document, i), *other = NULL;
@@ -255,6 +258,7 @@ static bat_status read_again(const bat_document *document, const bat_text *text,
         bat_object_bounds(other, b);
         for (int j = 0; j < 4; j++)
             if (!(fabs(a[j] - b[j]) <= slack)) status = BAT_UNSUPPORTED;
+        if (clipped && !bat_svg_same_clip(document, object, again, other, slack)) status = BAT_UNSUPPORTED;
     }
     for (const bat_object *other; (other = bat_document_at(again, k)); k++)
         if (bat_object_is_drawn(other)) status = BAT_UNSUPPORTED;

@@ -5,6 +5,7 @@
 
 #include "format/svg/markup.h"
 #include "format/svg/write/plan.h"
+#include "format/svg/write/retag.h"
 #include "text/text.h"
 
 /* An object, and where it is written: its element, or its offset in the new text. */
@@ -39,6 +40,8 @@ void bat_svg_patch_mark(bat_svg_patch *p, bat_id id); /* the next thing written 
 /* Cuts what was written for shapes that have other gradients now: nothing in the new text refers to it. Returns how many;
  * O(size + n log n). */
 int bat_svg_patch_sweep(bat_svg_patch *p, const bat_text *made);
+/* A number with which no id of gradients and clip paths is taken in the file. */
+int bat_svg_patch_number(bat_svg_patch *p);
 /* ---- patch_tags.c: elements that stay ---- */
 /* Writes the start tag of an object's element as it is now; `apart`: in another place than it was;
  * `hides`: a group without an element hides it; `anonymous`: without its id. False: it is as it
@@ -50,10 +53,18 @@ bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, 
                                     bool apart);
 /* The same for the element of a group that is gone, where others are left in it. */
 bool bat_svg_patch_group_tag(bat_svg_patch *p, uint32_t element);
-/* A number with which no id of gradients is taken in the file. */
-int bat_svg_patch_number(bat_svg_patch *p);
 void bat_svg_patch_page(bat_svg_patch *p);
 void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry);
+/* ---- patch_clip.c: what of it is seen ---- */
+/* Writes the clip path that the element cannot go on referring to, and gives its id. */
+void bat_svg_patch_clip(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry,
+                        bat_svg_ids *ids);
+void bat_svg_patch_set_clip(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
+                            const bat_svg_ids *ids);
+bool bat_svg_is_clipped(const bat_document *document);
+/* Whether objects of two documents are seen in the same box. */
+bool bat_svg_same_clip(const bat_document *one, const bat_object *a, const bat_document *other,
+                       const bat_object *b, double slack);
 /* ---- patch_new.c: what is written anew ---- */
 /* Every object that is new or has moved is written behind the one below it. */
 void bat_svg_patch_new(bat_svg_patch *p);

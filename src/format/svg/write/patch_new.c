@@ -3,6 +3,7 @@
 #include "base/matrix.h"
 #include "document/kind.h"
 #include "format/svg/markup.h"
+#include "format/svg/svg.h"
 #include "format/svg/write/patch.h"
 
 #include <math.h>
@@ -92,18 +93,22 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
     bat_style style = *bat_object_style(object);
     if (s->opacity > 0) style.opacity = fmin(1, style.opacity / s->opacity);
     if (bat_object_picture(object)) {
-        double m[6];
+        double m[6], own[6];
+        bat_svg_ids ids = {0};
+        if (bat_svg_inverse(bat_object_matrix(object), own))
+            p->status = bat_svg_write_clip(out, object, own, bat_svg_patch_number(p), ids.clip);
         bat_svg_patch_mark(p, bat_object_id(object));
         bat_matrix_compose(s->back, bat_object_matrix(object), m);
         bat_text_string(out, "<image");
         bat_svg_write_name(out, " data-name=\"", bat_object_name(object));
         write_hidden(out, object, hides);
-        bat_svg_write_picture(out, bat_object_picture(object), m, style.opacity);
+        bat_svg_write_picture(out, bat_object_picture(object), m, style.opacity, &ids);
         return;
     }
     double pen[6], back[6], m[6];
     const bool uneven = bat_svg_pen(object, pen, back);
-    const bat_svg_ids ids = bat_svg_write_gradients(out, object, back, bat_svg_patch_number(p));
+    bat_svg_ids ids = bat_svg_write_gradients(out, object, back, bat_svg_patch_number(p));
+    p->status = bat_svg_write_clip(out, object, back, bat_svg_patch_number(p), ids.clip);
     bat_svg_patch_mark(p, bat_object_id(object));
     bat_text_string(out, "<path");
     bat_svg_write_name(out, " data-name=\"", bat_object_name(object));
@@ -112,7 +117,8 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
     write_transform(m, out);
     bat_svg_write_style_attribute(out, object, &style, &ids);
     bat_text_string(out, " d=\"");
-    p->status = bat_svg_write_curves(out, object, uneven ? back : NULL, p->precision);
+    const bat_status status = bat_svg_write_curves(out, object, uneven ? back : NULL, p->precision);
+    if (status != BAT_OK) p->status = status;
     bat_text_string(out, "\"/>");
 }
 
@@ -139,7 +145,9 @@ static void write_moved(bat_svg_patch *p, const bat_object *object, const bat_so
     bat_svg_patch_mark(p, bat_object_id(object));
     bat_sourced there = *entry;
     if (apart) there.opacity = s->opacity;
-    if (!bat_svg_patch_tag(p, object, &there, apart, hides, false, &ids))
+    const uint8_t left = BAT_SVG_NEEDED | BAT_SVG_TOUCHED; /* as it was, for what refers to it */
+    const bool anonymous = (plan->fate[entry->element] & left) == left;
+    if (!bat_svg_patch_tag(p, object, &there, apart, hides, anonymous, &ids))
         bat_text_add(&p->made, plan->text + tag->open, tag->body - tag->open);
     bat_text_add(&p->made, plan->text + tag->body, tag->close - tag->body);
     bat_svg_patch_end_tag(p, object, entry);
@@ -179,8 +187,13 @@ static void write_group(bat_svg_patch *p, int index, int end, const spot *s) {
             continue;
         }
         if (depth == BAT_NESTING_MAX) continue;
+        bat_svg_ids ids = {0};
+        const bat_status status = bat_svg_write_clip(&p->made, object, s->back, bat_svg_patch_number(p),
+                                                     ids.clip);
+        if (status != BAT_OK) p->status = status;
         bat_svg_patch_mark(p, bat_object_id(object));
         bat_text_string(&p->made, "<g");
+        bat_svg_refer_clip(&p->made, &ids);
         bat_svg_write_name(&p->made, " data-name=\"", bat_object_name(object));
         bat_svg_write_state(&p->made, object);
         if (bat_object_style(object)->opacity != 1)

@@ -3,6 +3,7 @@
 #include "document/digest.h"
 #include "document/kind.h"
 #include "format/svg/markup.h"
+#include "format/svg/svg.h"
 #include "format/svg/alone.h"
 #include "format/svg/write/patch.h"
 #include "format/svg/write/retag.h"
@@ -83,31 +84,18 @@ static bool differs(const bat_object *object, const bat_sourced *entry, bat_pain
     return bat_paint_digest(bat_object_paint(object), part) != entry->paint[part];
 }
 
-int bat_svg_patch_number(bat_svg_patch *p) {
-    if (p->number) return p->number;
-    for (const char *at = p->plan.text; (at = strstr(at, BAT_SVG_PAINT_ID)); at++) {
-        const char *end = at + sizeof BAT_SVG_PAINT_ID - 1;
-        int number = 0;
-        while (*end == '-' || (*end >= 'a' && *end <= 'z') || (*end >= '0' && *end <= '9')) {
-            number = *end >= '0' && *end <= '9' && number < 100000000 ? 10 * number + (*end - '0') : 0;
-            end++;
-        }
-        if (number > p->number) p->number = number;
-    }
-    return ++p->number;
-}
-
 /* A gradient that is placed by the shape's box would follow the shape. */
 bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry,
                                     bool apart) {
-    bat_svg_ids ids = {{0}, {0}};
+    bat_svg_ids ids = {0};
     double m[6];
-    if (!bat_object_paint(object) || !bat_svg_inverse(entry->inner, m)) return ids;
     const bool all = (entry->boxed && bat_svg_reshaped(object, entry)) ||
                      says_all(&p->plan, object, entry, apart);
-    if (!all && !differs(object, entry, BAT_PAINT_FILL) && !differs(object, entry, BAT_PAINT_STROKE))
-        return ids;
-    return bat_svg_write_gradients(&p->made, object, m, bat_svg_patch_number(p));
+    if (bat_object_paint(object) && bat_svg_inverse(entry->inner, m) &&
+        (all || differs(object, entry, BAT_PAINT_FILL) || differs(object, entry, BAT_PAINT_STROKE)))
+        ids = bat_svg_write_gradients(&p->made, object, m, bat_svg_patch_number(p));
+    bat_svg_patch_clip(p, object, entry, &ids);
+    return ids;
 }
 
 static void set_number(bat_svg_retag *r, const char *property, double number) {
@@ -251,15 +239,6 @@ static bat_status set_image(bat_svg_retag *r, const bat_object *object, const ba
     return status;
 }
 
-/* Whether it was written as a picture of an SVG file that stands alone, and not as the element that is in that file. */
-static bool is_written_alone(const bat_svg_retag *r) {
-    static const char own[] =
-        "data:image/svg+xml;base64,PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHdpZHRoPSI";
-    bat_svg_piece piece;
-    if (!bat_svg_retag_has(r, "href", &piece)) return false;
-    return piece.end - piece.value >= sizeof own && memcmp(r->tag + piece.value, own, sizeof own - 1) == 0;
-}
-
 /* Before the element's own transform comes what has moved the content since it was read. */
 static bat_status set_foreign(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
     double back[6], was[6], moved[6], to[6], own[6], m[6];
@@ -274,7 +253,7 @@ static bat_status set_foreign(bat_svg_retag *r, const bat_object *object, const 
 
 static bat_status set_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
                             double precision) {
-    if (bat_object_is_foreign(object) && !is_written_alone(r)) return set_foreign(r, object, entry);
+    if (bat_object_is_foreign(object) && !bat_svg_is_written_alone(r)) return set_foreign(r, object, entry);
     return bat_object_picture(object) ? set_image(r, object, entry) : set_path(r, object, entry, precision);
 }
 
@@ -303,6 +282,7 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
         }
     } else if (bat_object_style(object)->opacity != entry->style.opacity)
         set_number(&r, "opacity", share_of(bat_object_style(object)->opacity, entry));
+    bat_svg_patch_set_clip(&r, object, entry, ids);
     set_state(&r, object, entry, bat_object_is_hidden(object) || hides);
     if (anonymous) bat_svg_retag_set(&r, "id", NULL);
     const bool changed = bat_svg_retag_changed(&r);
@@ -311,7 +291,7 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
     return changed;
 }
 
-/* A group that is no longer one has given its opacity to what was in it. */
+/* A group that is no longer one has given its opacity and its clip path to what was in it. */
 bool bat_svg_patch_group_tag(bat_svg_patch *p, uint32_t element) {
     const bat_svg_plan *plan = &p->plan;
     const bat_svg_tag *tag = &plan->tags.list[element];
@@ -324,11 +304,13 @@ bool bat_svg_patch_group_tag(bat_svg_patch *p, uint32_t element) {
             high = middle;
     }
     const bat_sourced *own = low < bat_source_count(plan->source) ? bat_source_at(plan->source, low) : NULL;
-    if (!own || own->element != element || !own->id || own->style.opacity == 1) return false;
+    if (!own || own->element != element || !own->id) return false;
+    if (own->style.opacity == 1 && !own->clip) return false;
     bat_svg_retag r;
     bat_svg_retag_begin(&r, plan->text + tag->open, tag->body - tag->open, plan->types, plan->types_size,
                         plan->sheets);
-    set_number(&r, "opacity", 1);
+    if (own->style.opacity != 1) set_number(&r, "opacity", 1);
+    if (own->clip) bat_svg_retag_style(&r, "clip-path", "none");
     bat_svg_retag_write(&r, &p->made);
     bat_svg_retag_free(&r);
     return true;

@@ -193,3 +193,11 @@ void bat_svg_retag_write(bat_svg_retag *r, bat_text *out) {
         if (!used[k] && !r->changes[k].gone) write_value(r, &r->changes[k], out);
     bat_text_add(out, r->tag + at, r->size - at);
 }
+
+bool bat_svg_is_written_alone(const bat_svg_retag *r) {
+    static const char own[] =
+        "data:image/svg+xml;base64,PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHdpZHRoPSI";
+    bat_svg_piece piece;
+    if (!bat_svg_retag_has(r, "href", &piece)) return false;
+    return piece.end - piece.value >= sizeof own && memcmp(r->tag + piece.value, own, sizeof own - 1) == 0;
+}

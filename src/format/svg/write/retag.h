@@ -37,6 +37,8 @@ void bat_svg_retag_set(bat_svg_retag *r, const char *name, const char *value); /
 void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *value);
 /* Whether the element itself says what the property is. */
 bool bat_svg_retag_says(const bat_svg_retag *r, const char *property);
+/* Whether the element is a picture of an SVG file that stands alone, and not the one that is in that file. */
+bool bat_svg_is_written_alone(const bat_svg_retag *r);
 /* Or out of memory: writing says so. */
 bool bat_svg_retag_changed(const bat_svg_retag *r);
 void bat_svg_retag_write(bat_svg_retag *r, bat_text *out);

@@ -57,7 +57,32 @@ static bat_status find_ids(const bat_document *document, bool *unique) {
     return BAT_OK;
 }
 
-static void open_group(bat_text *text, const bat_object *object, bool as_id, bool hidden, uint64_t *digest) {
+/* Adds what a reader will see of the clip to the digest: m, back: the units that it is written in. */
+static bat_status digest_clip(const bat_object *object, const double m[6], const double back[6],
+                              bat_outline *outline, uint64_t *digest) {
+    uint64_t own = 0;
+    bat_status status = BAT_OK;
+    if (!bat_object_clip(object)) return BAT_OK;
+    for (const bat_clip *at = bat_object_clip(object); at && status == BAT_OK; at = bat_clip_within(at)) {
+        bat_text data = {0};
+        status = bat_svg_write_region(&data, at, back);
+        bat_outline_clear(outline);
+        if (data.failed) status = BAT_MEMORY;
+        if (status == BAT_OK && data.size) bat_svg_path(data.data, data.size, outline);
+        if (outline->failed || outline->full) status = outline->failed ? BAT_MEMORY : BAT_COUNT;
+        bat_outline_transform(outline, m);
+        if (bat_clip_curve_count(at) > 0) own = bat_svg_digest_region(own, outline, bat_clip_is_even_odd(at));
+        bat_text_free(&data);
+    }
+    if (own) *digest = bat_digest_number(*digest, own);
+    return status;
+}
+
+static bat_status open_group(bat_text *text, const bat_object *object, bool as_id, bool hidden,
+                             bat_outline *outline, uint64_t *digest) {
+    static const double same[6] = {1, 0, 0, 1, 0, 0};
+    bat_svg_ids ids = {0};
+    bat_status status = bat_svg_write_clip(text, object, same, 1, ids.clip);
     const double opacity = bat_object_style(object)->opacity;
     bool layer = bat_object_is(object, BAT_LAYER);
     bat_text_string(text, layer ? "<g inkscape:groupmode=\"layer\"" : "<g");
@@ -71,7 +96,10 @@ static void open_group(bat_text *text, const bat_object *object, bool as_id, boo
         bat_svg_write_number(text, " opacity=\"", opacity);
         if (!hidden) *digest = bat_svg_digest_group(*digest, opacity);
     }
+    bat_svg_refer_clip(text, &ids);
     bat_text_string(text, ">\n");
+    if (status == BAT_OK && !hidden) status = digest_clip(object, same, same, outline, digest);
+    return status;
 }
 
 /* Style and paint as a reader will find them under the transform that makes the pen. */
@@ -114,7 +142,8 @@ static bat_status write_object(bat_text *text, const bat_object *object, bool as
     const bat_style *style = bat_object_style(object);
     double pen[6], back[6];
     const bool uneven = bat_svg_pen(object, pen, back);
-    const bat_svg_ids ids = bat_svg_write_gradients(text, object, back, 1);
+    bat_svg_ids ids = bat_svg_write_gradients(text, object, back, 1);
+    bat_status status = bat_svg_write_clip(text, object, back, 1, ids.clip);
     bat_text_string(text, "<path");
     bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
     bat_svg_write_state(text, object);
@@ -126,22 +155,32 @@ static bat_status write_object(bat_text *text, const bat_object *object, bool as
     bat_svg_write_style(text, object, &ids);
     bat_text_string(text, " d=\"");
     const size_t start = text->size;
-    bat_status status = bat_svg_write_curves(text, object, uneven ? back : NULL, precision);
+    if (status == BAT_OK) status = bat_svg_write_curves(text, object, uneven ? back : NULL, precision);
     if (status == BAT_OK && text->failed) status = BAT_MEMORY;
-    if (status == BAT_OK && !hidden && (style->stroked || style->filled))
-        status = digest_object(text, start, object, outline, digest);
+    const bool seen = !hidden && (style->stroked || style->filled);
+    if (status == BAT_OK && seen) status = digest_clip(object, pen, back, outline, digest);
+    if (status == BAT_OK && seen) status = digest_object(text, start, object, outline, digest);
     bat_text_string(text, "\"/>\n");
     return status;
 }
 
-static void write_image(bat_text *text, const bat_object *object, bool as_id, bool hidden, uint64_t *digest) {
+static bat_status write_image(bat_text *text, const bat_object *object, bool as_id, bool hidden,
+                              bat_outline *outline, uint64_t *digest) {
     const double *m = bat_object_matrix(object), opacity = bat_object_style(object)->opacity;
+    double back[6];
+    bat_svg_ids ids = {0};
+    bat_status status = BAT_OK;
+    if (bat_svg_inverse(m, back)) {
+        status = bat_svg_write_clip(text, object, back, 1, ids.clip);
+        if (status == BAT_OK && !hidden) status = digest_clip(object, m, back, outline, digest);
+    }
     bat_text_string(text, "<image");
     bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
     bat_svg_write_state(text, object);
-    bat_svg_write_picture(text, bat_object_picture(object), m, opacity);
+    bat_svg_write_picture(text, bat_object_picture(object), m, opacity, &ids);
     bat_text_string(text, "\n");
     if (!hidden) *digest = bat_svg_digest_image(*digest, bat_object_picture(object), m, opacity);
+    return status;
 }
 
 static bat_status write_objects(const bat_document *document, double precision, bat_text *text,
@@ -160,9 +199,9 @@ static bat_status write_objects(const bat_document *document, double precision, 
         bat_nesting_next(&nesting, object, &level);
         for (int k = nesting.depth - group; k < before; k++) bat_text_string(text, "</g>\n");
         if (group)
-            open_group(text, object, unique[i], level.hidden, digest);
+            status = open_group(text, object, unique[i], level.hidden, &outline, digest);
         else if (bat_object_picture(object))
-            write_image(text, object, unique[i], level.hidden, digest);
+            status = write_image(text, object, unique[i], level.hidden, &outline, digest);
         else if (bat_object_is_painted(object))
             status = write_object(text, object, unique[i], level.hidden, precision, &outline, digest);
     }
