@@ -11,6 +11,7 @@
 #include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/relate.h>
+#include <batten/region.h>
 #include <batten/fit.h>
 #include <batten/interpolate.h>
 #include <batten/frames.h>

@@ -1,0 +1,50 @@
+/* Batten: regions that closed curves bound, and what is made of several: union, difference, intersection, exclusion. */
+#ifndef BATTEN_REGION_H
+#define BATTEN_REGION_H
+
+#include <batten/relate.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What closed planar curves bound together; they may cross each other and themselves. */
+typedef struct bat_region {
+    size_t count;
+    const bat_curve *const *curves; /* borrowed */
+    bool even_odd;                  /* fill rule; else non-zero */
+} bat_region;
+
+typedef enum bat_region_operation {
+    BAT_REGION_UNION,        /* in any of them */
+    BAT_REGION_DIFFERENCE,   /* in the first and in no other */
+    BAT_REGION_INTERSECTION, /* in all of them */
+    BAT_REGION_EXCLUSION,    /* in an odd number of them */
+    BAT_REGION_OPERATION_COUNT
+} bat_region_operation;
+
+/*
+ * The boundary of what the operation makes of the regions, which is everywhere within tolerance (document units, > 0) of
+ * curves of theirs: closed curves that do not cross, with the inside to the left where y points up (outer ones run
+ * anticlockwise, holes clockwise), so that both fill rules give the same. A curve that no other crosses comes back bit for
+ * bit, or reversed; pieces of the others keep their control points but next to where they were cut, which become corners.
+ * Boundaries that run together within tolerance count as one, and what is narrower than the tolerance is left out: curves
+ * that only touch stay two. One region: its outline without what lies inside.
+ *
+ * *count curves in an array that the caller frees (bat_curves_free); none where nothing is left. BAT_ARGUMENT: an open
+ * curve; BAT_DIMENSION: a curve in space; BAT_SINGULAR: the pieces do not fit together with this tolerance (they nearly touch
+ * over a long stretch), and a greater one may do; BAT_COUNT: over BAT_POINTS_MAX pieces. Cost: the intersections, and the
+ * square of the number of pieces in box tests. docs/math/relate.md 6.
+ */
+BAT_API bat_status bat_regions_combine(bat_region_operation operation, size_t region_count,
+                                       const bat_region *regions, double tolerance, size_t *count,
+                                       bat_curve ***out);
+
+/* The area that a closed planar curve runs round, above 0 anticlockwise where y points up; parts that it runs round twice
+ * count twice. Exact but for rounding (Gauss). 0 for an open curve, one in space or NULL. O(count). */
+BAT_API double bat_curve_area(const bat_curve *curve);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
