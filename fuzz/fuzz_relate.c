@@ -3,11 +3,37 @@
 #include <batten/bezier.h>
 #include <batten/nearest.h>
 #include <batten/refine.h>
+#include <batten/measure.h>
+#include <batten/region.h>
 #include <batten/relate.h>
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The result lies on the curves, and closed. */
+static void unite(const bat_curve *a, const bat_curve *b, bat_region_operation operation, double size) {
+    const bat_region both[2] = {{1, &a, false}, {1, &b, true}};
+    const bool fit = bat_curve_dimension(a) == 2 && bat_curve_is_closed(a) && bat_curve_is_closed(b);
+    size_t count;
+    bat_curve **all;
+    const bat_status status = bat_regions_combine(operation, 2, both, 1e-4 * size, &count, &all);
+    if (!fit && status != BAT_ARGUMENT && status != BAT_DIMENSION) abort();
+    if (status != BAT_OK) return;
+    for (size_t i = 0; i < count; i++) {
+        double u[16], x[2];
+        if (!(fabs(bat_curve_area(all[i])) > 0)) abort();
+        bat_curve_spread(all[i], 16, u);
+        for (int k = 0; k < 16; k++) {
+            bat_near near, other;
+            bat_curve_eval(all[i], u[k], 0, x);
+            if (bat_curve_nearest(a, x, &near) != BAT_OK || bat_curve_nearest(b, x, &other) != BAT_OK)
+                abort();
+            if (fmin(near.distance, other.distance) > 1e-4 * size) abort();
+        }
+    }
+    bat_curves_free(count, all);
+}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -130,6 +156,151 @@ static void relate(const bat_curve *a, const bat_curve *b, double size) {
     }
 }
 
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { MOST = 12 };
+
+typedef struct input {
+    const uint8_t *data;
+    size_t size;
+} input;
+
+static unsigned byte(input *in) { return in->size ? (in->size--, *in->data++) : 0; }
+
+static bat_curve *read_curve(input *in, int m) {
+    double knots[MOST + 8], points[MOST * 3], t = 0;
+    const unsigned shape = byte(in);
+    const int p = 1 + (int)(shape % 7), n = p + 1 + (int)(byte(in) % (MOST - 7));
+    const bool closed = shape & 64, wide = shape & 128;
+    const int count = closed ? n + 1 : n + p + 1;
+    for (int i = 0; i < count; i++) {
+        const unsigned step = byte(in);
+        knots[i] = t, t += step % 4 ? 0.25 * (step % 16) : 0;
+    }
+    for (int i = 0; i < n * m; i++) {
+        if (wide && in->size >= 8)
+            memcpy(points + i, in->data, 8), in->data += 8, in->size -= 8;
+        else
+            points[i] = (double)byte(in) - 128;
+    }
+    bat_curve *curve;
+    return bat_curve_create(m, p, closed, (size_t)n, points, count, knots, &curve) == BAT_OK ? curve : NULL;
+}
+
+static double far_from(const double *a, const double *b, int m) {
+    double d = 0;
+    for (int c = 0; c < m; c++) d = hypot(d, a[c] - b[c]);
+    return d;
+}
+
+static double greatest(const bat_curve *curve) {
+    double most = 0;
+    const double *points = bat_curve_points(curve);
+    const size_t count = bat_curve_count(curve) * (size_t)bat_curve_dimension(curve);
+    for (size_t i = 0; i < count; i++) most = fmax(most, fabs(points[i]));
+    return most;
+}
+
+static void make(const bat_curve *curve, double size) {
+    const int m = bat_curve_dimension(curve);
+    double domain[2], start[3], end[3], *points, *u, error;
+    size_t count;
+    bat_curve_domain(curve, domain);
+    bat_curve_eval(curve, domain[0], 0, start), bat_curve_eval_left(curve, domain[1], 0, end);
+    bat_status status = bat_curve_flatten(curve, 1e-3 * size, &count, &points, &u);
+    if (status != BAT_OK && status != BAT_COUNT) abort();
+    if (status == BAT_OK) {
+        if (count < 2 || far_from(points, start, m) > 1e-9 * size) abort();
+        if (far_from(points + (count - 1) * (size_t)m, end, m) > 1e-9 * size) abort();
+        for (size_t i = 1; i < count; i++)
+            if (!(u[i - 1] < u[i])) abort();
+        bat_free(points), bat_free(u);
+    }
+    bat_arc *arcs;
+    status = bat_curve_arcs(curve, 1e-3 * size, 0.1, &count, &arcs, &error);
+    if (m == 3) {
+        if (status != BAT_DIMENSION) abort();
+        return;
+    }
+    if (status != BAT_OK && status != BAT_COUNT) abort();
+    if (status != BAT_OK) return;
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(arcs[i].radius) || (i && arcs[i - 1].to[0] != arcs[i].from[0])) abort();
+    bat_free(arcs);
+}
+
+/* Parallels are finite and nowhere nearer to the curve, or further, than they say. */
+static void beside(const bat_curve *curve, double distance, double size) {
+    size_t count;
+    bat_curve **all;
+    double error;
+    const bat_status status = bat_curve_offset(curve, distance, 1e-3 * size, 0.1, &count, &all, &error);
+    if (status == BAT_COUNT || (status == BAT_DIMENSION && bat_curve_dimension(curve) == 3)) return;
+    if (status != BAT_OK || !isfinite(error)) abort();
+    for (size_t i = 0; i < count; i++) {
+        double domain[2], x[2];
+        bat_near near;
+        bat_curve_domain(all[i], domain), bat_curve_eval(all[i], domain[0], 0, x);
+        if (bat_curve_nearest(curve, x, &near) != BAT_OK) abort();
+        if (fabs(near.distance - fabs(distance)) > error + 1e-9 * size) abort();
+    }
+    bat_curves_free(count, all);
+}
+
+static void check(const bat_meeting *meeting, const bat_curve *a, const bat_curve *b, double gap) {
+    for (size_t i = 0; i < meeting->count; i++) {
+        double x[3], y[3];
+        bat_curve_eval(a, meeting->crossings[i].u, 0, x), bat_curve_eval(b, meeting->crossings[i].v, 0, y);
+        if (!(far_from(x, y, bat_curve_dimension(a)) <= 2 * gap)) abort();
+    }
+}
+
+static void relate(const bat_curve *a, const bat_curve *b, double size) {
+    const double gap = 1e-4 * size;
+    bat_meeting meeting;
+    bat_status status = bat_curve_intersect(a, b, gap, &meeting);
+    if (status != BAT_OK && status != BAT_COUNT) abort();
+    if (status == BAT_OK) check(&meeting, a, b, gap), bat_meeting_free(&meeting);
+    status = bat_curve_self_intersect(a, gap, &meeting);
+    if (status != BAT_OK && status != BAT_COUNT) abort();
+    if (status == BAT_OK) check(&meeting, a, a, gap), bat_meeting_free(&meeting);
+    bat_apart apart;
+    status = bat_curve_hausdorff(a, b, gap, &apart);
+    if (status != BAT_OK && status != BAT_TOLERANCE) abort();
+    double domain[2], x[3];
+    bat_curve_domain(a, domain);
+    for (int i = 0; i <= 32 && status == BAT_OK; i++) {
+        bat_near near;
+        bat_curve_eval(a, domain[0] + (domain[1] - domain[0]) * i / 32, 0, x);
+        if (bat_curve_nearest(b, x, &near) != BAT_OK) abort();
+        if (near.distance > apart.distance + 1.01 * gap) abort();
+    }
+}
+
+/* The result lies on the curves, and closed. */
+static void unite(const bat_curve *a, const bat_curve *b, bat_region_operation operation, double size) {
+    const bat_region both[2] = {{1, &a, false}, {1, &b, true}};
+    const bool fit = bat_curve_dimension(a) == 2 && bat_curve_is_closed(a) && bat_curve_is_closed(b);
+    size_t count;
+    bat_curve **all;
+    const bat_status status = bat_regions_combine(operation, 2, both, 1e-4 * size, &count, &all);
+    if (!fit && status != BAT_ARGUMENT && status != BAT_DIMENSION) abort();
+    if (status != BAT_OK) return;
+    for (size_t i = 0; i < count; i++) {
+        double u[16], x[2];
+        if (!(fabs(bat_curve_area(all[i])) > 0)) abort();
+        bat_curve_spread(all[i], 16, u);
+        for (int k = 0; k < 16; k++) {
+            bat_near near, other;
+            bat_curve_eval(all[i], u[k], 0, x);
+            if (bat_curve_nearest(a, x, &near) != BAT_OK || bat_curve_nearest(b, x, &other) != BAT_OK)
+                abort();
+            if (fmin(near.distance, other.distance) > 1e-4 * size) abort();
+        }
+    }
+    bat_curves_free(count, all);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     input in = {data, size};
     const int m = byte(&in) & 1 ? 3 : 2;
@@ -140,6 +311,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             make(a, scale);
             beside(a, ((int)(size % 64) - 32) * 0.02 * scale, scale);
             if (b) relate(a, b, scale);
+            if (b) unite(a, b, (bat_region_operation)(size % BAT_REGION_OPERATION_COUNT), scale);
         }
     }
     bat_curve_free(a), bat_curve_free(b);

@@ -59,6 +59,7 @@ need_to_test() {
     need jq jq
     need python3 python3
     need python3-scipy '/usr/lib/python3/dist-packages/scipy'
+    need python3-shapely '/usr/lib/python3/dist-packages/shapely'
     need fontforge-nox fontforge
     need python3-ezdxf '/usr/lib/python3/dist-packages/ezdxf'
     need python3-pil /usr/lib/python3/dist-packages/PIL

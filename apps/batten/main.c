@@ -37,6 +37,7 @@ static const cli_command *const commands[] = {
     &command_curve_arcs,
     &command_curve_intersect,
     &command_curve_distance,
+    &command_curve_region,
     &command_info,
     &command_completion,
     &command_replay,

@@ -18,6 +18,9 @@ BAT_API double bat_curve_at_length(const bat_curve *curve, double u0, double s, 
 /* Exact bounding box (extrema by root finding): low[dimension], high[dimension].
  * O(count * p^2). */
 BAT_API void bat_curve_bounds(const bat_curve *curve, double *low, double *high);
+/* The area that a closed planar curve runs round, above 0 anticlockwise where y points up; parts that it runs round twice
+ * count twice. Exact but for rounding (Gauss). 0 for an open curve, one in space or NULL. O(count). */
+BAT_API double bat_curve_area(const bat_curve *curve);
 /* Signed curvature in the plane, non-negative in space; 0 where the first derivative vanishes. */
 BAT_API double bat_curve_curvature(const bat_curve *curve, double u);
 /* Inflections of a planar curve: parameters ascending, at most `room` written; returns how many there are, 0 in space.

@@ -40,10 +40,6 @@ BAT_API bat_status bat_regions_combine(bat_region_operation operation, size_t re
                                        const bat_region *regions, double tolerance, size_t *count,
                                        bat_curve ***out);
 
-/* The area that a closed planar curve runs round, above 0 anticlockwise where y points up; parts that it runs round twice
- * count twice. Exact but for rounding (Gauss). 0 for an open curve, one in space or NULL. O(count). */
-BAT_API double bat_curve_area(const bat_curve *curve);
-
 #ifdef __cplusplus
 }
 #endif

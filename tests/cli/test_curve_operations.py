@@ -127,6 +127,40 @@ class Operations(ProgramTest):
         self.assertIn("--distance", self.refused(2, "curve", "offset", self.curve))
         self.assertIn("in the plane", self.refused(1, "curve", "offset", self.space, "--distance", "1"))
 
+    def test_region(self):
+        try:
+            import shapely.geometry
+        except ImportError:
+            self.skipTest("shapely is not installed")
+        methods = {"union": "union", "difference": "difference", "intersection": "intersection", "exclusion": "symmetric_difference"}
+        random = numpy.random.default_rng(5)
+
+        def ring():
+            n = int(random.integers(3, 9))
+            turn = 2 * math.pi * numpy.arange(n) / n
+            points = random.uniform(2, 6, (n, 1)) * numpy.column_stack((numpy.cos(turn), numpy.sin(turn)))
+            return (points + random.uniform(-3, 3, 2)).tolist()
+
+        for i in range(24):
+            a, b = ring(), ring()
+            files = [self.file(f"r{k}.json", {"degree": 1, "closed": True, "knots": list(range(len(p) + 1)), "points": p})
+                     for k, p in enumerate((a, b))]
+            name = list(methods)[i % 4]
+            made = self.json("curve", "region", *files, "--operation", name)
+            expected = getattr(shapely.geometry.Polygon(a), methods[name])(shapely.geometry.Polygon(b))
+            whole = shapely.geometry.Polygon()
+            for one in made:  # degree 1: its points are its corners
+                whole = whole.symmetric_difference(shapely.geometry.Polygon(one["points"]))
+            self.assertLess(whole.symmetric_difference(expected).area, 1e-4)
+        square = self.file("q.json", {"degree": 1, "closed": True, "knots": [0, 1, 2, 3, 4], "points": [[0, 0], [4, 0], [4, 4], [0, 4]]})
+        self.assertEqual(self.json("curve", "region", square, square, "--operation", "exclusion"), [])
+        self.assertEqual(self.json("curve", "region", square, square)[0]["points"], [[0, 0], [4, 0], [4, 4], [0, 4]])
+        self.assertIn("a closed curve", self.refused(1, "curve", "region", square, self.curve))
+        self.assertIn("in the plane", self.refused(1, "curve", "region", self.space, self.space))
+        self.refused(2, "curve", "region", square, square, "--operation", "sum")
+        self.refused(2, "curve", "region", square, square, "--tolerance", "0")
+        self.refused(2, "curve", "region", square)
+
     def test_intersect(self):
         parabola = {"degree": 2, "closed": False, "knots": [0, 0, 0, 1, 1, 1], "points": [[-1, 1], [0, -1], [1, 1]]}
         a, b = self.file("p.json", parabola), self.file("l.json", line([-2, 0.25], [2, 0.25]))

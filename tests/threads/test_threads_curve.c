@@ -52,6 +52,16 @@ static uint64_t measure_curve(const void *shared, int seed) {
     return add_doubles(add(digest, (uint64_t)count), frames[1].s, 3);
 }
 
+static uint64_t add_region(uint64_t d, const bat_curve *curve, const bat_curve *other) {
+    const bat_region both[2] = {{1, &curve, false}, {1, &other, true}};
+    size_t count = 0;
+    bat_curve **all = NULL;
+    d = add(d, (uint64_t)bat_regions_combine(BAT_REGION_EXCLUSION, 2, both, 1e-3, &count, &all));
+    for (size_t i = 0; i < count; i++) d = bat_digest_double(d, bat_curve_area(all[i]));
+    bat_curves_free(count, all);
+    return add(d, (uint64_t)count);
+}
+
 /* Curves beside curves. */
 static uint64_t relate_curve(const void *shared, int seed) {
     const bat_curve *curve = shared;
@@ -73,7 +83,9 @@ static uint64_t relate_curve(const void *shared, int seed) {
     d = add(d, (uint64_t)bat_curve_flatten(curve, 0.1 + 0.01 * seed, &count, &points, NULL));
     d = add(d, (uint64_t)count), bat_free(points);
     d = add(d, (uint64_t)bat_curve_arcs(curve, 0.1, 0.1, &count, &arcs, NULL));
-    bat_free(arcs), bat_curve_free(other);
+    bat_free(arcs);
+    d = add_region(d, curve, other);
+    bat_curve_free(other);
     size_t parallels = 0;
     bat_curve **all = NULL;
     d = add(d, (uint64_t)count);

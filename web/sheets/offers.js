@@ -8,7 +8,7 @@ import { tell } from '../page/words.js';
 /** @typedef {import('./panel.js').Panel} Panel */
 /** @typedef {import('../engine/types.js').Frame} Frame */
 
-const FAMILIES = [/^(un)?group$/, /^(combine|release)$/, /^mirror-/, /^(curve-|to-page$)/, /^(surface|wire)-/, /^(camera-along|body-path)$/, /^order-/, /^align-/, /^distribute-/, /^delete$/];
+const FAMILIES = [/^(un)?group$/, /^region-/, /^(combine|release)$/, /^mirror-/, /^(curve-|to-page$)/, /^(surface|wire)-/, /^(camera-along|body-path)$/, /^order-/, /^align-/, /^distribute-/, /^delete$/];
 
 export class Offers {
   /** @param {Panel} panel */

@@ -21,6 +21,7 @@ typedef struct facts {
     int roots, groups, layers; /* number of roots; groups and layers among them */
     int open, closed, space;   /* number of curves; of those in space */
     int curved, compound;      /* number of objects that are made of curves; of several */
+    int others;                /* number of objects that are no groups */
     bool page;                 /* there is a page to align a single root to */
 } facts;
 
@@ -40,6 +41,7 @@ static bat_status find(const bat_context *c, facts *f) {
         for (int k = roots[i], end = bat_document_end(document, k); k < end; k++) {
             const bat_object *object = bat_document_at(document, k);
             const int curves = bat_object_is_made_of_curves(object) ? bat_object_curve_count(object) : 0;
+            f->others += !bat_object_is_group(object);
             f->curved += curves > 0;
             f->compound += curves > 1;
             for (int j = 0; j < curves; j++) {
@@ -74,6 +76,11 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_UNGROUP: return f->groups > 0;
     case BAT_COMMAND_CURVE_CLOSE: return f->open > 0;
     case BAT_COMMAND_CURVE_OPEN: return f->closed > 0;
+    case BAT_COMMAND_REGION_UNITE:
+    case BAT_COMMAND_REGION_SUBTRACT:
+    case BAT_COMMAND_REGION_INTERSECT:
+    case BAT_COMMAND_REGION_EXCLUDE:
+        return f->curved > 1 && f->curved == f->others && f->open + f->space == 0;
     case BAT_COMMAND_COMBINE: return f->curved > 1;
     case BAT_COMMAND_RELEASE: return f->compound > 0;
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;

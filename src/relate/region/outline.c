@@ -1,5 +1,4 @@
 /* Edges that bound the result, joined to closed curves with the inside to their left. */
-#include "base/gauss.h"
 #include "base/real.h"
 #include "curve/curve.h"
 #include "relate/region/arrangement.h"

@@ -1,5 +1,4 @@
 /* What is made of regions (docs/math/relate.md 6). */
-#include "base/gauss.h"
 #include "relate/region/arrangement.h"
 
 #include <math.h>
@@ -61,19 +60,4 @@ bat_status bat_regions_combine(bat_region_operation operation, size_t region_cou
         clear(&a);
     }
     return status;
-}
-
-static double sweep(const void *context, double u) {
-    double p[4];
-    bat_curve_eval(context, u, 1, p);
-    return 0.5 * (p[0] * p[3] - p[1] * p[2]);
-}
-
-double bat_curve_area(const bat_curve *curve) {
-    if (!curve || !bat_curve_is_closed(curve) || bat_curve_dimension(curve) != 2) return 0;
-    const double *t = bat_curve_knots(curve);
-    double sum = 0;
-    for (int i = 0; i + 1 < bat_curve_knot_count(curve); i++)
-        if (t[i] < t[i + 1]) sum += bat_gauss(sweep, curve, t[i], t[i + 1]);
-    return sum;
 }
