@@ -151,6 +151,21 @@ static void clip_to_path(cairo_t *cairo, const bat_style *style, const bat_paint
     cairo_path_destroy(path);
 }
 
+static void fill_path(cairo_t *cairo, const bat_style *style, const bat_paint *paint) {
+    set_source(cairo, paint ? &paint->fill : NULL, style->fill);
+    cairo_set_fill_rule(cairo, style->even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+    cairo_fill_preserve(cairo);
+}
+
+static void stroke_path(cairo_t *cairo, const bat_style *style, const bat_paint *paint) {
+    set_source(cairo, paint ? &paint->stroke : NULL, style->stroke);
+    set_pen(cairo, style);
+    cairo_save(cairo);
+    shape_pen(cairo, paint);
+    cairo_stroke_preserve(cairo);
+    cairo_restore(cairo);
+}
+
 static bat_status paint_object(cairo_t *cairo, const bat_object *object, double tolerance) {
     const bat_style *style = bat_object_style(object);
     const bat_paint *paint = bat_object_paint(object);
@@ -168,19 +183,11 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
         clip_to_path(cairo, style, paint, stroked);
         cairo_push_group(cairo);
     }
-    if (style->filled) {
-        set_source(cairo, paint ? &paint->fill : NULL, style->fill);
-        cairo_set_fill_rule(cairo, style->even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
-        cairo_fill_preserve(cairo);
-    }
-    if (stroked) {
-        set_source(cairo, paint ? &paint->stroke : NULL, style->stroke);
-        set_pen(cairo, style);
-        cairo_save(cairo);
-        shape_pen(cairo, paint);
-        cairo_stroke(cairo);
-        cairo_restore(cairo);
-    }
+    const bool first = paint && paint->stroke_first;
+    if (stroked && first) stroke_path(cairo, style, paint);
+    if (style->filled) fill_path(cairo, style, paint);
+    if (stroked && !first) stroke_path(cairo, style, paint);
+    cairo_new_path(cairo);
     if (group) {
         cairo_pop_group_to_source(cairo);
         cairo_paint_with_alpha(cairo, style->opacity);

@@ -57,7 +57,8 @@ enum {
     BAT_ITEM_FILLED = 2,
     BAT_ITEM_EVEN_ODD = 4,
     BAT_ITEM_SCREEN_WIDTH = 8,
-    BAT_ITEM_DASHED = 16
+    BAT_ITEM_DASHED = 16,
+    BAT_ITEM_STROKE_FIRST = 32 /* before the fill; only with a paint */
 };
 
 typedef struct bat_item {

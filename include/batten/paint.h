@@ -1,5 +1,5 @@
 /*
- * What paints an object beyond its style: gradients in place of its colours, dashes, and a pen that is not round.
+ * What paints an object beyond its style: gradients in place of its colours, dashes, a pen that is not round, and their order.
  *
  * An object keeps its paint through all edits of its curves; maps of the plane map it along. A gradient takes the place of
  * a colour of the style and goes when that colour is changed.
@@ -39,6 +39,7 @@ typedef struct bat_paint {
     const double *dashes; /* document units, at least 0, not all 0; at most BAT_DASHES_MAX */
     double dash_offset;   /* where in the pattern the stroke begins */
     double pen[4];        /* {a, b, c, d}: its image of the circle of the style's width; all 0: the circle */
+    bool stroke_first;    /* the stroke is painted before the fill, which then covers its inner half */
 } bat_paint;
 
 /* A copy with that paint, which is copied; NULL, or a paint with nothing in it: none. BAT_ARGUMENT: the object is not made of

@@ -80,17 +80,19 @@ uint64_t bat_paint_digest(const bat_paint *paint, bat_paint_part part) {
     if (!paint) return 0;
     if (part == BAT_PAINT_FILL) return paint->fill.count ? digest_gradient(&paint->fill) : 0;
     if (part == BAT_PAINT_STROKE) return paint->stroke.count ? digest_gradient(&paint->stroke) : 0;
-    if (paint->dash_count == 0 && is_round(paint->pen)) return 0;
+    if (paint->dash_count == 0 && is_round(paint->pen) && !paint->stroke_first) return 0;
     uint64_t digest = bat_digest_number(bat_digest_begin(), paint->dash_count);
     for (size_t i = 0; i < paint->dash_count && paint->dashes; i++)
         digest = digest_number(digest, paint->dashes[i]);
     if (paint->dash_count) digest = digest_number(digest, paint->dash_offset);
     for (int i = 0; i < 4 && !is_round(paint->pen); i++) digest = digest_number(digest, paint->pen[i]);
+    if (paint->stroke_first) digest = bat_digest_number(digest, paint->stroke_first);
     return digest;
 }
 
 bool bat_paint_is_plain(const bat_paint *paint) {
-    return paint->fill.count + paint->stroke.count + paint->dash_count == 0 && is_round(paint->pen);
+    return paint->fill.count + paint->stroke.count + paint->dash_count == 0 && is_round(paint->pen) &&
+           !paint->stroke_first;
 }
 
 bat_status bat_painted_create(const bat_paint *paint, bat_painted **out) {

@@ -125,6 +125,9 @@ FILES = {
               '<use href="#s" x="30" y="30" transform="scale(.7)" fill="#0a5"/>',
     "copies of a gradient": f'<linearGradient id="a">{STOPS}</linearGradient><defs><g id="s">{BOX}fill="url(#a)"/></g></defs>'
                             '<use href="#s" transform="scale(.8,.4)"/><use href="#s" x="40" y="50" transform="scale(.6)"/>',
+    "order": f'{BOX}fill="#a40" stroke="#246" stroke-width="16" paint-order="stroke"/><g style="paint-order:markers stroke">{STAR}'
+             'fill="#0a5" stroke="#e80" stroke-width="9" opacity=".6"/><path d="M60 60H90V90H60Z" fill="#fff" stroke="#000" '
+             'stroke-width="9" paint-order="fill"/></g>',
     "clip": f'<clipPath id="c"><circle cx="50" cy="50" r="30"/></clipPath>{STAR}fill="#a40" stroke="#246" stroke-width="9" '
             'clip-path="url(#c)"/>',
     "clip, in the shape's units": f'<clipPath id="c" transform="rotate(9)"><rect x="30" y="10" width="30" height="50"/></clipPath>'

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
+#include "document/document.h"
 #include "support/alloc_fail.h"
 #include "support/xml.h"
 #include <batten/bezier.h>
@@ -274,6 +275,53 @@ static void svg_dashes(void **state) {
     bat_document_free(d);
 }
 
+/* The order of SVG: what is not named comes last, the fill before the stroke; kept by SVG and by the native format. */
+static void strokes_under_fills(void **state) {
+    (void)state;
+    static const struct {
+        const char *order;
+        bool first;
+    } cases[] = {{"normal", false},
+                 {"stroke", true},
+                 {"fill", false},
+                 {"markers stroke", true},
+                 {"fill stroke", false},
+                 {"stroke fill", true},
+                 {"markers", false},
+                 {"stroke markers fill", true},
+                 {"markers fill stroke", false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int way = 0; way < 4; way++) {
+            char content[300], *text = NULL;
+            size_t size;
+            bat_svg_report report;
+            bat_document *back = NULL;
+            snprintf(content, sizeof content,
+                     way & 1 ? "<g paint-order='%s' stroke='red'><path d='M0 0H9V9'/></g>"
+                             : "<path stroke='red' style='paint-order:%s' d='M0 0H9V9'/>",
+                     cases[i].order);
+            bat_document *d = read_svg(content, &report);
+            const bat_paint *p = bat_object_paint(bat_document_at(d, bat_document_count(d) - 1));
+            assert_int_equal(p && p->stroke_first, cases[i].first);
+            assert_int_equal(report.lost.count[BAT_LOSS_ORDER], 0);
+            if (way & 2) {
+                assert_int_equal(bat_document_write(d, &text, &size), BAT_OK);
+                assert_int_equal(strstr(text, "{\"batten\":6") != NULL, cases[i].first);
+                assert_int_equal(bat_document_read(text, size, &back, NULL), BAT_OK);
+                assert_true(bat_document_digest(back) == bat_document_digest(d));
+            } else {
+                bat_document_set_origin(d, NULL);
+                assert_int_equal(bat_svg_write(d, false, &text, &size), BAT_OK);
+                assert_int_equal(xml_read(text, NULL, &back, &report, NULL), BAT_OK);
+            }
+            p = bat_object_paint(bat_document_at(back, bat_document_count(back) - 1));
+            assert_int_equal(p && p->stroke_first, cases[i].first);
+            bat_free(text);
+            bat_document_free(back);
+            bat_document_free(d);
+        }
+}
+
 static void every_allocation_may_fail(void **state) {
     (void)state;
     bat_object *object = painted();
@@ -305,6 +353,7 @@ int main(void) {
         cmocka_unit_test(svg_says_where),
         cmocka_unit_test(svg_degenerates),
         cmocka_unit_test(svg_dashes),
+        cmocka_unit_test(strokes_under_fills),
         cmocka_unit_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -141,3 +141,22 @@ test('only what lies within clip paths is painted', async (t) => {
   await quiet(page);
   await check();
 });
+
+const ORDERS = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><g fill="#f00" stroke="#00f" stroke-width="20">
+<rect x="30" y="30" width="80" height="80" style="paint-order:stroke"/><rect x="160" y="30" width="80" height="80"/>
+<rect x="30" y="160" width="80" height="80" paint-order="stroke" opacity=".5"/></g></svg>`;
+
+test('a stroke can lie under its fill', async (t) => {
+  const server = await serve({ name: 'orders.svg', bytes: Buffer.from(ORDERS) });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address, { colorScheme: 'light' });
+  await page.waitForFunction(() => globalThis.batten.painter.paints);
+  await quiet(page);
+  const points = [[35, 70, [255, 0, 0]], [25, 70, [0, 0, 255]], [165, 70, [0, 0, 255]], [175, 70, [255, 0, 0]], [35, 200, [255, 128, 128]],
+    [25, 200, [128, 128, 255]]];
+  const found = await stillColours(page, points.map(([x, y]) => [x, y]));
+  points.forEach(([x, y, expected], i) => {
+    const far = Math.max(...expected.map((value, k) => Math.abs(value - found[i][k])));
+    assert.ok(far <= 3, `${x} ${y}: expected ${expected}, found ${found[i]}`);
+  });
+});

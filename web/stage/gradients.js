@@ -143,43 +143,66 @@ function paintOf({ paint: floats }) {
 }
 
 /**
- * @param {Context} context @param {Item} item @param {Path2D} shape @param {number} zoom @param {Theme} theme
- * @param {boolean} flat without its stroke @param {number} opacity
+ * @param {Context} context @param {Item} item @param {Path2D} shape @param {Theme} theme @param {Gradient | undefined} fill
  */
-function drawAll(context, item, shape, zoom, theme, flat, opacity) {
-  const paint = paintOf(item);
-  const { pen, gradients: [fill, stroke] } = paint;
+function drawFill(context, item, shape, theme, fill) {
   const rule = item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero';
-  context.save();
-  context.globalAlpha = opacity;
-  if (item.flags & Flag.FILLED && fill) {
+  if (fill) {
     context.save();
     context.transform(...components(fill.matrix));
     context.fillStyle = styleOf(context, fill, item, theme);
     context.fill(mapped(shape, fill.matrix.inverse()), rule);
     context.restore();
-  } else if (item.flags & Flag.FILLED) {
+  } else {
     context.fillStyle = theme.colour(item.fill);
     context.fill(shape, rule);
   }
-  if (item.flags & Flag.STROKED && !flat) {
-    const own = pen ?? new DOMMatrix();
-    context.transform(...components(own));
-    context.lineWidth = Math.max(item.flags & Flag.SCREEN_WIDTH ? item.width / zoom : item.width, HAIRLINE / zoom);
-    context.lineCap = CAPS[item.cap] ?? 'round';
-    context.lineJoin = JOINS[item.join] ?? 'round';
-    context.miterLimit = item.miterLimit > 0 ? item.miterLimit : 4;
-    context.setLineDash(item.flags & Flag.DASHED ? [6 / zoom, 5 / zoom] : paint.dashes);
-    context.lineDashOffset = paint.offset;
-    const line = pen ? mapped(shape, own.inverse()) : shape;
-    const matrix = stroke && own.inverse().multiply(stroke.matrix);
-    if (stroke?.radial && matrix) {
-      strokeLayer(context, line, stroke, matrix, item, theme);
-    } else {
-      context.strokeStyle = stroke && matrix ? styleOf(context, stroke, item, theme, straighten(stroke, matrix))
-        : theme.colour(item.stroke);
-      context.stroke(line);
-    }
+}
+
+/**
+ * @param {Context} context @param {Item} item @param {Path2D} shape @param {number} zoom @param {Theme} theme
+ * @param {ReturnType<typeof paintOf>} paint
+ */
+function drawStroke(context, item, shape, zoom, theme, paint) {
+  const { pen, gradients: [, stroke] } = paint;
+  const own = pen ?? new DOMMatrix();
+  context.save();
+  context.transform(...components(own));
+  context.lineWidth = Math.max(item.flags & Flag.SCREEN_WIDTH ? item.width / zoom : item.width, HAIRLINE / zoom);
+  context.lineCap = CAPS[item.cap] ?? 'round';
+  context.lineJoin = JOINS[item.join] ?? 'round';
+  context.miterLimit = item.miterLimit > 0 ? item.miterLimit : 4;
+  context.setLineDash(item.flags & Flag.DASHED ? [6 / zoom, 5 / zoom] : paint.dashes);
+  context.lineDashOffset = paint.offset;
+  const line = pen ? mapped(shape, own.inverse()) : shape;
+  const matrix = stroke && own.inverse().multiply(stroke.matrix);
+  if (stroke?.radial && matrix) {
+    strokeLayer(context, line, stroke, matrix, item, theme);
+  } else {
+    context.strokeStyle = stroke && matrix ? styleOf(context, stroke, item, theme, straighten(stroke, matrix))
+      : theme.colour(item.stroke);
+    context.stroke(line);
+  }
+  context.restore();
+}
+
+/**
+ * @param {Context} context @param {Item} item @param {Path2D} shape @param {number} zoom @param {Theme} theme
+ * @param {boolean} flat without its stroke @param {number} opacity
+ */
+function drawAll(context, item, shape, zoom, theme, flat, opacity) {
+  const paint = paintOf(item);
+  const line = item.flags & Flag.STROKED && !flat;
+  context.save();
+  context.globalAlpha = opacity;
+  if (line && item.flags & Flag.STROKE_FIRST) {
+    drawStroke(context, item, shape, zoom, theme, paint);
+  }
+  if (item.flags & Flag.FILLED) {
+    drawFill(context, item, shape, theme, paint.gradients[0]);
+  }
+  if (line && !(item.flags & Flag.STROKE_FIRST)) {
+    drawStroke(context, item, shape, zoom, theme, paint);
   }
   context.restore();
 }

@@ -138,6 +138,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     if (bat_scene_is_bare(entry->object)) show_bare(item);
     if (style->filled && !bat_object_is(entry->object, BAT_FIXED)) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
+    if (paint && bat_object_paint(entry->object)->stroke_first) item->flags |= BAT_ITEM_STROKE_FIRST;
     double more = reach(style);
     if (paint) more *= bat_paint_reach(bat_object_paint(entry->object));
     for (int i = 0; i < 4; i++)

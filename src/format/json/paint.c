@@ -85,6 +85,7 @@ bat_status bat_paint_from_json(const bat_fields *f, uint32_t node, bat_object **
     if (status == BAT_OK) status = read_dashes(f, at, dashes, &paint);
     if (status == BAT_OK && bat_json_member(f->json, at, "pen"))
         status = bat_fields_numbers(f, at, "pen", 4, "four numbers", paint.pen);
+    if (status == BAT_OK) status = bat_fields_flag(f, at, "stroke_first", &paint.stroke_first);
     if (status != BAT_OK) return status;
     bat_object *made = NULL;
     status = bat_fields_say(f, at, bat_object_with_paint(*object, &paint, &made));
@@ -147,6 +148,11 @@ void bat_paint_to_json(const bat_paint *paint, bat_text *text) {
     if (paint->pen[0] != 0 || paint->pen[1] != 0 || paint->pen[2] != 0 || paint->pen[3] != 0) {
         bat_text_string(text, comma);
         write_numbers(text, "\"pen\":", paint->pen, 4);
+        comma = ",";
+    }
+    if (paint->stroke_first) {
+        bat_text_string(text, comma);
+        bat_text_string(text, "\"stroke_first\":true");
     }
     bat_text_string(text, "}");
 }

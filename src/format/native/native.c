@@ -273,7 +273,9 @@ static void write_pictures(const bat_document *document, bool all, bat_text *tex
 /* Whether it came with the last version. What has no sources is not asked for wires: that would fetch the second part of the
  * module while a drawing is opened. */
 static bool is_new(const bat_object *object) {
-    return bat_object_is(object, BAT_NEW) || bat_object_relief(object) || bat_object_clip(object) ||
+    const bat_paint *paint = bat_object_paint(object);
+    return (paint && paint->stroke_first) || bat_object_is(object, BAT_NEW) || bat_object_relief(object) ||
+           bat_object_clip(object) ||
            (bat_object_is_group(object) && bat_object_style(object)->opacity != 1) ||
            (bat_object_sources(object, NULL) > 0 && bat_object_wires(object, NULL, NULL) > 0);
 }

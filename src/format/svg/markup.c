@@ -346,6 +346,7 @@ void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg
                 bat_svg_write_number(text, " stroke-dashoffset=\"", paint->dash_offset);
         }
     }
+    if (paint && paint->stroke_first) bat_text_string(text, " paint-order=\"stroke\"");
     if (style->opacity != 1) bat_svg_write_number(text, " opacity=\"", style->opacity);
     bat_svg_refer_clip(text, ids);
 }
@@ -396,6 +397,7 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
         } else
             bat_text_string(text, "none;");
     }
+    if (paint && paint->stroke_first) bat_text_string(text, "paint-order:stroke;");
     declare(text, "opacity:", style->opacity);
     if (*ids->clip) {
         bat_text_string(text, ";clip-path:url(#");

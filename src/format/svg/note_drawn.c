@@ -42,8 +42,6 @@ void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     if (!style->stroked || painted->paint.dash_count) mask &= ~BAT_SVG_BIT(BAT_SVG_DASHES);
     bool line = name[0] == 'p' || strcmp(name, "line") == 0; /* path, polyline, polygon */
     if (!line) mask &= ~markers;
-    if (!style->stroked || !style->filled) {
-        if (!(odd & mask & markers)) mask &= ~BAT_SVG_BIT(BAT_SVG_ORDER);
-    }
+    if (!(odd & mask & markers)) mask &= ~BAT_SVG_BIT(BAT_SVG_ORDER);
     bat_svg_note_odd(&w->notes, element, odd, mask);
 }

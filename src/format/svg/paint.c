@@ -101,4 +101,5 @@ void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scop
     style->filled = resolve_paint(w, element, &from->fill, from->fill_opacity, &fill, &style->fill);
     style->stroked = resolve_paint(w, element, &from->stroke, from->stroke_opacity, &stroke, &style->stroke);
     resolve_line(s, out);
+    out->paint.stroke_first = style->filled && style->stroked && from->stroke_first;
 }

@@ -103,6 +103,7 @@ static void inherit(bat_svg_style *style, const bat_svg_style *parent, bat_svg_n
     case BAT_SVG_RULE: style->even_odd = parent->even_odd; break;
     case BAT_SVG_CLIP_RULE: style->clip_even_odd = parent->clip_even_odd; break;
     case BAT_SVG_CLIP: style->clip = parent->clip; break;
+    case BAT_SVG_ORDER: style->stroke_first = parent->stroke_first; break;
     case BAT_SVG_VISIBILITY: style->visible = parent->visible; break;
     case BAT_SVG_OPACITY: style->opacity = parent->opacity; break;
     case BAT_SVG_DISPLAY: style->shown = parent->shown; break;
@@ -130,6 +131,16 @@ static void set_odd(bat_svg_style *style, bat_svg_name property, const char *val
         style->odd &= ~bits;
     else
         style->odd |= bits;
+}
+
+/* What is not named comes last, the fill before the stroke. Marks that do not come last are odd. */
+static void set_order(bat_svg_style *style, const char *value) {
+    const char *fill = strstr(value, "fill"), *stroke = strstr(value, "stroke"),
+               *markers = strstr(value, "markers");
+    style->stroke_first = stroke && !(fill && fill < stroke);
+    style->odd &= ~BAT_SVG_BIT(BAT_SVG_ORDER);
+    if (markers && !(fill && stroke && markers > fill && markers > stroke))
+        style->odd |= BAT_SVG_BIT(BAT_SVG_ORDER);
 }
 
 static bool set_word(bat_svg_style *style, bat_svg_name property, const char *value) {
@@ -270,6 +281,7 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
         set_odd(style, name, value);
         style->dashes = style->odd & BAT_SVG_BIT(BAT_SVG_DASHES) ? source : NULL;
         return true;
+    case BAT_SVG_ORDER: set_order(style, value); return true;
     case BAT_SVG_CLIP:
         set_odd(style, name, value);
         style->clip = strncmp(value, "url(", 4) == 0 ? source + 4 : NULL;

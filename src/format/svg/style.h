@@ -45,7 +45,8 @@ typedef struct bat_svg_style {
     bool vertical, base; /* it runs downwards; its lines do not stand on their base line */
     bool even_odd, visible;
     bool clip_even_odd; /* as part of a clip path */
-    uint32_t odd;       /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
+    bool stroke_first;
+    uint32_t odd; /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
     /* not inherited */
     double opacity;
     const char *clip; /* the content of url(), where it was read; NULL: none */

@@ -80,7 +80,7 @@ static void every_kind_is_found(void **state) {
         {"<g stroke-dasharray='1 2'>" LINE "/>" LINE "stroke-dasharray='none'/>" LINE "stroke='none'/></g>",
          "{}"},
         {"<g stroke-dasharray='1 bad'>" LINE "/>" LINE "stroke-dasharray='none'/></g>", "{\"dashes\":1}"},
-        {LINE "paint-order='stroke'/>", "{\"orders\":1}"},
+        {LINE "paint-order='markers' marker-end='url(#m)'/>", "{\"markers\":1,\"orders\":1}"},
         {LINE "vector-effect='non-scaling-stroke' transform='scale(2,3)'/>", "{\"effects\":1}"},
         {LINE "transform='scale(1,3)'/>" BOX "transform='scale(1,3)'/>", "{}"},
         {BOX "style='mix-blend-mode:multiply'/><g style='isolation:isolate'/>", "{\"blends\":2}"},

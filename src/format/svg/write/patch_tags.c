@@ -138,6 +138,13 @@ static double share_of(double opacity, const bat_sourced *entry) {
     return entry->opacity > 0 ? fmin(1, opacity / entry->opacity) : opacity;
 }
 
+static void set_order(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool all) {
+    const bat_paint *paint = bat_object_paint(object);
+    const bool first = paint && paint->stroke_first, says = bat_svg_retag_says(r, "paint-order");
+    if (!differs(object, entry, BAT_PAINT_LINE) && !(all && first && !says)) return;
+    if (first || says) bat_svg_retag_style(r, "paint-order", first ? "stroke" : "normal");
+}
+
 /* all: whatever the element does not say itself is said. */
 static void set_style(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool all,
                       const bat_svg_ids *ids) {
@@ -174,6 +181,7 @@ static void set_style(bat_svg_retag *r, const bat_object *object, const bat_sour
             (all && !bat_svg_retag_says(r, "stroke-dasharray")))
             set_dashes(r, bat_object_paint(object), scale);
     }
+    set_order(r, object, entry, all);
     if (now->opacity != was->opacity || all) set_number(r, "opacity", share_of(now->opacity, entry));
 }
 
