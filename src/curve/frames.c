@@ -1,4 +1,5 @@
 /* The chain: a walk over the whole curve, kept (math 2.1 to 2.3). */
+#include "curve/frames.h"
 #include "curve/frames_walk.h"
 #include "base/options.h"
 
@@ -105,6 +106,29 @@ void bat_frame_chain_free(bat_frame_chain *chain) {
     bat_curve_free(chain->curve);
     free(chain->nodes);
     free(chain);
+}
+
+/* Nothing of the coarser chain is kept. */
+bat_status bat_frame_chain_error(const bat_frame_chain *chain, double *out) {
+    bat_frame_options coarse = chain->options;
+    const int ratio = 2, steps = coarse.substeps;
+    bat_frame_walk *walk = malloc(sizeof *walk);
+    if (!walk) return BAT_MEMORY;
+    double worst = 0;
+    const bat_frame_node *first = chain->nodes; /* of the span */
+    coarse.substeps = steps / ratio;
+    bat_frame_walk_whole(walk, chain->curve, &coarse);
+    walk->measured = false;
+    while (bat_frame_walk_next(walk)) {
+        for (int i = 0; i < walk->count; i++) {
+            const vec d = vec_sub(bat_rows_get(walk->ss, i), first[ratio * (walk->done + i)].s);
+            worst = fmax(worst, vec_dot(d, d));
+        }
+        if (walk->done + walk->count - 1 == walk->steps) first += steps + 1;
+    }
+    free(walk);
+    *out = sqrt(worst);
+    return BAT_OK;
 }
 
 double bat_frame_chain_holonomy(const bat_frame_chain *chain) { return chain->holonomy; }
