@@ -180,6 +180,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
     bat_seen_sync(c);
     if (!bat_toolbox_busy(c)) c->snap->kind = BAT_SNAP_NONE;
     bat_moves_sync(c);
+    bat_flight_stand(c);
     update(c, tool);
     bat_readout made = bat_toolbox_readout(c);
     show_overlay(c, tool, &made, overlay);

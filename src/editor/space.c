@@ -13,12 +13,9 @@ static int guises_of(const bat_context *c, bat_guise guises[BAT_GUISES]) {
     return tool->is->guises ? tool->is->guises(c, tool->state, guises) : 0;
 }
 
-/* Skeletons are where they are at the playhead. */
-static void stand(const bat_context *c) { bat_scene_stand(c->scene, c->moves->camera ? c->moves->at : 0); }
-
 const bat_space *bat_editor_space(bat_editor *editor) {
     const bat_context *c = &editor->context;
-    stand(c);
+    bat_flight_stand(c);
     bat_guise guises[BAT_GUISES];
     const int count = guises_of(c, guises);
     bat_viewpoint through;
@@ -43,7 +40,7 @@ const bat_space *bat_editor_lens(bat_editor *editor, const double size[2]) {
     bat_guise guises[BAT_GUISES];
     bat_viewpoint view;
     bat_moves_sync(&editor->context);
-    stand(c);
+    bat_flight_stand(c);
     const bool room = c->moves->through;
     for (int k = 0; k < 2; k++)
         if (!size || !(size[k] >= 1 && size[k] <= BAT_PIXELS_MAX)) return NULL;

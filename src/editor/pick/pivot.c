@@ -42,7 +42,7 @@ bool bat_pivot_under(bat_context *c, const double pixel[2], double out[3]) {
             within = near.distance;
             found = true;
             place[2] = 0;
-            bat_curve_eval(bat_object_curve(entries[i].object, j), near.u, 0, place);
+            bat_curve_eval(bat_object_curve(bat_scene_shown(c->scene, i), j), near.u, 0, place);
         }
     }
     for (int k = 0; k < 3 && found; k++) out[k] = place[k];

@@ -54,11 +54,20 @@ static double reach(const bat_style *style) {
     return style->width / 2 * factor;
 }
 
+static bool is_ghost(const bat_scene *scene, const bat_scene_entry *entry) {
+    return scene->ghost && bat_object_id(entry->object) == scene->ghost;
+}
+
+/* What is painted of an entry: of the ghost what it is, since something else shows how it stands. */
+static const bat_object *shown(const bat_scene *scene, const bat_scene_entry *entry) {
+    return entry->posed && !is_ghost(scene, entry) ? entry->posed : entry->object;
+}
+
 static const double *map_of(const bat_scene *scene) { return scene->tilted ? scene->map : NULL; }
 
 /* The entry's box: tilted, that of its control points. */
 static void find_box(const bat_scene *scene, bat_scene_entry *entry) {
-    const bat_object *object = entry->object;
+    const bat_object *object = shown(scene, entry);
     double *box = entry->box, at[2], corners[8];
     bat_object_bounds(object, box);
     if (!scene->tilted || !(box[0] <= box[2])) return;
@@ -90,8 +99,9 @@ static void show_bare(bat_item *item) {
 static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     bat_path path = {
         .origin = {scene->origin[0], scene->origin[1]}, .map = map_of(scene), .tolerance = scene->tolerance};
-    for (int i = 0; i < bat_object_curve_count(entry->object); i++)
-        bat_path_curve(&path, bat_object_curve(entry->object, i));
+    const bat_object *object = shown(scene, entry);
+    for (int i = 0; i < bat_object_curve_count(object); i++)
+        bat_path_curve(&path, bat_object_curve(object, i));
     const bat_picture *picture = bat_object_picture(entry->object);
     if (picture) {
         double corners[8];
@@ -271,6 +281,7 @@ void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolati
 void bat_scene_ghost(bat_scene *scene, bat_id id) {
     if (scene->ghost == id) return;
     scene->ghost = id;
+    for (int i = 0; i < scene->count; i++) scene->entries[i].moved |= scene->entries[i].posed != NULL;
     scene->revision = UINT64_MAX;
     dirty_all(scene);
 }
@@ -289,7 +300,44 @@ bat_item bat_scene_painted(const bat_scene *scene, const bat_scene_entry *entry)
     return item;
 }
 
-void bat_scene_stand(bat_scene *scene, double time) { scene->time = time; }
+void bat_scene_stand(bat_scene *scene, double time) {
+    if (scene->time == time) return;
+    scene->time = time;
+    scene->stale = scene->stale || scene->bodies;
+}
+
+const bat_object *bat_scene_standing(bat_scene *scene, bat_scene_entry *entry) {
+    bat_object *posed = NULL;
+    if (!bat_object_motion(entry->object, NULL)) return entry->object;
+    if (entry->posed ? entry->posed_at == scene->time : scene->time == 0)
+        return entry->posed ? entry->posed : entry->object;
+    if (bat_object_at_time(entry->object, scene->time, &posed) != BAT_OK) return NULL;
+    bat_object_release(entry->posed);
+    entry->posed = posed;
+    entry->posed_at = scene->time;
+    if (!is_ghost(scene, entry)) entry->moved = scene->stale = true;
+    if (entry->solid) entry->solid->old = true;
+    return posed;
+}
+
+const bat_object *bat_scene_shown(const bat_scene *scene, int index) {
+    return shown(scene, &scene->entries[index]);
+}
+
+/* The path of an entry as it is now; false: memory ran out, and it is as it was. */
+static bool renew(bat_scene *scene, bat_scene_entry *entry) {
+    const bool made = is_ghost(scene, entry) || bat_scene_standing(scene, entry);
+    if (entry->path && !entry->moved) return made;
+    if (entry->path) bat_box_add(scene->dirty, entry->item.bounds);
+    if (entry->moved) {
+        free_lines(entry);
+        find_box(scene, entry);
+    }
+    if (!make_path(scene, entry)) return false;
+    entry->moved = false;
+    bat_box_add(scene->dirty, entry->item.bounds);
+    return made;
+}
 
 enum { LAYERS = (BAT_NESTING_MAX + 1) * (BAT_CLIP_REGIONS_MAX + 1) };
 
@@ -398,7 +446,8 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
         free(items);
         return status;
     }
-    scene->stale = scene->surfaces = false;
+    scene->surfaces = scene->bodies = false;
+    bool again = false;
     int item_count = show_page(scene, document, items);
     layers open = {.depth = 0};
     for (int i = 0; i < count; i++) {
@@ -409,17 +458,13 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
         if (entry->hidden || !bat_object_is_drawn(entry->object)) continue;
         scene->surfaces = scene->surfaces || bat_object_surface(entry->object) ||
                           bat_object_mesh(entry->object);
-        if (!entry->path) {
-            if (make_path(scene, entry))
-                bat_box_add(scene->dirty, entry->item.bounds);
-            else {
-                scene->stale = true; /* retried with the next frame */
-                status = BAT_MEMORY;
-            }
+        scene->bodies = scene->bodies || (bat_object_motion(entry->object, NULL) && !is_ghost(scene, entry));
+        if (!renew(scene, entry)) {
+            again = true; /* with the next frame */
+            status = BAT_MEMORY;
         }
         items[item_count] = bat_scene_painted(scene, entry);
-        if (scene->ghost && bat_object_id(entry->object) == scene->ghost && !entry->pale)
-            items[item_count].opacity *= PALE;
+        if (is_ghost(scene, entry) && !entry->pale) items[item_count].opacity *= PALE;
         item_count++;
     }
     end_layers(&open, items, count, item_count);
@@ -428,6 +473,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
     scene->item_count = item_count;
     scene->still_version++;
     scene->revision = revision;
+    scene->stale = again;
     return status;
 }
 
@@ -494,7 +540,7 @@ static bat_scene_line *line_of(bat_scene *scene, int index, int curve) {
 }
 
 const bat_curve *bat_scene_seen(bat_scene *scene, int index, int curve) {
-    const bat_curve *own = bat_object_curve(scene->entries[index].object, curve);
+    const bat_curve *own = bat_object_curve(shown(scene, &scene->entries[index]), curve);
     if (!scene->tilted && bat_curve_dimension(own) == 2) return own;
     bat_scene_line *line = line_of(scene, index, curve);
     if (!line) return NULL;

@@ -21,8 +21,9 @@ typedef struct bat_scene_line {
 
 typedef struct bat_scene_entry {
     bat_object *object;        /* retained */
-    bat_object *posed;         /* as it stands at the scene's time, for pictures in space; NULL: as it is */
+    bat_object *posed;         /* as it stands at the scene's time; NULL: as it is */
     double posed_at;           /* the time */
+    bool moved;                /* it stands elsewhere than its path, box and lines say */
     double box[4];             /* of the outline, drawing coordinates (editor/view/stage.h) */
     float *path;               /* NULL until made */
     float *paint;              /* made with the path; NULL: none */
@@ -53,7 +54,8 @@ typedef struct bat_scene {
     bool outline;                   /* outline mode: thin lines without fill */
     const bat_isolation *isolation; /* borrowed; NULL: everything is within reach */
     uint32_t isolated;              /* the isolation's version as shown */
-    double time;                    /* seconds, at which what moves by itself stands in pictures in space */
+    double time;                    /* seconds, at which what moves by itself stands */
+    bool bodies;                    /* something moves by itself */
     bat_id ghost;                   /* is shown by something else as it is now, and painted pale; 0: none */
     bool surfaces;                  /* some are shown */
     bool stale;                     /* some path could not be made, or the origin has moved */
@@ -67,8 +69,12 @@ void bat_scene_free(bat_scene *scene);
 void bat_scene_look(bat_scene *scene, bool outline, const bat_isolation *isolation);
 /* The object that something else shows as it is now, such as a skeleton at the playhead: face-on it is painted pale. 0: none. */
 void bat_scene_ghost(bat_scene *scene, bat_id id);
-/* What moves by itself, as skeletons do, stands in pictures in space as it does at that time, in seconds. */
+/* What moves by itself, as skeletons do, stands as it does at that time, in seconds; face-on the ghost as in its first frame. */
 void bat_scene_stand(bat_scene *scene, double time);
+/* An entry's object as it stands at that time, which is made when it is not there; NULL: out of memory. */
+const bat_object *bat_scene_standing(bat_scene *scene, bat_scene_entry *entry);
+/* The object of that index as the drawing shows it. */
+const bat_object *bat_scene_shown(const bat_scene *scene, int index);
 /* A surface without a stroke: thin lines show it face-on. */
 bool bat_scene_is_bare(const bat_object *object);
 /* The item of an entry as it is painted: in outline mode, or pale; but for the ghost's. */

@@ -196,20 +196,6 @@ static void add_outline(bat_space *space, bat_space_item *to, const bat_space_ke
     to->id |= BAT_SPACE_OUTLINE;
 }
 
-/* The object of an entry as it stands at the scene's time; NULL: out of memory. */
-static const bat_object *standing(const bat_scene *scene, bat_scene_entry *entry) {
-    if (!bat_object_motion(entry->object, NULL)) return entry->object;
-    if (entry->posed ? entry->posed_at == scene->time : scene->time == 0)
-        return entry->posed ? entry->posed : entry->object;
-    bat_object *posed = NULL;
-    if (bat_object_at_time(entry->object, scene->time, &posed) != BAT_OK) return NULL;
-    bat_object_release(entry->posed);
-    entry->posed = posed;
-    entry->posed_at = scene->time;
-    if (entry->solid) entry->solid->old = true;
-    return posed;
-}
-
 /* The buffers of every object that is seen; false: some could not be made. */
 static bool update(bat_scene *scene, const bat_grain *grain, int guises, const bat_guise *guise) {
     bool all = true;
@@ -223,7 +209,7 @@ static bool update(bat_scene *scene, const bat_grain *grain, int guises, const b
         for (int k = 0; k < guises && grain->look != BAT_LOOK_LINES; k++)
             if (guise[k].object == bat_object_id(entry->object) && bat_object_surface(entry->object))
                 own = &guise[k];
-        const bat_object *object = standing(scene, entry);
+        const bat_object *object = bat_scene_standing(scene, entry);
         if (!entry->solid || !object ||
             bat_solid_update(entry->solid, object, grain, own, &scene->versions) != BAT_OK)
             all = false;

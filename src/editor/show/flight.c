@@ -1,4 +1,5 @@
 #include "editor/show/flight.h"
+#include "editor/scene/scene.h"
 #include "editor/session/session.h"
 #include "editor/show/body.h"
 #include "editor/show/moves.h"
@@ -22,6 +23,10 @@ double bat_flight_duration(const bat_context *c) {
     const bat_camera *camera = bat_flight_camera(c);
     const bat_motion *motion = bat_body_motion(c, NULL);
     return camera ? bat_camera_duration(camera) : motion ? bat_motion_duration(motion) : 0;
+}
+
+void bat_flight_stand(const bat_context *c) {
+    bat_scene_stand(c->scene, c->moves->camera ? c->moves->at : 0);
 }
 
 bool bat_flight_view(const bat_context *c, bat_viewpoint *out) {

@@ -10,6 +10,8 @@
 const bat_camera *bat_flight_camera(const bat_context *c);
 /* How many seconds the move takes that is looked at, of a camera or of a skeleton; 0: there is none. */
 double bat_flight_duration(const bat_context *c);
+/* What moves by itself stands in the scene as it does at the playhead. */
+void bat_flight_stand(const bat_context *c);
 /* What the camera sees at the playhead, in the window as it is. False: there is no camera, or nothing can be seen by it. */
 bool bat_flight_view(const bat_context *c, bat_viewpoint *out);
 /* The same in a window of that size. */

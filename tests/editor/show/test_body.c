@@ -394,6 +394,62 @@ static void a_camera_sees_it_at_the_playhead(void **state) {
     bat_editor_free(editor);
 }
 
+/* Whether the drawing, seen from the front, shows the walker's joints as they are then, in full. */
+static bool lies(bat_editor *editor, double time) {
+    double at[3 * WALKER_JOINTS];
+    assert_int_equal(bat_motion_positions(motion_of(editor), time, at), BAT_OK);
+    const bat_item *item = still(editor);
+    const double *origin = bat_editor_frame(editor)->origin;
+    int found = 0;
+    assert_true(item && item->opacity == 1);
+    for (int joint = 0; joint < WALKER_JOINTS; joint++) {
+        bool met = false;
+        for (uint32_t k = 0; k + 1 < item->path_count && !met; k++)
+            met = fabs((double)item->path[k] + origin[0] - at[3 * joint]) < 1e-3 &&
+                  fabs((double)item->path[k + 1] + origin[1] + at[3 * joint + 1]) < 1e-3;
+        found += met;
+        if (!met) continue; /* within what has to be painted anew */
+        assert_true((double)item->bounds[0] <= at[3 * joint] - origin[0] + 1e-3);
+        assert_true((double)item->bounds[3] >= -at[3 * joint + 1] - origin[1] - 1e-3);
+    }
+    return found == WALKER_JOINTS;
+}
+
+/* Face-on, too, while a camera is the move that is looked at; and it is there for the pen. */
+static void the_drawing_shows_it_at_the_playhead(void **state) {
+    (void)state;
+    bat_editor *editor = with_skeleton();
+    put_camera(editor);
+    const uint64_t before = digest(editor);
+    const double size[2] = {320, 180};
+    for (int i = 0; i < 12; i++) {
+        const double time = i == 5 ? 0 : LAST * (i + 1) / 10;
+        const uint32_t was = bat_editor_frame(editor)->still_version;
+        assert_int_equal(bat_editor_seek(editor, time), BAT_OK);
+        if (i % 3 == 1) bat_editor_lens(editor, size); /* before the frame */
+        assert_true(lies(editor, fmin(time, LAST)));
+        assert_true(bat_editor_frame(editor)->still_version != was || time > LAST);
+        if (i % 3 == 2) bat_editor_lens(editor, size); /* behind it */
+        const uint32_t now = bat_editor_frame(editor)->still_version;
+        bat_editor_frame(editor);
+        assert_true(bat_editor_frame(editor)->still_version == now); /* at rest nothing is painted */
+        assert_true(time == 0 || !lies(editor, 0));
+        check(editor);
+    }
+    bat_editor_select(editor, 5, 0); /* now it is the move: its first pose is pale */
+    assert_true(value(editor, "id") == 5);
+    assert_int_equal(bat_editor_seek(editor, LAST / 2), BAT_OK);
+    bat_editor_frame(editor);
+    assert_true(still(editor)->opacity < 0.3F);
+    shows_bones(editor, LAST / 2);
+    bat_editor_select(editor, 8, 0);
+    assert_int_equal(bat_editor_seek(editor, LAST / 3), BAT_OK);
+    assert_true(lies(editor, LAST / 3));
+    check(editor);
+    assert_true(digest(editor) == before);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(is_shown_at_the_playhead),
                                        cmocka_unit_test(its_first_pose_is_pale),
@@ -403,6 +459,7 @@ int main(void) {
                                        cmocka_unit_test(a_stroke_redraws_an_angle),
                                        cmocka_unit_test(fit_leaves_room_for_the_strip),
                                        cmocka_unit_test(style_goes_to_another_walk),
-                                       cmocka_unit_test(a_camera_sees_it_at_the_playhead)};
+                                       cmocka_unit_test(a_camera_sees_it_at_the_playhead),
+                                       cmocka_unit_test(the_drawing_shows_it_at_the_playhead)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

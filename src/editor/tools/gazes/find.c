@@ -170,7 +170,7 @@ bool bat_gazing_over(bat_context *c, const double pixel[2], double place[3]) {
     bat_stage_seen(c->stage, pixel, at);
     const bat_pick pick = bat_pick_curve(c->scene, 0, at, REACH * bat_stage_pixel(c->stage));
     if (pick.object && own && pick.object != bat_object_id(own) && pick.object != bat_object_followed(own)) {
-        const bat_object *object = c->scene->entries[pick.index].object;
+        const bat_object *object = bat_scene_shown(c->scene, pick.index);
         double point[BAT_DIMENSION_MAX] = {0};
         bat_curve_eval(bat_object_curve(object, pick.curve), pick.near.u, 0, point);
         for (int k = 0; k < 3; k++) place[k] = point[k];
