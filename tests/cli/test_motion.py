@@ -5,6 +5,7 @@ import subprocess
 import unittest
 
 import numpy
+from scipy.interpolate import BSpline
 
 from program import ProgramTest
 
@@ -251,8 +252,36 @@ json.dump(found, plain('found.json', 'w'))
         kept = calm.values.max(0) - calm.values.min(0)
         big = swing > 20
         self.assertTrue((kept[big] > .85 * swing[big]).all())
-        strut = self.made(walk(120, noise=0), "--tolerance", "0.5", "--gain", "1=1.5")
-        self.assertGreater(apart(quiet, strut), 2)
+        plain = self.made(walk(240, noise=0), "--tolerance", "0.5")
+        wide = [self.made(walk(240, noise=0), "--tolerance", "0.5", "--gain", f"1={gain},2={gain}") for gain in (1.5, 2)]
+        feet = [index for index, joint in enumerate(plain.joints) if joint[0] in ("LeftLeg2", "RightLeg2")]
+
+        def step(bvh):
+            places = bvh.positions()
+            return numpy.ptp(places[:, feet[0]] - places[:, feet[1]], axis=0)[2]
+
+        self.assertGreater(step(wide[0]), 1.1 * step(plain), "it struts: its steps are longer")
+        self.assertGreater(step(wide[1]), 1.1 * step(wide[0]))
+
+    def test_the_path_is_the_way_alone(self):
+        """Of two seconds the path's base is one span: bob and sway are its details. Laid out straight the walk still bobs, and hardly tilts."""
+        text = walk(240, noise=0)
+        before = Bvh(text)
+        base = self.made(text, out="plain.json")["path"]["base"]
+        self.assertEqual(len(base["points"]), 4)
+        slope = BSpline(base["knots"], numpy.array(base["points"]), 3).derivative()(numpy.linspace(base["knots"][3], base["knots"][-4], 200))
+        own = numpy.diff(before.positions()[:, 0], axis=0)
+
+        def steepest(ways):
+            return numpy.degrees(numpy.arctan2(abs(ways[:, 1]), ways[:, 2])).max()
+
+        self.assertGreater(steepest(own), 15)
+        self.assertLess(steepest(slope), 6)
+        ends = [before.positions()[frame, 0] for frame in (0, -1)]
+        straight = self.file("straight.json", line(*((ends[0] * (3 - i) + ends[1] * i) / 3 for i in range(4))))
+        after = self.made(text, "--path", straight)
+        self.assertGreater(numpy.ptp(after.positions()[:, 0, 1]), .8 * numpy.ptp(before.positions()[:, 0, 1]))
+        self.assertLess(apart(before, after), 8)
 
     def test_the_walk_follows_the_path(self):
         """A turned path turns the walk; a level curve keeps every joint's height."""

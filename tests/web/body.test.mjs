@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { drop, launch, move, open, quiet, SCREENSHOTS, state } from './page.mjs';
+import { drop, launch, move, open, place, quiet, SCREENSHOTS, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -41,6 +41,20 @@ function walk() {
   }
   return lines.join('\n');
 }
+
+const numbers = (/** @type {string} */ text) => text.slice(text.indexOf('Frame Time')).match(/-?\d[\d.e+-]*/g).map(Number);
+
+/** The numbers of the walk as the page exports it: the time of a frame, then those of all frames. */
+async function exported(page) {
+  await page.keyboard.press('Control+Shift+E');
+  await page.selectOption('#export-format', 'bvh');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export .strong')]);
+  assert.equal(download.suggestedFilename(), 'walk.bvh');
+  return numbers(fs.readFileSync(await download.path(), 'utf8'));
+}
+
+/** How high the root is in each frame. */
+const heights = (values) => Array.from({ length: FRAMES }, (_, f) => values[1 + f * (3 + 3 * BONES.length) + 1]);
 
 for (const colorScheme of ['light', 'dark']) {
   test(`a walk: dropped, played, a joint chosen, mixed, redrawn, undone, ${colorScheme}`, async (t) => {
@@ -103,12 +117,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(now.digest, first.digest, 'undone');
     assert.equal(now.check, '');
 
-    await page.keyboard.press('Control+Shift+E');
-    await page.selectOption('#export-format', 'bvh');
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export .strong')]);
-    assert.equal(download.suggestedFilename(), 'walk.bvh');
-    const numbers = (/** @type {string} */ text) => text.slice(text.indexOf('Frame Time')).match(/-?\d[\d.e+-]*/g).map(Number);
-    const [written, given] = [fs.readFileSync(await download.path(), 'utf8'), walk()].map(numbers);
+    const [written, given] = [await exported(page), numbers(walk())];
     assert.equal(written.length, given.length);
     assert.ok(written.every((value, i) => Math.abs(value - given[i]) < 1e-9), 'exported as it was dropped');
     await context.close();
@@ -203,8 +212,22 @@ test('the path of a walk is a curve: laid out by a button, moved by keys, redraw
   assert.notEqual(raised.digest, laid.digest);
   assert.equal(raised.check, '');
   assert.notDeepEqual(await page.locator('#overlay').screenshot(), before, 'the body at the playhead has moved');
+  const up = heights(await exported(page));
+  const given = heights(numbers(walk()));
+  assert.ok(up.every((height, f) => Math.abs(height - given[f] - 12) < 1e-6), 'the whole walk is higher by what the keys say');
+
+  // Over the middle of the path, higher by 14 there.
   await page.evaluate(() => globalThis.batten.engine.command('tool-sketch'));
-  await hand.stroke([[690, 372], [720, 350], [750, 325], [780, 318], [810, 330], [840, 371]], { pointerType: 'pen' });
+  const stroke = [];
+  for (let i = 0; i <= 24; i++) {
+    stroke.push(await place(page, 10 + 2 * i, -102.5 - 14 * Math.sin((Math.PI * i) / 24)));
+  }
+  await seek(1);
+  await quiet(page);
+  const stood = await page.locator('#overlay').screenshot();
+  await hand.stroke(stroke, { pointerType: 'pen' });
+  await quiet(page);
+  await page.getByRole('button', { name: 'Redraw', exact: true }).click(); // it could be a line of its own
   await quiet(page);
   await seek(1);
   await quiet(page);
@@ -212,6 +235,12 @@ test('the path of a walk is a curve: laid out by a button, moved by keys, redraw
   const redrawn = await state(page);
   assert.notEqual(redrawn.digest, raised.digest);
   assert.equal(redrawn.check, '');
+  assert.notDeepEqual(await page.locator('#overlay').screenshot(), stood, 'the body at the playhead has moved');
+  const bent = heights(await exported(page));
+  const change = bent.map((height, f) => height - up[f]);
+  assert.ok(Math.max(...change) > 8 && change.indexOf(Math.max(...change)) > FRAMES / 4, `the walk goes over the bump: ${change.map((x) => x.toFixed(1))}`);
+  assert.ok(Math.abs(change[0]) < 1.5 && Math.abs(change[FRAMES - 1]) < 1.5, 'and begins and ends where it did');
+  await page.locator('#stage').focus();
   for (let i = 0; i < 8 && (await state(page)).digest !== first.digest; i++) {
     await page.keyboard.press('Control+z');
     await quiet(page);

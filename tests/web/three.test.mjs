@@ -93,6 +93,7 @@ for (const [name, move] of Object.entries(moves)) {
 // parameter is even in time on a straight path whose control points lie evenly, and on a tripod. Of one span, a player's is the move's
 // own; of several, whose quaternions are not of length 1 between them, as keys have to be, there are more keys.
 const straight = [0, 1, 2, 3].map((i) => [50 * i, 27 * i, -20 * i]);
+const SIZE = sizeOf(straight); // of the tripods' world, too
 const bezier = (points) => ({ degree: 3, closed: false, knots: [0, 0, 0, 0, 1, 1, 1, 1], points });
 const unit = (q) => q.map((x) => x / Math.hypot(...q));
 const turns = bezier([[0.1, 0.2, 0, 1], [0.2, 0.1, 0.3, 0.9], [-0.1, 0.3, 0.2, 0.9], [0.1, -0.2, 0.4, 0.8]].map(unit));
@@ -109,8 +110,9 @@ const exact = {
 for (const [name, move] of Object.entries(exact)) {
   test(`three.js shows cubics ${name} as they are`, async () => {
     const { place, angle } = await played(move);
-    console.log(`      ${place.toExponential(1)}, ${angle.toExponential(1)} degrees`);
-    assert.ok(place < 1e-6 * 180, `${place}`);
-    assert.ok((angle * Math.PI) / 180 < 1e-6, `${angle}`);
+    const [far, turned] = [place / SIZE, (angle * Math.PI) / 180];
+    console.log(`      ${far.toExponential(1)} of the size, ${turned.toExponential(1)} radians`);
+    assert.ok(far < 1e-6, `${far}`);
+    assert.ok(turned < 1e-6, `${turned}`);
   });
 }

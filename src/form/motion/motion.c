@@ -10,6 +10,7 @@
 static const bat_motion_options DEFAULTS = {.size = sizeof DEFAULTS, .tolerance = 0.5, .levels = 3};
 enum { LEAST = sizeof DEFAULTS, LEVELS_MAX = 12 }; /* size in version 0.3 */
 static const double same_turn = 1e-9, same_place = 1e-12, time_most = 1e9;
+static const double stride = 1.5; /* seconds: more than a step takes */
 
 void bat_motion_options_init(bat_motion_options *options, size_t size) {
     bat_options_give(&DEFAULTS, sizeof DEFAULTS, size, options);
@@ -61,12 +62,16 @@ static bool stays(const bat_take *take) {
     return true;
 }
 
-/* As many levels as its knots give, `levels` at most. */
-static bat_status take_apart(const bat_curve *curve, int levels, bat_shape **out) {
+/* As many levels as its knots give, `levels` at most, down to a base of spans that last longer than a step or two: the base is where
+ * the walk goes, and how it bobs and sways on the way is detail. */
+static bat_status take_apart(const bat_curve *curve, int levels, double seconds, bat_shape **out) {
     const bat_shape_options options = bat_motion_shape_options();
+    const int degree = curve->degree, spans = (int)fmax(1, floor(seconds / stride));
     bat_status status = BAT_COUNT;
     for (int l = levels; l > 0 && status == BAT_COUNT; l--)
-        status = bat_shape_decompose(curve, l, &options, out);
+        status = (curve->count - degree) >> l > spans
+                     ? bat_shape_decompose_to(curve, l, (size_t)(degree + spans), &options, out)
+                     : bat_shape_decompose(curve, l, &options, out);
     return status == BAT_COUNT ? bat_shape_create(curve, &options, out) : status;
 }
 
@@ -87,7 +92,8 @@ static bat_status fit_path(bat_motion *m, double tolerance) {
     if (status == BAT_OK)
         status = bat_curve_create(3, knots.degree, false, (size_t)knots.count, points,
                                   knots.count + knots.degree + 1, knots.t, &curve);
-    if (status == BAT_OK) status = take_apart(curve, m->levels, &m->first);
+    if (status == BAT_OK)
+        status = take_apart(curve, m->levels, take->frame_time * bat_motion_last(m), &m->first);
     if (status == BAT_OK) {
         m->report.keys_before += take->frames, m->report.keys_after += (size_t)knots.count;
         m->report.numbers_after += 3 * (size_t)knots.count + (size_t)bat_knots_inner(&knots);

@@ -90,6 +90,8 @@ static void laid_out_it_stands_as_it_did(void **state) {
         assert_int_equal(bat_document_count(document), 2);
         const bat_id path = bat_object_followed(body_in(document));
         assert_true(path != 0 && bat_document_find(document, path) >= 0);
+        const bat_object *laid = bat_document_at(document, bat_document_find(document, path));
+        assert_int_equal(bat_curve_count(bat_object_curve(laid, 0)), 4); /* of less than a second */
         check(editor);
         assert_int_equal(bat_editor_command(editor, "body-path"),
                          BAT_STATE); /* the curve is selected, alone */
