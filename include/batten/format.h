@@ -109,7 +109,8 @@ BAT_API bat_status bat_gcode_write(const bat_document *document, const bat_gcode
 BAT_API bat_status bat_stl_write(const bat_model *model, double tolerance, char **bytes, size_t *size);
 BAT_API bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size);
 /* A camera move as binary glTF 2.0: a camera whose node is animated by cubic spans (bat_camera_keys; place 0: 1e-4 of the
- * path's size, angle 0: 0.1 degrees, in radians), and the path as a line strip. A field of view that changes is in the
+ * path's size, angle 0: 0.1 degrees, in radians), and the path as a line strip. The animation's extras say what players agree to: "within", with
+ * "position" and "degrees". A field of view that changes is in the
  * extension KHR_animation_pointer, which players may pass over. BAT_NUMBER: a field of view is not between 0 and 180
  * degrees, or as above. */
 BAT_API bat_status bat_gltf_write_move(const bat_camera *camera, double place, double angle, char **bytes,

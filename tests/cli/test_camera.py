@@ -316,6 +316,10 @@ class Player(Camera):
 
     def agrees(self, move, duration, place, angle, fov):
         scene, tracks = self.played(move)
+        told = scene["animations"][0]["extras"]["within"]  # the file says to what it agrees
+        self.assertLessEqual(told["position"], 1.01 * place)
+        self.assertAlmostEqual(told["degrees"], angle, delta=1e-12)
+        place, angle = told["position"], told["degrees"]
         times = RANDOM.uniform(0, duration, 300)
         own = self.camera(move, "--at", ",".join(map(repr, times.tolist())))
         self.assertLess(numpy.linalg.norm(self.at(tracks["translation"], times) - own["positions"], axis=1).max(), place)

@@ -154,7 +154,13 @@ static void put_zoom(writer *w, const bat_camera_key *keys, size_t count) {
         "{\"pointer\":\"/cameras/0/perspective/yfov\"}}}}");
 }
 
-static void put_animation(writer *w, const bat_camera_key *keys, size_t count, bool zooms) {
+/* What players that make rotations unit agree with the move to. */
+typedef struct within {
+    double place, angle; /* radians */
+} within;
+
+static void put_animation(writer *w, const bat_camera_key *keys, size_t count, const within *told,
+                          bool zooms) {
     const unsigned node = w->part_count, times = w->accessor_count;
     bat_text_string(&w->nodes, node ? ",\n" : "");
     bat_text_string(&w->nodes, "{\"camera\":0,\"name\":\"camera\"}");
@@ -162,7 +168,11 @@ static void put_animation(writer *w, const bat_camera_key *keys, size_t count, b
     put_times(w, keys, count);
     put_track(w, keys, count, 0, 3, 1, "VEC3");
     put_track(w, keys, count, 3, 4, 1, "VEC4");
-    bat_text_string(&w->move, ",\n\"animations\":[{\"samplers\":[");
+    bat_text_string(&w->move, ",\n\"animations\":[{\"extras\":{\"within\":{\"position\":");
+    bat_text_number(&w->move, told->place);
+    bat_text_string(&w->move, ",\"degrees\":");
+    bat_text_number(&w->move, told->angle * (180 / BAT_PI));
+    bat_text_string(&w->move, "}},\"samplers\":[");
     put_sampler(&w->move, times, 0, ",");
     put_sampler(&w->move, times, 1, zooms ? "," : "");
     if (zooms) put_sampler(&w->move, times, 2, "");
@@ -174,7 +184,8 @@ static void put_animation(writer *w, const bat_camera_key *keys, size_t count, b
     bat_text_string(&w->move, zooms ? "]}],\n\"extensionsUsed\":[\"KHR_animation_pointer\"]" : "]}]");
 }
 
-static bat_status put_keys(writer *w, const bat_camera_key *keys, size_t count, double near) {
+static bat_status put_keys(writer *w, const bat_camera_key *keys, size_t count, const within *told,
+                           double near) {
     bool zooms = false;
     for (size_t i = 0; i < count; i++) {
         if (!(keys[i].value[7] > 0 && keys[i].value[7] < 180)) return BAT_NUMBER;
@@ -188,7 +199,7 @@ static bat_status put_keys(writer *w, const bat_camera_key *keys, size_t count, 
     bat_text_string(&w->move, ",\"znear\":");
     bat_text_number(&w->move, near);
     bat_text_string(&w->move, "}}]");
-    put_animation(w, keys, count, zooms);
+    put_animation(w, keys, count, told, zooms);
     return BAT_OK;
 }
 
@@ -280,11 +291,12 @@ bat_status bat_gltf_write_scene(const bat_camera *camera, const bat_model *scene
     bat_curve *path = (bat_curve *)bat_camera_path(camera); /* read only */
     const bat_model model = {.curve_count = 1, .curves = &path};
     const double extent = bat_curve_size(path);
-    if (!(place > 0)) place = 1e-4 * (extent > 0 ? extent : 1);
-    bat_status status = bat_camera_keys(camera, place, angle > 0 ? angle : 0.1 * BAT_PI / 180, &count, &keys);
-    if (status == BAT_OK && extent > 0) status = put_model(&w, &model, place);
+    const within told = {place > 0 ? place : 1e-4 * (extent > 0 ? extent : 1),
+                         angle > 0 ? angle : 0.1 * BAT_PI / 180};
+    bat_status status = bat_camera_keys(camera, told.place, told.angle, &count, &keys);
+    if (status == BAT_OK && extent > 0) status = put_model(&w, &model, told.place);
     if (status == BAT_OK && scene) status = put_model(&w, scene, 0);
-    if (status == BAT_OK) status = put_keys(&w, keys, count, 1e-3 * (extent > 0 ? extent : 1));
+    if (status == BAT_OK) status = put_keys(&w, keys, count, &told, 1e-3 * (extent > 0 ? extent : 1));
     if (status == BAT_OK) status = put_file(&w, bytes, size);
     free(keys);
     clear(&w);
