@@ -11,7 +11,8 @@ export const Role = Object.freeze({ OBJECT: 0, HIGHLIGHT: 1, STRETCH: 2, TRANSIT
   ARROW: 17, WEDGE: 18, BEYOND: 19, GUIDE: 20, VALUE: 21, POLYGON: 22, COMB: 23, REACH: 24, ERASED: 25, IMAGE: 26,
   GRID: 27, GRID_STRONG: 28, RULER: 29, GUIDELINE: 30, PAGE_BACK: 31, PIVOT: 32, GROUP: 33, CLIP: 34 });
 /** How an item is painted. */
-export const Flag = Object.freeze({ STROKED: 1, FILLED: 2, EVEN_ODD: 4, SCREEN_WIDTH: 8, DASHED: 16, STROKE_FIRST: 32 });
+export const Flag = Object.freeze({ STROKED: 1, FILLED: 2, EVEN_ODD: 4, SCREEN_WIDTH: 8, DASHED: 16,
+  STROKE_FIRST: 32 });
 /** Commands of a path. */
 export const Path = Object.freeze({ MOVE: 0, LINE: 1, CUBIC: 2, CLOSE: 3 });
 export const Cap = Object.freeze({ BUTT: 0, ROUND: 1, SQUARE: 2 });
