@@ -130,7 +130,7 @@ bat_status bat_svg_read(const char *text, size_t size, const bat_svg_options *op
     } else if (size == 0) {
         status = BAT_SYNTAX;
         place_at(problem, 1, 1);
-        snprintf(problem->message, sizeof problem->message, "expected SVG, found an empty file");
+        snprintf(problem->message, sizeof problem->message, "expected XML, found an empty file");
     } else if (size > BAT_SVG_SIZE) {
         status = BAT_COUNT;
         snprintf(problem->message, sizeof problem->message,

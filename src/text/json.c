@@ -319,6 +319,28 @@ bat_status bat_json_say(const bat_json *json, uint32_t node, bat_status status, 
     return status;
 }
 
+static bool is_within(const bat_json *json, uint32_t whole, uint32_t node) {
+    if (whole == node) return true;
+    if (json->nodes[whole].type != BAT_JSON_LIST && json->nodes[whole].type != BAT_JSON_OBJECT) return false;
+    for (uint32_t i = json->nodes[whole].value.list.count ? json->nodes[whole].value.list.first : 0; i;
+         i = json->nodes[i].next)
+        if (is_within(json, i, node)) return true;
+    return false;
+}
+
+/* Whether the node is an object without such a member, and not in a member of that name itself. O(size), for what has gone
+ * wrong. */
+static bool lacks(const bat_json *json, uint32_t node, const char *what) {
+    if (bat_json_type_of(json, node) != BAT_JSON_OBJECT || strpbrk(what, " ,.[")) return false;
+    for (uint32_t i = 1; i < json->count; i++) {
+        const bat_json_node *name = &json->nodes[i];
+        if (name->type == BAT_JSON_TEXT && name->next && strcmp(bat_json_text(json, i), what) == 0 &&
+            is_within(json, name->next, node))
+            return false;
+    }
+    return bat_json_member(json, node, what) == 0;
+}
+
 bat_status bat_json_complain(const bat_json *json, uint32_t node, bat_status status, const char *what,
                              const char *expected, bat_problem *problem) {
     static const char *const names[] = {"null", "false", "true", "number ", "text", "a list", "an object"};
@@ -326,6 +348,6 @@ bat_status bat_json_complain(const bat_json *json, uint32_t node, bat_status sta
     if (bat_json_type_of(json, node) == BAT_JSON_NUMBER)
         bat_number_print(json->nodes[node].value.number, number);
     snprintf(message, sizeof message, "%s: expected %s, found %s%s", what, expected,
-             node ? names[json->nodes[node].type] : "none", number);
+             node && !lacks(json, node, what) ? names[json->nodes[node].type] : "none", number);
     return bat_json_say(json, node, status, message, problem);
 }

@@ -55,7 +55,7 @@ uint32_t bat_json_count(const bat_json *json, uint32_t list);   /* items; 0 when
 const char *bat_json_text(const bat_json *json, uint32_t node); /* NULL when it is not a text */
 
 /* Fills problem (may be NULL): place "line L, column C", message "what: expected ..., found ...". The "found"
- * part comes from the node's type. Returns status. */
+ * part comes from the node's type; it is "none" for an object in which the member `what` is missing. Returns status. */
 bat_status bat_json_complain(const bat_json *json, uint32_t node, bat_status status, const char *what,
                              const char *expected, bat_problem *problem);
 /* The same with any message. */

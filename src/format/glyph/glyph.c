@@ -41,14 +41,15 @@ static bat_status add_point(bat_glyph *glyph, const char *const *attributes) {
     bat_glyph_point point = {.type = OFF_CURVE};
     if (!number(attribute(attributes, "x"), &point.at[0]) ||
         !number(attribute(attributes, "y"), &point.at[1]))
-        return refuse(glyph, "point: expected x and y, numbers up to 1e9");
+        return refuse(glyph, "point: expected x and y, numbers up to 1e9, found others");
     point.at[1] = 0 - point.at[1];
     glyph->top = fmin(glyph->top, point.at[1]), glyph->bottom = fmax(glyph->bottom, point.at[1]);
     for (size_t i = 0; type && i < sizeof types / sizeof *types; i++)
         if (strcmp(type, types[i]) == 0) point.type = (uint8_t)i, type = NULL;
-    if (type) return refuse(glyph, "point: expected type move, line, curve, qcurve or offcurve");
+    if (type)
+        return refuse(glyph, "point: expected type move, line, curve, qcurve or offcurve, found another");
     if (point.type == MOVE && glyph->count > 0)
-        return refuse(glyph, "point: expected move at the first point only");
+        return refuse(glyph, "point: expected move at the first point only, found it later");
     if (glyph->count == glyph->room) {
         const size_t room = glyph->room ? 2 * glyph->room : 64;
         bat_glyph_point *grown = realloc(glyph->points, room * sizeof *grown);
@@ -88,9 +89,10 @@ static void put_quadratics(bat_glyph *glyph, size_t first, size_t count, const d
 /* The segment of the handles from `first` on that ends at that point. */
 static bat_status put_segment(bat_glyph *glyph, size_t first, size_t handles, const bat_glyph_point *end) {
     const size_t n = glyph->count;
-    if (end->type == LINE && handles > 0) return refuse(glyph, "point: expected no handles before a line");
+    if (end->type == LINE && handles > 0)
+        return refuse(glyph, "point: expected no handles before a line, found some");
     if (end->type == CURVE && handles > 2)
-        return refuse(glyph, "point: expected at most two handles before a curve");
+        return refuse(glyph, "point: expected at most two handles before a curve, found more");
     if (handles == 0) {
         put(glyph, "L", end->at);
     } else if (end->type == CURVE && handles == 2) {
@@ -136,7 +138,7 @@ static bat_status end_contour(bat_glyph *glyph) {
         status = put_segment(glyph, at - handles, handles, point);
         handles = 0;
     }
-    if (open && handles > 0) return refuse(glyph, "contour: expected a point after the handles");
+    if (open && handles > 0) return refuse(glyph, "contour: expected a point after the handles, found none");
     if (!open) bat_text_string(&glyph->path, "Z");
     return status;
 }
@@ -155,7 +157,7 @@ static bat_status begin_root(bat_glyph *glyph, const char *const *attributes) {
 static bat_status begin_advance(bat_glyph *glyph, const char *const *attributes) {
     const char *width = attribute(attributes, "width"), *height = attribute(attributes, "height");
     if ((width && !number(width, &glyph->advance)) || (height && !number(height, &glyph->height)))
-        return refuse(glyph, "advance: expected width and height, numbers up to 1e9");
+        return refuse(glyph, "advance: expected width and height, numbers up to 1e9, found others");
     return BAT_OK;
 }
 

@@ -144,12 +144,12 @@ static void bad_json(void **state) {
          "up: expected a direction at an angle to the gaze, found one along it, or no gaze"},
     };
     static const char *const canvases[][2] = {
-        {"{}", "canvas: expected a curve with \"along\", a plane, or a surface, found an object"},
+        {"{}", "canvas: expected a curve with \"along\", a plane, or a surface, found none"},
         {"{\"plane\":{\"normal\":[0,0,1]}}", "origin: expected 2 or 3 numbers, found none"},
         {"{\"plane\":{\"origin\":[0,0],\"normal\":[0,0,0]}}",
          "normal: expected a direction other than 0, found a list"},
         {"{\"curve\":{}}", "along: expected 2 or 3 numbers, found none"},
-        {"{\"points\":[]}", "degree: expected two degrees, of u and v, found an object"},
+        {"{\"points\":[]}", "degree: expected two degrees, of u and v, found none"},
     };
     bat_problem problem;
     bat_viewpoint view;
