@@ -1,0 +1,186 @@
+/* The shape tools: rectangles, ellipses, polygons. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/editor.h"
+#include "hands/figures/outlines.h"
+#include "support/alloc_fail.h"
+#include "support/selecting.h"
+#include <batten/measure.h>
+
+#include <math.h>
+
+static const double PI = 3.14159265358979323846;
+
+/* An empty page of 1000 x 800, nothing of which snaps, with the tool. */
+static bat_editor *drawing(const char *tool) {
+    bat_document *document;
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    bat_editor *editor = editor_of(document);
+    bat_editor_set(editor, "snap", 0);
+    assert_int_equal(bat_editor_command(editor, tool), BAT_OK);
+    return editor;
+}
+
+static const bat_curve *only_curve(const bat_editor *editor) {
+    assert_int_equal(bat_document_count(bat_editor_document(editor)), 1);
+    const bat_object *made = bat_document_at(bat_editor_document(editor), 0);
+    assert_int_equal(bat_object_curve_count(made), 1);
+    assert_true(has(editor, bat_object_id(made)) && selected(editor) == 1);
+    assert_true(bat_curve_is_closed(bat_object_curve(made, 0)));
+    return bat_object_curve(made, 0);
+}
+
+static void is_in(const bat_curve *curve, double x0, double y0, double x1, double y1) {
+    double low[2], high[2];
+    bat_curve_bounds(curve, low, high);
+    assert_true(fabs(low[0] - x0) < 1e-9 && fabs(low[1] - y0) < 1e-9);
+    assert_true(fabs(high[0] - x1) < 1e-9 && fabs(high[1] - y1) < 1e-9);
+}
+
+static void rectangles(void **state) {
+    (void)state;
+    static const struct {
+        double from[2], to[2];
+        uint32_t keys;
+        double box[4];
+    } cases[] = {{{100, 100}, {400, 300}, 0, {100, 100, 400, 300}},
+                 {{400, 300}, {100, 100}, 0, {100, 100, 400, 300}},
+                 {{100, 100}, {400, 300}, BAT_SHIFT, {100, 100, 400, 400}},
+                 {{400, 400}, {300, 100}, BAT_SHIFT, {100, 100, 400, 400}},
+                 {{400, 400}, {500, 450}, BAT_ALT, {300, 350, 500, 450}},
+                 {{400, 400}, {500, 450}, BAT_ALT | BAT_SHIFT, {300, 300, 500, 500}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bat_editor *editor = drawing("tool-rectangle");
+        const uint64_t first = digest(editor);
+        pen p = mouse(editor);
+        drag_holding(&p, cases[i].from[0], cases[i].from[1], cases[i].to[0], cases[i].to[1], cases[i].keys);
+        const bat_curve *curve = only_curve(editor);
+        const double *b = cases[i].box;
+        is_in(curve, b[0], b[1], b[2], b[3]);
+        assert_true(fabs(fabs(bat_curve_area(curve)) - (b[2] - b[0]) * (b[3] - b[1])) < 1e-6);
+        goes_back_and_replays(editor, first);
+        bat_editor_free(editor);
+    }
+}
+
+static void round_corners(void **state) {
+    (void)state;
+    static const double radii[] = {1, 40, 100, 5000};
+    for (int i = 0; i < 4; i++) {
+        bat_editor *editor = drawing("tool-rectangle");
+        bat_editor_set(editor, "corner-radius", radii[i]);
+        pen p = mouse(editor);
+        drag(&p, 100, 100, 400, 300);
+        const double r = fmin(radii[i], 100); /* half the shorter side */
+        is_in(only_curve(editor), 100, 100, 400, 300);
+        assert_true(fabs(fabs(bat_curve_area(only_curve(editor))) - 60000 + (4 - PI) * r * r) < 2e-5 * r * r);
+        bat_editor_free(editor);
+    }
+}
+
+static void ellipses(void **state) {
+    (void)state;
+    bat_editor *editor = drawing("tool-ellipse");
+    pen p = mouse(editor);
+    drag(&p, 100, 100, 500, 300);
+    const bat_curve *curve = only_curve(editor);
+    is_in(curve, 100, 100, 500, 300);
+    double u[200];
+    bat_curve_spread(curve, 200, u);
+    for (int i = 0; i < 200; i++) {
+        double x[6];
+        bat_curve_eval(curve, u[i], 2, x);
+        const double away = hypot((x[0] - 300) / 200, (x[1] - 200) / 100);
+        assert_true(fabs(away - 1) < 5e-6);
+    }
+    bat_editor_command(editor, "undo");
+    drag_holding(&p, 300, 300, 380, 310, BAT_SHIFT | BAT_ALT);
+    is_in(only_curve(editor), 220, 220, 380, 380);
+    bat_editor_free(editor);
+}
+
+static void polygons(void **state) {
+    (void)state;
+    static const int sides[] = {3, 6, 7, 40};
+    for (int i = 0; i < 4; i++) {
+        bat_editor *editor = drawing("tool-polygon");
+        bat_editor_set(editor, "polygon-sides", sides[i]);
+        pen p = mouse(editor);
+        drag(&p, 500, 400, 620, 490); /* 150 away */
+        const bat_curve *curve = only_curve(editor);
+        assert_true(fabs(fabs(bat_curve_area(curve)) - 0.5 * sides[i] * 150 * 150 * sin(2 * PI / sides[i])) <
+                    1e-6);
+        double domain[2];
+        bat_curve_domain(curve, domain);
+        assert_true(fabs(bat_curve_length(curve, domain[0], domain[1], 1e-12) -
+                         300 * sides[i] * sin(PI / sides[i])) < 1e-6);
+        bat_editor_command(editor, "undo");
+        drag_holding(&p, 500, 400, 600, 401, BAT_SHIFT); /* to the right */
+        double low[2], high[2];
+        bat_curve_bounds(only_curve(editor), low, high);
+        assert_true(fabs(high[0] - 500 - hypot(100, 1)) < 1e-9);
+        bat_editor_free(editor);
+    }
+}
+
+/* A tap, a drag without a height, and one that is cancelled leave the drawing as it was. */
+static void nothing_is_drawn(void **state) {
+    (void)state;
+    static const char *const tools[] = {"tool-rectangle", "tool-ellipse", "tool-polygon"};
+    for (int i = 0; i < 3; i++) {
+        bat_editor *editor = drawing(tools[i]);
+        const uint64_t first = digest(editor);
+        pen p = mouse(editor);
+        click(&p, 300, 300, 0);
+        if (i < 2) drag(&p, 300, 300, 500, 300);
+        drag_to(&p, 300, 300, 500, 450);
+        assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+        pen_event(&p, BAT_POINTER_UP, 500, 450);
+        check(editor);
+        assert_int_equal(bat_document_count(bat_editor_document(editor)), 0);
+        assert_true(digest(editor) == first);
+        assert_int_equal(bat_editor_command(editor, "undo"), BAT_STATE);
+        bat_editor_free(editor);
+    }
+}
+
+static void outlines_refuse_what_is_none(void **state) {
+    (void)state;
+    bat_curve *curve = NULL;
+    const double flat[4] = {0, 0, 5, 0}, bad[4] = {0, 0, NAN, 5}, middle[2] = {0, 0}, corner[2] = {1, 0};
+    assert_int_equal(bat_figure_rectangle(flat, 0, &curve), BAT_COUNT);
+    assert_int_equal(bat_figure_ellipse(flat, &curve), BAT_COUNT);
+    assert_int_equal(bat_figure_rectangle(bad, 0, &curve), BAT_COUNT);
+    assert_int_equal(bat_figure_ellipse(bad, &curve), BAT_COUNT);
+    assert_int_equal(bat_figure_polygon(middle, middle, 5, &curve), BAT_COUNT);
+    assert_int_equal(bat_figure_polygon(middle, corner, 2, &curve), BAT_COUNT);
+    assert_int_equal(bat_figure_polygon(middle, corner, 1001, &curve), BAT_COUNT);
+    assert_null(curve);
+    const long live = alloc_live();
+    for (long n = 1;; n++) {
+        alloc_fail_at(n);
+        const bat_status status = bat_figure_polygon(middle, corner, 5, &curve);
+        const bool reached = alloc_fail_reached();
+        alloc_fail_at(0);
+        if (!reached) {
+            assert_int_equal(status, BAT_OK);
+            break;
+        }
+        assert_int_equal(status, BAT_MEMORY);
+        assert_int_equal(alloc_live(), live);
+    }
+    bat_curve_free(curve);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rectangles),       cmocka_unit_test(round_corners),
+        cmocka_unit_test(ellipses),         cmocka_unit_test(polygons),
+        cmocka_unit_test(nothing_is_drawn), cmocka_unit_test(outlines_refuse_what_is_none),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
