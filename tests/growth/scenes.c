@@ -412,6 +412,18 @@ static bat_editor *pair(int n) {
     return editor;
 }
 
+/* Two rings that cross, with n lines beside them. */
+static bat_editor *crossing(int n) {
+    bat_document *made = document();
+    bat_id ids[2];
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    for (int i = 0; i < 2; i++) ids[i] = add_curve(made, wave(401 + 5 * i, 401, 7, 5, true), 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    for (int i = 0; i < 2; i++) bat_editor_select(editor, ids[i], i > 0);
+    bat_editor_frame(editor);
+    return editor;
+}
+
 static bat_curve *segment(double x0, double y0, double x1, double y1) {
     bat_curve *line = NULL;
     if (bat_curve_create_clamped(2, 1, 2, (double[]){x0, y0, x1, y1}, &line) != BAT_OK) abort();
@@ -655,6 +667,7 @@ const growth_scene growth_scenes[] = {
     {"n lines, the view tilted", tilted},
     {"n curves on one spot", heap},
     {"two of n lines", pair},
+    {"two rings that cross, of n", crossing},
     {"four around a patch, of n", bounds},
     {"four that nearly meet, of n", bounds_apart},
     {"a profile and an axis, of n", with_axis},

@@ -4,6 +4,8 @@
 
 #include <batten/region.h>
 
+#define BAT_NO_NODE SIZE_MAX
+
 /* A place where a curve is cut. */
 typedef struct bat_cut {
     double u;
@@ -28,10 +30,9 @@ typedef struct bat_edge {
     double box[4];  /* of its control points: low x, low y, high x, high y */
     size_t same_as; /* the first of the edges that run along it; its own index: it is that */
     int sign;       /* -1: against that one */
+    size_t next;    /* of those that run along the same one; BAT_NO_NODE: none */
     int keep; /* of the first ones: 1 or -1 when it bounds the result, which lies to its left or right; else 0 */
 } bat_edge;
-
-#define BAT_NO_NODE SIZE_MAX
 
 typedef struct bat_arrangement {
     bat_region_operation operation;
@@ -63,7 +64,7 @@ bat_status bat_region_piece(const bat_curve *curve, const double u[2], const dou
                             bat_curve **out);
 /* Makes the edges between cuts, and finds those that run along each other. */
 bat_status bat_arrangement_edges(bat_arrangement *a);
-/* ---- sides.c ---- */
+/* ---- judge.c ---- */
 /* Finds which edges bound the result. BAT_SINGULAR: they are no boundary together. */
 bat_status bat_arrangement_judge(bat_arrangement *a);
 /* ---- outline.c ---- */

@@ -87,34 +87,52 @@ static bat_status add_all(bat_arrangement *a, bat_cut_curve *first, bat_cut_curv
     return status;
 }
 
-/* Whether the boxes of two curves are further apart than the gap. */
-static bool apart(const double *low, const double *high, const double *low_b, const double *high_b,
-                  double gap) {
-    for (int c = 0; c < 2; c++)
-        if (low[c] > high_b[c] + gap || low_b[c] > high[c] + gap) return true;
-    return false;
+/* A curve and its box. */
+typedef struct boxed {
+    double low[2], high[2];
+    bat_cut_curve *is;
+} boxed;
+
+static int by_low(const void *a, const void *b) {
+    const boxed *x = a, *y = b;
+    if (x->low[0] != y->low[0]) return x->low[0] < y->low[0] ? -1 : 1;
+    return (x->is > y->is) - (x->is < y->is);
+}
+
+static bat_status meet_itself(bat_arrangement *a, bat_cut_curve *curve) {
+    bat_meeting met = {0};
+    bat_status status = bat_curve_self_intersect(curve->curve, a->gap, &met);
+    if (status == BAT_OK) status = add_all(a, curve, curve, &met);
+    bat_meeting_free(&met);
+    return status;
+}
+
+static bat_status meet_other(bat_arrangement *a, const boxed *x, const boxed *y) {
+    const bool ordered = x->is < y->is;
+    bat_cut_curve *first = ordered ? x->is : y->is, *second = ordered ? y->is : x->is;
+    bat_meeting met = {0};
+    if (x->low[1] > y->high[1] + 2 * a->gap || y->low[1] > x->high[1] + 2 * a->gap) return BAT_OK;
+    bat_status status = bat_curve_intersect(first->curve, second->curve, a->gap, &met);
+    if (status == BAT_OK) status = add_all(a, first, second, &met);
+    bat_meeting_free(&met);
+    return status;
 }
 
 static bat_status meet(bat_arrangement *a) {
-    double *boxes = malloc(4 * a->curve_count * sizeof *boxes);
-    bat_status status = boxes ? BAT_OK : BAT_MEMORY;
+    boxed *all = malloc((a->curve_count + 1) * sizeof *all);
+    bat_status status = all ? BAT_OK : BAT_MEMORY;
     for (size_t i = 0; i < a->curve_count && status == BAT_OK; i++) {
-        bat_cut_curve *first = a->curves + i;
-        double *low = boxes + 4 * i;
-        bat_curve_bounds(first->curve, low, low + 2);
-        for (size_t j = 0; j <= i && status == BAT_OK; j++) {
-            bat_cut_curve *second = a->curves + j;
-            bat_meeting met = {0};
-            const double *other = boxes + 4 * j;
-            if (i == j)
-                status = bat_curve_self_intersect(first->curve, a->gap, &met);
-            else if (!apart(low, low + 2, other, other + 2, 2 * a->gap))
-                status = bat_curve_intersect(second->curve, first->curve, a->gap, &met);
-            if (status == BAT_OK) status = add_all(a, second, first, &met);
-            bat_meeting_free(&met);
-        }
+        all[i].is = a->curves + i;
+        bat_curve_bounds(all[i].is->curve, all[i].low, all[i].high);
     }
-    free(boxes);
+    if (status == BAT_OK) qsort(all, a->curve_count, sizeof *all, by_low); /* no ties: curves differ */
+    for (size_t i = 0; i < a->curve_count && status == BAT_OK; i++) {
+        status = meet_itself(a, all[i].is);
+        const double reach = all[i].high[0] + 2 * a->gap;
+        for (size_t k = i + 1; k < a->curve_count && all[k].low[0] <= reach && status == BAT_OK; k++)
+            status = meet_other(a, all + i, all + k);
+    }
+    free(all);
     return status;
 }
 

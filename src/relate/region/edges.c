@@ -81,6 +81,7 @@ static bat_status add_edge(bat_arrangement *a, const bat_edge *made) {
     *e = *made;
     e->same_as = a->edge_count++;
     e->sign = 1;
+    e->next = BAT_NO_NODE;
     return take_spans(e, made->own);
 }
 
@@ -178,7 +179,8 @@ static bat_status find_same(bat_arrangement *a) {
             if (y->same_as != order[j].index) continue;
             status = runs_along(x, y, ALONG * a->gap, &sign);
             if (status == BAT_OK && sign != 0) status = runs_along(y, x, ALONG * a->gap, &other);
-            if (status == BAT_OK && sign != 0 && other != 0) y->same_as = order[i].index, y->sign = sign;
+            if (status == BAT_OK && sign != 0 && other != 0)
+                y->same_as = order[i].index, y->sign = sign, y->next = x->next, x->next = order[j].index;
         }
     }
     free(order);

@@ -1,0 +1,212 @@
+/* Which edges bound the result: those that have it on one side only. */
+#include "relate/region/ray.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PLACES = 7, OVERLAPS = 8 };
+
+/* Where an edge is asked, in the order in which places are tried; gaps: so far from every other edge is far enough. */
+static const double PLACE[PLACES] = {0.5, 0.27, 0.73, 0.14, 0.86, 0.06, 0.94};
+static const double CLEAR = 64;
+
+/* Edges by the bands of one coordinate that they lie in, so that a ray asks few. */
+typedef struct bands {
+    double low, step;
+    size_t count;
+    size_t *first; /* of each band's edges; count + 1 */
+    size_t *edges;
+} bands;
+
+typedef struct judging {
+    const bat_arrangement *a;
+    bands bands[2]; /* of x, of y */
+    /* Of each region: */
+    int *others; /* winding numbers right of the place, but for the edge's own share */
+    int *own;    /* what the edge, and those along it, add to the left */
+    bool *seen;  /* it is in the list */
+    size_t seen_count;
+    size_t *list; /* regions that are not 0 everywhere above */
+    double near;
+} judging;
+
+static int degree_of(const bat_arrangement *a, const bat_edge *e) {
+    return bat_curve_degree(a->curves[e->curve].curve);
+}
+
+/* ---- bands ---- */
+
+static size_t band_of(const bands *b, double x) {
+    const double at = (x - b->low) / b->step;
+    return at > 0 ? (size_t)fmin(at, (double)(b->count - 1)) : 0;
+}
+
+static size_t overlaps(const bat_arrangement *a, const bands *b, int axis) {
+    size_t sum = 0;
+    for (size_t i = 0; i < a->edge_count; i++) {
+        const bat_edge *e = a->edges + i;
+        if (e->same_as == i) sum += band_of(b, e->box[axis + 2]) - band_of(b, e->box[axis]) + 1;
+    }
+    return sum;
+}
+
+static void fill(const bat_arrangement *a, bands *b, int axis) {
+    memset(b->first, 0, (b->count + 1) * sizeof *b->first);
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t i = 0; i < a->edge_count; i++) {
+            const bat_edge *e = a->edges + i;
+            const size_t end = band_of(b, e->box[axis + 2]);
+            for (size_t k = band_of(b, e->box[axis]); k <= end && e->same_as == i; k++) {
+                if (pass == 0)
+                    b->first[k + 1]++;
+                else
+                    b->edges[b->first[k]++] = i;
+            }
+        }
+        if (pass == 0)
+            for (size_t k = 0; k < b->count; k++) b->first[k + 1] += b->first[k];
+    }
+    for (size_t k = b->count; k > 0; k--) b->first[k] = b->first[k - 1];
+    b->first[0] = 0;
+}
+
+/* As many bands as edges, or as few as keep the edges from being in too many. */
+static bat_status sort_into_bands(const bat_arrangement *a, int axis, bands *b) {
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < a->edge_count; i++)
+        low = fmin(low, a->edges[i].box[axis]), high = fmax(high, a->edges[i].box[axis + 2]);
+    size_t total;
+    *b = (bands){.low = low, .count = a->edge_count + 1};
+    for (;; b->count /= 2) {
+        b->step = fmax((high - low) / (double)b->count, 1e-300);
+        total = overlaps(a, b, axis);
+        if (b->count == 1 || total <= OVERLAPS * a->edge_count) break;
+    }
+    b->first = malloc((b->count + 1) * sizeof *b->first);
+    b->edges = malloc((total + 1) * sizeof *b->edges);
+    if (!b->first || !b->edges) return BAT_MEMORY;
+    fill(a, b, axis);
+    return BAT_OK;
+}
+
+/* ---- sides ---- */
+
+static void see(judging *j, size_t region) {
+    if (j->seen[region]) return;
+    j->seen[region] = true;
+    j->list[j->seen_count++] = region;
+}
+
+static void forget(judging *j) {
+    for (size_t i = 0; i < j->seen_count; i++) {
+        const size_t region = j->list[i];
+        j->seen[region] = false;
+        j->others[region] = j->own[region] = 0;
+    }
+    j->seen_count = 0;
+}
+
+/* Adds so many crossings of an edge, and of those along it, to their regions. */
+static void count(judging *j, size_t first, int crossed, int *to) {
+    const bat_arrangement *a = j->a;
+    for (size_t i = first; i != BAT_NO_NODE && crossed != 0; i = a->edges[i].next) {
+        const size_t region = a->curves[a->edges[i].curve].region;
+        see(j, region);
+        to[region] += a->edges[i].sign * crossed;
+    }
+}
+
+static bool is_result(const bat_arrangement *a, size_t in, bool first) {
+    switch (a->operation) {
+    case BAT_REGION_UNION: return in > 0;
+    case BAT_REGION_DIFFERENCE: return first && in == 1;
+    case BAT_REGION_INTERSECTION: return in == a->region_count;
+    default: return in % 2 == 1;
+    }
+}
+
+/* Whether the result lies left of the place, less whether it lies right of it. */
+static int side(const judging *j, bool others_are_right) {
+    size_t in[2] = {0, 0};
+    bool first[2] = {false, false};
+    for (size_t i = 0; i < j->seen_count; i++) {
+        const size_t region = j->list[i];
+        const int right = j->others[region] - (others_are_right ? 0 : j->own[region]);
+        for (int k = 0; k < 2; k++) {
+            const int winding = right + k * j->own[region];
+            const bool inside = j->a->regions[region].even_odd ? winding % 2 != 0 : winding != 0;
+            in[k] += inside;
+            if (region == 0) first[k] = inside;
+        }
+    }
+    return is_result(j->a, in[1], first[1]) - is_result(j->a, in[0], first[0]);
+}
+
+/* The side of a place on an edge; edges that run along another count as being where that is. False: it cannot be told. */
+static bool look(judging *j, size_t index, double place, int *out) {
+    const bat_arrangement *a = j->a;
+    bat_ray r;
+    bool up;
+    int rest;
+    if (!bat_ray_cast(a->edges + index, degree_of(a, a->edges + index), place, &r, &up, &rest)) return false;
+    forget(j);
+    count(j, index, 1, j->own);
+    /* With x and y changed, left is right, and all signs turn. */
+    count(j, index, r.across ? -rest : rest, j->others);
+    const bands *b = &j->bands[r.across ? 0 : 1];
+    const size_t band = band_of(b, r.y);
+    for (size_t k = b->first[band]; k < b->first[band + 1]; k++) {
+        const size_t i = b->edges[k];
+        if (i == index) continue;
+        const int crossed = bat_ray_crossings(&r, a->edges + i, degree_of(a, a->edges + i));
+        count(j, i, r.across ? -crossed : crossed, j->others);
+    }
+    /* What goes up is crossed by rays from its left only, what goes down by those from its right. */
+    *out = side(j, up != r.across);
+    j->near = r.near;
+    return true;
+}
+
+static void judge(judging *j, bat_edge *e, size_t index) {
+    double best = -1;
+    for (int i = 0; i < PLACES && best < CLEAR * j->a->gap; i++) {
+        int keep;
+        if (!look(j, index, PLACE[i], &keep) || !(j->near > best)) continue;
+        best = j->near;
+        e->keep = keep;
+    }
+}
+
+/* At each node as many edges must begin as end. */
+static bool is_boundary(const bat_arrangement *a, int *balance) {
+    for (size_t i = 0; i < a->edge_count; i++) {
+        const bat_edge *e = a->edges + i;
+        if (e->node[0] == BAT_NO_NODE) continue;
+        balance[e->node[0]] += e->keep, balance[e->node[1]] -= e->keep;
+    }
+    for (size_t i = 0; i < a->node_count; i++)
+        if (balance[i] != 0) return false;
+    return true;
+}
+
+bat_status bat_arrangement_judge(bat_arrangement *a) {
+    const size_t regions = a->region_count;
+    judging j = {.a = a};
+    int *balance = calloc(a->node_count + 1, sizeof *balance);
+    j.others = calloc(2 * regions, sizeof *j.others);
+    j.seen = calloc(regions, sizeof *j.seen);
+    j.list = malloc(regions * sizeof *j.list);
+    bat_status status = balance && j.others && j.seen && j.list ? BAT_OK : BAT_MEMORY;
+    for (int axis = 0; axis < 2 && status == BAT_OK; axis++)
+        status = sort_into_bands(a, axis, &j.bands[axis]);
+    if (status == BAT_OK) {
+        j.own = j.others + regions;
+        for (size_t i = 0; i < a->edge_count; i++)
+            if (a->edges[i].same_as == i) judge(&j, a->edges + i, i);
+        if (!is_boundary(a, balance)) status = BAT_SINGULAR;
+    }
+    for (int axis = 0; axis < 2; axis++) free(j.bands[axis].first), free(j.bands[axis].edges);
+    free(balance), free(j.others), free(j.seen), free(j.list);
+    return status;
+}
