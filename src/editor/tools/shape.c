@@ -196,7 +196,7 @@ static bat_string hint_polygon(const bat_context *c, const void *state) {
                                       .cancel = cancel,                                                      \
                                       .busy = busy,                                                          \
                                       .overlay = show_##name,                                                \
-                                      .hint = hints};                                                        \
+                                      .hint = (hints)};                                                      \
         return &tool;                                                                                        \
     }
 

@@ -1,0 +1,50 @@
+// Rectangles, ellipses and polygons are dragged with a mouse and a pen; each is selected and an ordinary curve, and undo takes it back.
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open, quiet, SCREENSHOTS, state } from './page.mjs';
+import { serve } from './server.mjs';
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+for (const [locale, colorScheme, pointerType] of [['en', 'light', 'mouse'], ['ko-KR', 'dark', 'pen']]) {
+  test(`three shapes, ${locale}, ${pointerType}`, async (t) => {
+    const server = await serve();
+    t.after(() => server.close());
+    const { page, hand, context } = await open(browser, server.address, { locale, colorScheme });
+    const begun = await state(page);
+    const count = () => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
+    const first = await count();
+    for (const [key, name, x] of [['Shift+M', 'rectangle', 250], ['Shift+O', 'ellipse', 480], ['Shift+D', 'polygon', 800]]) {
+      await page.locator('#stage').focus();
+      await page.keyboard.press(key);
+      await quiet(page);
+      assert.equal(await page.locator(`[data-name=tool-${name}]`).first().getAttribute('aria-pressed'), 'true', name);
+      await hand.stroke([[x, 300], [x + 60, 340], [x + 150, 420]], { pointerType });
+      await quiet(page);
+    }
+    assert.equal(await count(), first + 3);
+    assert.equal((await state(page)).check, '');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `shapes-${locale}.png`) });
+    if (pointerType === 'mouse') {
+      await page.mouse.move(250, 500);
+      await page.mouse.down();
+      await page.mouse.move(420, 600, { steps: 8 });
+      await quiet(page);
+      await page.screenshot({ path: path.join(SCREENSHOTS, 'shapes-dragged.png') });
+      await page.keyboard.press('Escape');
+      await page.mouse.up();
+      assert.equal(await count(), first + 3, 'cancelled');
+    }
+    for (let i = 0; i < 3; i++) {
+      await page.keyboard.press('Control+z');
+    }
+    await quiet(page);
+    assert.equal((await state(page)).digest, begun.digest);
+    await context.close();
+  });
+}
