@@ -245,7 +245,7 @@ static void what_is_not_sound_is_refused(void **state) {
         {"\"frames\":2", "\"frames\":3",
          "values: expected a number for each channel of each frame, found a list"},
         {"\"frame_time\":0.5", "\"frame_time\":0",
-         "frame_time: expected seconds above 0, up to 1e9, found none"},
+         "frame_time: expected seconds above 0, up to 1e9, found an object"},
         {"\"levels\":0", "\"levels\":13", "levels: expected 0 to 12, found number 13"},
         {"\"levels\":0", "\"levels\":1.5", "levels: expected a whole number, found number 1.5"},
         {"\"parent\":0", "\"parent\":1", NULL},

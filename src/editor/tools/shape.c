@@ -34,16 +34,24 @@ typedef struct shaping {
     double start[2], now[2]; /* view pixels */
 } shaping;
 
-static void locate(bat_context *c, shaping *s, const bat_pointer *event, double at[3]) {
+/* Where that is nowhere on the page, it stays. */
+static bat_status locate(bat_context *c, shaping *s, const bat_pointer *event, double at[3]) {
     s->now[0] = event->x;
     s->now[1] = event->y;
-    bat_spot(c, s->now, 0, NULL, NULL, at); /* where it cannot be told, it stays */
+    return bat_spot(c, s->now, 0, NULL, NULL, at);
 }
 
 static void down(bat_context *c, void *state, const bat_pointer *event) {
     shaping *s = state;
     bat_notice(c, BAT_STRING_COUNT);
-    locate(c, s, event, s->from);
+    if (bat_stage_dimension(c->stage) != 2) {
+        bat_notice(c, BAT_STRING_NOTICE_SHAPES_ON_PAGE);
+        return;
+    }
+    if (locate(c, s, event, s->from) != BAT_OK) {
+        bat_notice_edge_on(c);
+        return;
+    }
     memcpy(s->at, s->from, sizeof s->at);
     memcpy(s->start, s->now, sizeof s->start);
     s->pressed = true;
