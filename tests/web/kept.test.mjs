@@ -438,7 +438,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     await page.screenshot({ path: path.join(SCREENSHOTS, `kept-${colorScheme}-sure.png`) });
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => document.querySelectorAll('#kept bdi').length === 1);
-    assert.ok(await page.locator('#kept button:focus').count());
+    await page.waitForSelector('#kept button:focus');
     await page.keyboard.press('Escape');
     await settle(page);
     assert.ok(await kept(page, 'drawing.svg') > 0, 'what is shown is kept as before');

@@ -90,6 +90,7 @@ async function wholeSession(server) {
 
   await page.reload();
   await ready(page);
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
   const reloaded = await state(page);
   assert.equal(reloaded.digest, redrawn.digest, 'every knot is as it was');
   assert.equal(reloaded.unsaved, false);

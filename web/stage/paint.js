@@ -252,11 +252,10 @@ export class Painter {
     const [left, top, right, bottom] = box;
     for (let i = from; i < to; i++) {
       const { item, shape, corners } = this.list[i];
-      const clips = item.role === Role.CLIP;
-      const held = clips || item.role === Role.GROUP ? item.picture : 0;
+      const held = item.role === Role.CLIP || item.role === Role.GROUP ? item.picture : 0;
       if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
         i += held;
-      } else if (clips) {
+      } else if (item.role === Role.CLIP) {
         context.save();
         context.clip(shape, item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero');
         this.#paintItems(context, i + 1, i + 1 + held, box, zoom);
