@@ -104,18 +104,19 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (bat_svg_reader_finish(reader, &document, &report, &problem) != BAT_OK) return 0;
     if (bat_document_check(document)) abort();
     char line[200], *svg;
+    size_t length;
     bat_svg_report_line(&report, line, sizeof line);
     say_losses(&report.lost);
     bat_document *back = read_native(document);
     if (back && bat_document_digest(back) != bat_document_digest(document)) abort();
-    bat_status status = bat_svg_write(document, true, &svg, &size);
+    bat_status status = bat_svg_write(document, true, &svg, &length);
     if (status == BAT_OK) {
-        if (!bat_utf8_valid(svg, size)) abort();
+        if (!bat_utf8_valid(svg, length)) abort();
         read_again(svg);
         bat_free(svg);
     } else if (status != BAT_MEMORY && status != BAT_COUNT)
         abort();
-    if (bat_svg_write_within(document, false, size > 0 ? precision_of(data[size - 1]) : 0, &svg, &size) ==
+    if (bat_svg_write_within(document, false, size > 0 ? precision_of(data[size - 1]) : 0, &svg, &length) ==
         BAT_OK)
         bat_free(svg);
     bat_document_free(back);
