@@ -20,6 +20,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const bat_subpath *path = &outline.subpaths[i];
         const double *first = outline.points + 2 * path->first, *last = first + 6 * path->segments;
         if (path->segments < 1) abort();
+        if (path->from > path->drawn || path->drawn >= size) abort();
+        if (i > 0 && path->from <= path[-1].drawn) abort();
         if (path->closed && (first[0] != last[0] || first[1] != last[1])) abort();
     }
     if (bat_svg_path(text, size, &again) != good || again.count != outline.count) abort();

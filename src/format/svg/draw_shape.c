@@ -26,36 +26,36 @@ static double tolerance_for(const bat_svg_options *options, int segments, const 
     return fmin(options->tolerance, options->share * fmax(high[0] - low[0], high[1] - low[1]));
 }
 
+bat_svg_drawn bat_svg_subpath_curve(const bat_outline *outline, int index, const bat_svg_options *options,
+                                    bat_curve **out) {
+    const bat_subpath *path = &outline->subpaths[index];
+    const double *points = outline->points + 2 * path->first;
+    bool moves = false, good = true;
+    for (size_t k = 0; k < 2 * (3 * (size_t)path->segments + 1); k++) {
+        good = good && fabs(points[k]) <= BAT_COORDINATE_MAX;
+        moves = moves || points[k] != points[k % 2];
+    }
+    if (good && !moves) return BAT_SVG_DOT;
+    if (!good) return BAT_SVG_BROKEN;
+    double error;
+    const bat_status status = bat_curve_from_bezier(
+        2, 3, path->closed, path->segments, points, options->corner,
+        tolerance_for(options, path->segments, points), out, &error);
+    if (status == BAT_MEMORY) return BAT_SVG_NO_MEMORY;
+    return status == BAT_OK || status == BAT_TOLERANCE ? BAT_SVG_CURVE : BAT_SVG_BROKEN;
+}
+
 /* Makes one curve for each subpath of nonzero length. */
 static int make_curves(bat_svg_walk *w, uint32_t element, const bat_style *style, bat_curve **curves) {
-    const bat_outline *o = &w->outline;
+    const bool dot = style->stroked && style->cap != BAT_CAP_BUTT;
     int count = 0;
-    for (int i = 0; i < o->subpath_count && w->status == BAT_OK; i++) {
-        const bat_subpath *path = &o->subpaths[i];
-        const double *points = o->points + 2 * path->first;
-        bool moves = false, good = true;
-        for (size_t k = 0; k < 2 * (3 * (size_t)path->segments + 1); k++) {
-            good = good && fabs(points[k]) <= BAT_COORDINATE_MAX;
-            moves = moves || points[k] != points[k % 2];
+    for (int i = 0; i < w->outline.subpath_count && w->status == BAT_OK; i++)
+        switch (bat_svg_subpath_curve(&w->outline, i, w->options, &curves[count])) {
+        case BAT_SVG_CURVE: count++; break;
+        case BAT_SVG_NO_MEMORY: w->status = BAT_MEMORY; break;
+        case BAT_SVG_DOT: bat_svg_note(&w->notes, element, dot ? BAT_LOSS_BROKEN : BAT_LOSS_COUNT); break;
+        default: bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN); break;
         }
-        if (good && !moves) {
-            bool dot = style->stroked && style->cap != BAT_CAP_BUTT;
-            bat_svg_note(&w->notes, element, dot ? BAT_LOSS_BROKEN : BAT_LOSS_COUNT);
-            continue;
-        }
-        double error;
-        bat_status status = BAT_NUMBER;
-        if (good)
-            status = bat_curve_from_bezier(2, 3, path->closed, path->segments, points, w->options->corner,
-                                           tolerance_for(w->options, path->segments, points), &curves[count],
-                                           &error);
-        if (status == BAT_MEMORY)
-            w->status = status;
-        else if (status == BAT_OK || status == BAT_TOLERANCE)
-            count++;
-        else
-            bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
-    }
     return count;
 }
 

@@ -267,21 +267,22 @@ static double least_scale(const double m[6]) {
     return most > 0 ? area / most : 0;
 }
 
+bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve, const double m[6], double precision) {
+    bat_curve *own = NULL;
+    double rows[12];
+    if (!m) return write_curve(text, curve, precision, 1);
+    bat_matrix_rows(m, bat_curve_dimension(curve), rows);
+    bat_status status = bat_curve_transform(curve, rows, &own);
+    if (status == BAT_OK) status = write_curve(text, own, precision, least_scale(m));
+    bat_curve_free(own);
+    return status;
+}
+
 bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6],
                                 double precision) {
     bat_status status = BAT_OK;
-    const double scale = m ? least_scale(m) : 1;
-    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
-        const bat_curve *curve = bat_object_curve(object, i);
-        bat_curve *own = NULL;
-        double rows[12];
-        if (m) {
-            bat_matrix_rows(m, bat_curve_dimension(curve), rows);
-            status = bat_curve_transform(curve, rows, &own);
-        }
-        if (status == BAT_OK) status = write_curve(text, m ? own : curve, precision, scale);
-        bat_curve_free(own);
-    }
+    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++)
+        status = bat_svg_write_curve(text, bat_object_curve(object, i), m, precision);
     return status;
 }
 

@@ -13,6 +13,8 @@ void bat_svg_write_pair(bat_text *text, const double *p);
  * precision: as of bat_svg_write_within. */
 bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6],
                                 double precision);
+/* The same for one curve. */
+bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve, const double m[6], double precision);
 /* The object's pen as a matrix, and its inverse. False: the pen is round, and both are the identity. */
 bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]);
 /* attribute: with the space before it, and up to the quote behind it: ` width="`. */

@@ -12,6 +12,10 @@ typedef struct bat_subpath {
     size_t first; /* index of its first point */
     int segments; /* 3 * segments + 1 points */
     bool closed;  /* the last point equals the first */
+    /* Where in its path data it begins, set by bat_svg_path: with its move, or where there is none with what is drawn; and where
+     * what is drawn begins. */
+    size_t from, drawn;
+    char implied; /* the command that stands for the one that is left out there; 0: there is one */
 } bat_subpath;
 
 typedef struct bat_outline {

@@ -6,7 +6,8 @@
 #include <string.h>
 
 typedef struct parser {
-    const char *at, *end;
+    const char *data, *at, *end;
+    const char *move; /* the one before, when nothing has been drawn since; NULL */
     bat_outline *outline;
     double handle[2]; /* the last control point, for S and T */
     char before;      /* the last command, upper case */
@@ -74,10 +75,24 @@ static void segment(parser *p, char command, bool relative, const double *v) {
     p->before = command;
 }
 
+/* place: where its command stands, or its arguments where the command is left out. */
+static void placed_segment(parser *p, const char *place, char command, bool relative, bool implied,
+                           const double *v) {
+    const int before = p->outline->subpath_count;
+    segment(p, command, relative, v);
+    if (p->outline->subpath_count > before) {
+        bat_subpath *made = &p->outline->subpaths[before];
+        made->from = (size_t)((p->move ? p->move : place) - p->data);
+        made->drawn = (size_t)(place - p->data);
+        made->implied = (char)(!implied ? 0 : relative ? command - 'A' + 'a' : command);
+    }
+    p->move = command == 'M' ? place : NULL;
+}
+
 bool bat_svg_path(const char *data, size_t size, bat_outline *outline) {
     static const char commands[] = "MLHVCSQTAZ";
     static const int counts[] = {2, 2, 1, 1, 6, 4, 4, 2, 7, 0};
-    parser p = {.at = data, .end = data + size, .outline = outline};
+    parser p = {.data = data, .at = data, .end = data + size, .outline = outline};
     bool first = true;
     for (;;) {
         while (p.at < p.end && is_space(*p.at)) p.at++;
@@ -87,17 +102,18 @@ bool bat_svg_path(const char *data, size_t size, bat_outline *outline) {
         const char *known = command ? strchr(commands, command) : NULL;
         if (!known || (first && command != 'M')) return false;
         first = false;
-        p.at++;
+        const char *place = p.at++;
         int count = counts[known - commands];
         if (count == 0) {
-            segment(&p, 'Z', relative, NULL);
+            placed_segment(&p, place, 'Z', relative, false, NULL);
             continue;
         }
         while (p.at < p.end && is_space(*p.at)) p.at++;
-        for (bool more = true; more;) {
+        for (bool more = true, implied = false; more; implied = true) {
             double v[7];
+            if (implied) place = p.at;
             if (!read_arguments(&p, command, count, v)) return false;
-            segment(&p, command, relative, v);
+            placed_segment(&p, place, command, relative, implied, v);
             if (command == 'M') command = 'L'; /* further pairs of numbers are lines */
             const char *mark = p.at;
             bat_svg_skip(&p.at, p.end);

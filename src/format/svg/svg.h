@@ -4,6 +4,8 @@
 
 #include "format/svg/outline.h"
 
+#include <batten/format.h>
+
 /* Adds path data to an outline. False when there is an error: everything up to the last good segment has been
  * added, as in SVG 2, 9.5.4. */
 bool bat_svg_path(const char *data, size_t size, bat_outline *outline);
@@ -30,6 +32,16 @@ typedef struct bat_svg_shape {
     const void *element;
     double width, height; /* of the viewport, for percentages */
 } bat_svg_shape;
+/* What is drawn of a subpath. */
+typedef enum bat_svg_drawn {
+    BAT_SVG_CURVE,
+    BAT_SVG_DOT,    /* nothing: it stays where it begins */
+    BAT_SVG_BROKEN, /* nothing: it has numbers that no curve can have */
+    BAT_SVG_NO_MEMORY
+} bat_svg_drawn;
+/* *out is set when there is a curve. */
+bat_svg_drawn bat_svg_subpath_curve(const bat_outline *outline, int index, const bat_svg_options *options,
+                                    bat_curve **out);
 /* name: rect circle ellipse line polyline polygon path. False when some of it had to be left out. */
 bool bat_svg_shape_outline(const bat_svg_shape *shape, const char *name, bat_outline *outline);
 

@@ -55,6 +55,11 @@ bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, 
 bool bat_svg_patch_group_tag(bat_svg_patch *p, uint32_t element);
 void bat_svg_patch_page(bat_svg_patch *p);
 void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry);
+/* ---- patch_data.c: path data ---- */
+/* Writes the path data of an object: subpaths that are as they were in the element keep their text. m: to its own units.
+ * *raw: it stands in a tag as it is. */
+bat_status bat_svg_patch_data(bat_text *out, const bat_svg_retag *r, const bat_object *object,
+                              const bat_sourced *entry, const double m[6], double precision, bool *raw);
 /* ---- patch_clip.c: what of it is seen ---- */
 /* Writes the clip path that the element cannot go on referring to, and gives its id. */
 void bat_svg_patch_clip(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry,

@@ -206,14 +206,15 @@ static bat_status set_path(bat_svg_retag *r, const bat_object *object, const bat
                            double precision) {
     double m[6];
     bat_text data = {0};
+    bool raw = false;
     if (!bat_svg_inverse(entry->inner, m)) return BAT_UNSUPPORTED;
-    bat_status status = bat_svg_write_curves(&data, object, m, precision);
+    bat_status status = bat_svg_patch_data(&data, r, object, entry, m, precision, &raw);
     bat_text_add(&data, "", 1);
     if (data.failed) status = BAT_MEMORY;
     if (status == BAT_OK) {
         r->rename = "path";
         r->drops = says_shape;
-        bat_svg_retag_set(r, "d", data.data);
+        (raw ? bat_svg_retag_set_raw : bat_svg_retag_set)(r, "d", data.data);
     }
     bat_text_free(&data);
     return status;

@@ -100,6 +100,11 @@ void bat_svg_retag_set(bat_svg_retag *r, const char *name, const char *value) {
     if (value) bat_text_string(&r->values, value);
 }
 
+void bat_svg_retag_set_raw(bat_svg_retag *r, const char *name, const char *value) {
+    bat_svg_retag_set(r, name, value);
+    change_of(r, name)->raw = true;
+}
+
 bool bat_svg_retag_says(const bat_svg_retag *r, const char *property) {
     declaration found;
     bat_svg_piece piece;
@@ -137,12 +142,20 @@ bool bat_svg_retag_changed(const bat_svg_retag *r) {
            r->drops;
 }
 
-static void write_value(bat_svg_retag *r, const bat_svg_change *change, bat_text *out) {
+static void quote(const bat_svg_retag *r, const bat_svg_change *change, bat_text *out) {
+    bat_text_string(out, "\"");
+    if (change->size > 0 && change->raw)
+        bat_text_add(out, r->values.data + change->at, change->size);
+    else if (change->size > 0)
+        bat_text_xml(out, r->values.data + change->at, change->size, true);
+    bat_text_string(out, "\"");
+}
+
+static void write_value(const bat_svg_retag *r, const bat_svg_change *change, bat_text *out) {
     bat_text_string(out, " ");
     bat_text_string(out, change->name);
-    bat_text_string(out, "=\"");
-    if (change->size > 0) bat_text_xml(out, r->values.data + change->at, change->size, true);
-    bat_text_string(out, "\"");
+    bat_text_string(out, "=");
+    quote(r, change, out);
 }
 
 /* The tag's name, with the prefix that it had. */
@@ -183,9 +196,7 @@ void bat_svg_retag_write(bat_svg_retag *r, bat_text *out) {
             used[k] = true;
             if (r->changes[k].gone) continue;
             bat_text_add(out, r->tag + piece.lead, piece.value - piece.lead - 1);
-            bat_text_string(out, "\"");
-            bat_text_xml(out, r->values.data + r->changes[k].at, r->changes[k].size, true);
-            bat_text_string(out, "\"");
+            quote(r, &r->changes[k], out);
         } else if (!r->drops || !r->drops(name, length))
             bat_text_add(out, r->tag + piece.lead, piece.end + 1 - piece.lead);
     }

@@ -9,7 +9,7 @@ enum { BAT_SVG_CHANGES = 40 };
 typedef struct bat_svg_change {
     const char *name; /* of an attribute; static */
     size_t at, size;  /* of its value in `values`, not escaped */
-    bool gone;
+    bool gone, raw;   /* it goes; its value stands as it is in the text */
 } bat_svg_change;
 
 /* Begin with bat_svg_retag_begin, and end with bat_svg_retag_free. */
@@ -33,6 +33,8 @@ void bat_svg_retag_begin(bat_svg_retag *r, const char *tag, size_t size, const c
 void bat_svg_retag_free(bat_svg_retag *r);
 bool bat_svg_retag_has(const bat_svg_retag *r, const char *name, bat_svg_piece *piece);
 void bat_svg_retag_set(bat_svg_retag *r, const char *name, const char *value); /* NULL: goes */
+/* value: markup without quotes, that stands as it is in the text. */
+void bat_svg_retag_set_raw(bat_svg_retag *r, const char *name, const char *value);
 /* Sets a property of style where the element has it: in its style attribute, or by itself. */
 void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *value);
 /* Whether the element itself says what the property is. */

@@ -1,0 +1,149 @@
+/* Path data of an element that was edited: subpaths that nobody has touched keep their text. */
+#include "format/svg/svg.h"
+#include "format/svg/write/patch.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The path data that an element had, and what its subpaths became. */
+typedef struct was {
+    const char *data;
+    size_t size;
+    bat_outline outline; /* in the document's units */
+    double *starts;      /* x y of each subpath, in the element's */
+    bat_curve **curves;  /* of each subpath, or NULL */
+    int *drawn, count;   /* the subpaths that have curves */
+} was;
+
+static void forget(was *w) {
+    for (int i = 0; w->curves && i < w->outline.subpath_count; i++) bat_curve_free(w->curves[i]);
+    free(w->curves);
+    free(w->starts);
+    free(w->drawn);
+    bat_outline_free(&w->outline);
+}
+
+static bat_status make_curves(was *w, const double inner[6]) {
+    const bat_svg_options options = bat_svg_merging();
+    const int count = w->outline.subpath_count;
+    w->starts = malloc(2 * (size_t)count * sizeof *w->starts);
+    w->curves = calloc((size_t)count, sizeof *w->curves);
+    w->drawn = malloc((size_t)count * sizeof *w->drawn);
+    if (!w->starts || !w->curves || !w->drawn) return BAT_MEMORY;
+    for (int i = 0; i < count; i++)
+        memcpy(w->starts + 2 * (size_t)i, w->outline.points + 2 * w->outline.subpaths[i].first,
+               2 * sizeof *w->starts);
+    bat_outline_transform(&w->outline, inner);
+    for (int i = 0; i < count; i++) {
+        const bat_svg_drawn what = bat_svg_subpath_curve(&w->outline, i, &options, &w->curves[i]);
+        if (what == BAT_SVG_NO_MEMORY) return BAT_MEMORY;
+        if (what == BAT_SVG_CURVE) w->drawn[w->count++] = i;
+    }
+    return BAT_OK;
+}
+
+/* Reads the data again. BAT_SYNTAX: there are none that could be kept in part. */
+static bat_status recall(was *w, const bat_svg_retag *r, const bat_sourced *entry) {
+    bat_svg_piece piece;
+    const size_t name = bat_svg_tag_name(r->tag, r->size);
+    const bool path = name >= 4 && memcmp(r->tag + 1 + name - 4, "path", 4) == 0 &&
+                      (name == 4 || r->tag[name - 4] == ':');
+    if (!entry->shape) return BAT_SYNTAX; /* other data were asked for on reading (keep.c) */
+    if (!path || !bat_svg_retag_has(r, "d", &piece)) return BAT_SYNTAX;
+    w->data = r->tag + piece.value;
+    w->size = piece.end - piece.value;
+    const bool good = bat_svg_path(w->data, w->size, &w->outline);
+    if (w->outline.failed) return BAT_MEMORY;
+    if (!good || w->outline.full || w->outline.subpath_count == 0) return BAT_SYNTAX;
+    return make_curves(w, entry->inner);
+}
+
+/* Whether the curve is what a reader made of the subpath, whatever it merged. */
+static bool is_same(const was *w, int subpath, const bat_curve *curve, bat_status *status) {
+    const bat_svg_options exact = bat_svg_defaults();
+    bat_curve *other = NULL;
+    if (bat_curve_is_equal(w->curves[subpath], curve)) return true;
+    if (bat_svg_subpath_curve(&w->outline, subpath, &exact, &other) == BAT_SVG_NO_MEMORY)
+        *status = BAT_MEMORY;
+    const bool same = other && bat_curve_is_equal(other, curve);
+    bat_curve_free(other);
+    return same;
+}
+
+static void write_start(const was *w, int subpath, bat_text *out) {
+    const bat_subpath *path = &w->outline.subpaths[subpath];
+    const char implied[2] = {path->implied, 0};
+    bat_text_string(out, "M");
+    bat_svg_write_pair(out, w->starts + 2 * (size_t)subpath);
+    bat_text_string(out, implied);
+}
+
+/* The text of a subpath; intact: so is the text before it. Else it says where it begins, unless it has done so before. */
+static void copy(const was *w, int subpath, bool intact, bat_text *out) {
+    const bat_subpath *path = &w->outline.subpaths[subpath];
+    const bool moves = !intact && w->data[path->from] != 'M';
+    const size_t from = moves ? path->drawn : intact && subpath == 0 ? 0 : path->from;
+    const size_t to = subpath + 1 < w->outline.subpath_count ? path[1].from : w->size;
+    if (moves) write_start(w, subpath, out);
+    bat_text_add(out, w->data + from, to - from);
+}
+
+typedef struct task {
+    const was *w;
+    const bat_object *object;
+    const double *m;
+    double precision;
+    bat_text *out;
+} task;
+
+static bat_status write_fresh(const task *t, int from, int to) {
+    bat_status status = BAT_OK;
+    for (int j = from; j < to && status == BAT_OK; j++)
+        status = bat_svg_write_curve(t->out, bat_object_curve(t->object, j), t->m, t->precision);
+    return status;
+}
+
+/* Subpath k of those drawn is curve k where their numbers agree; else only what begins and what ends the path is compared, and
+ * the curves between stand for the subpaths between. */
+static bat_status merge(const task *t) {
+    const was *w = t->w;
+    const int curves = bat_object_curve_count(t->object), less = w->count < curves ? w->count : curves;
+    bat_status status = BAT_OK;
+    int head = 0, tail = 0;
+    while (head < less && is_same(w, w->drawn[head], bat_object_curve(t->object, head), &status)) head++;
+    while (tail < less - head &&
+           is_same(w, w->drawn[w->count - 1 - tail], bat_object_curve(t->object, curves - 1 - tail), &status))
+        tail++;
+    bool intact = true;
+    for (int i = 0, k = 0; i < w->outline.subpath_count && status == BAT_OK; i++) {
+        bool keeps = true;
+        if (w->curves[i]) {
+            if (k == head && curves != w->count) status = write_fresh(t, head, curves - tail);
+            keeps = k < head || k >= w->count - tail ||
+                    (curves == w->count && is_same(w, i, bat_object_curve(t->object, k), &status));
+            if (!keeps && curves == w->count) status = write_fresh(t, k, k + 1);
+            if (k == head && curves != w->count) intact = false;
+            k++;
+        }
+        if (keeps) copy(w, i, intact, t->out);
+        intact = keeps;
+    }
+    if (head == w->count && curves > w->count && status == BAT_OK) status = write_fresh(t, head, curves);
+    return status;
+}
+
+bat_status bat_svg_patch_data(bat_text *out, const bat_svg_retag *r, const bat_object *object,
+                              const bat_sourced *entry, const double m[6], double precision, bool *raw) {
+    was w = {0};
+    const size_t before = out->size;
+    bat_status status = recall(&w, r, entry);
+    if (status == BAT_OK) {
+        *raw = true;
+        status = merge(&(task){&w, object, m, precision, out});
+    } else if (status == BAT_SYNTAX) {
+        out->size = before;
+        status = bat_svg_write_curves(out, object, m, precision);
+    }
+    forget(&w);
+    return status;
+}

@@ -1,0 +1,243 @@
+/* Of an edited path only the subpaths that were edited are written anew: the text of the others stays, whatever their commands
+ * are relative to, and they are the same curves bit for bit. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <cmocka.h>
+#include "document/document.h"
+#include "format/svg/tags.h"
+#include "support/alloc_fail.h"
+#include "support/random_curve.h"
+#include <batten/bezier.h>
+#include <batten/format.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { ROOM = 4000, CURVES = 8 };
+
+static bat_document *opened(const char *text, double tolerance) {
+    bat_svg_options options = bat_svg_merging();
+    bat_svg_reader *reader;
+    bat_document *document = NULL;
+    options.tolerance = tolerance;
+    assert_int_equal(bat_svg_reader_create(&options, &reader), BAT_OK);
+    assert_int_equal(bat_svg_reader_source(reader, text, strlen(text)), BAT_OK);
+    assert_int_equal(bat_svg_feed(text, strlen(text), reader), BAT_OK);
+    assert_int_equal(bat_svg_reader_finish(reader, &document, NULL, NULL), BAT_OK);
+    return document;
+}
+
+static bat_document *opened_path(const char *data) {
+    char file[ROOM + 200];
+    snprintf(file, sizeof file,
+             "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 90 90'><g transform='scale(2 3)'>"
+             "<path fill='none' stroke='red' d='%s'/></g></svg>",
+             data);
+    return opened(file, 1e-3);
+}
+
+static void put(bat_document *document, int count, bat_curve *const *curves) {
+    bat_object *made = NULL;
+    assert_int_equal(bat_object_with_curves(bat_document_at(document, 0), count, curves, &made), BAT_OK);
+    assert_int_equal(bat_document_replace(document, 0, made), BAT_OK);
+    bat_object_release(made);
+}
+
+static bat_curve *moved(const bat_curve *curve, double dx, double dy) {
+    const double rows[6] = {1, 0, dx, 0, 1, dy};
+    bat_curve *made = NULL;
+    assert_int_equal(bat_curve_transform(curve, rows, &made), BAT_OK);
+    return made;
+}
+
+/* The curves that stay, moved (bit set in `moves`) or not; those of `drops` go. front, back: a copy of the first one is added. */
+static void edit(bat_document *document, unsigned moves, unsigned drops, bool front, bool back) {
+    const bat_object *object = bat_document_at(document, 0);
+    bat_curve *list[CURVES + 2];
+    int count = 0;
+    if (front) list[count++] = moved(bat_object_curve(object, 0), 1, 1);
+    for (int i = 0; i < bat_object_curve_count(object); i++)
+        if (!(drops >> i & 1)) {
+            const double by = moves >> i & 1 ? 6 : 0;
+            list[count++] = moved(bat_object_curve(object, i), by, by);
+        }
+    if (back) list[count++] = moved(bat_object_curve(object, 0), 2, 2);
+    put(document, count, list);
+}
+
+static char *written(const bat_document *document) {
+    char *text = NULL;
+    size_t size;
+    assert_int_equal(bat_svg_write(document, false, &text, &size), BAT_OK);
+    return text;
+}
+
+/* What is written begins and ends so, and holds as many subpaths. */
+static void expect_data(const char *data, unsigned moves, unsigned drops, const char *head,
+                        const char *tail) {
+    bat_document *document = opened_path(data);
+    edit(document, moves, drops, false, false);
+    char *text = written(document), *at = strstr(text, " d=\""), *end;
+    assert_non_null(at);
+    end = strchr(at += 4, '"');
+    assert_non_null(end);
+    const size_t size = (size_t)(end - at), before = strlen(head), behind = strlen(tail);
+    if (size < before + behind || memcmp(at, head, before) != 0 || memcmp(end - behind, tail, behind) != 0)
+        fail_msg("%.*s\nis not %s ... %s", (int)size, at, head, tail);
+    bat_document *again = opened(text, 1e-3);
+    const bat_object *one = bat_document_at(document, 0), *other = bat_document_at(again, 0);
+    assert_int_equal(bat_object_curve_count(one), bat_object_curve_count(other));
+    bat_document_free(again);
+    bat_free(text);
+    bat_document_free(document);
+}
+
+static void only_the_edited_subpath_is_new(void **state) {
+    (void)state;
+    static const char rings[] = "m1 1 h6 a3 2 30 0 1 6 6v 9\n z m 2,2 4,0 q1 1 0 4 z M30 5\tH40V9L31 9";
+    expect_data(rings, 1, 0, "M4 3", "M3 3l4,0 q1 1 0 4 z M30 5\tH40V9L31 9");
+    expect_data(rings, 2, 0, "m1 1 h6 a3 2 30 0 1 6 6v 9\n z M6 5", "ZM30 5\tH40V9L31 9");
+    expect_data(rings, 4, 0, "m1 1 h6 a3 2 30 0 1 6 6v 9\n z m 2,2 4,0 q1 1 0 4 z M", "");
+    expect_data(rings, 5, 0, "M4 3", "");
+    expect_data(rings, 0, 2, "m1 1 h6 a3 2 30 0 1 6 6v 9\n z M30 5\tH40V9L31 9", "");
+    /* After an end there may be no move; a point alone stays where it is; single quotes, and all in one. */
+    expect_data("M1 1h5v5zl 9 9 9 0", 1, 0, "M4 3", "ZM1 1l 9 9 9 0");
+    expect_data("M1 1h5v5zM8 8h0m9 9h3v3z", 1, 0, "M4 3", "ZM8 8h0m9 9h3v3z");
+    expect_data("M7 7 M1 1h5v5z m1 1 M3 3h5v5z", 1, 0, "M4 3", "ZM3 3h5v5z");
+    expect_data("M1 1A5 5 0 0 1 9 9M2 2a5 5 0 01-9 9", 2, 0, "M1 1A5 5 0 0 1 9 9M5 4C", "");
+    /* Data with an error are read up to there: what follows them would not be read. */
+    expect_data("M1 1h5v5zM9 9h1v1z!", 1, 0, "M4 3L", "ZM9 9L10 9L10 10L9 9Z");
+}
+
+/* ---- random data ---- */
+
+static void add_segments(char *data, size_t *at, random_source *r) {
+    static const char commands[] = "lLhHvVcCsSqQtTaA";
+    static const int counts[] = {2, 2, 1, 1, 1, 1, 6, 6, 4, 4, 4, 4, 2, 2, 7, 7};
+    for (int n = random_int(r, 1, 4); n > 0; n--) {
+        const int which = random_int(r, 0, 15), times = random_int(r, 1, 2);
+        data[(*at)++] = commands[which];
+        for (int k = 0; k < times * counts[which]; k++) {
+            const bool flag = counts[which] == 7 && (k % 7 == 3 || k % 7 == 4);
+            const double number = flag ? random_int(r, 0, 1) : random_int(r, 1, 40) / 4.0;
+            *at += (size_t)snprintf(data + *at, ROOM - *at, k ? " %g" : "%g", number);
+        }
+    }
+}
+
+/* Some subpaths, each long enough to be a curve. */
+static int make_data(char *data, random_source *r) {
+    const int count = random_int(r, 1, CURVES);
+    size_t at = 0;
+    bool closed = false;
+    for (int i = 0; i < count; i++) {
+        const bool moves = i == 0 || !closed || random_int(r, 0, 2);
+        const int x = random_int(r, 1, 20), y = random_int(r, 1, 20);
+        if (moves)
+            at += (size_t)snprintf(data + at, ROOM - at, random_int(r, 0, 1) ? "m%d %d" : "M%d,%d", x, y);
+        if (moves && random_int(r, 0, 1))
+            at += (size_t)snprintf(data + at, ROOM - at, " %d %d", x + 3, y + 1);
+        data[at++] = 'l';
+        at += (size_t)snprintf(data + at, ROOM - at, "%d-7", x);
+        add_segments(data, &at, r);
+        closed = random_int(r, 0, 1);
+        if (closed) data[at++] = random_int(r, 0, 1) ? 'z' : 'Z';
+    }
+    data[at] = '\0';
+    return count;
+}
+
+/* The curves that were left alone come back bit for bit, the others as near as rounding leaves them. */
+static void expect_curves(const bat_document *document, const bat_document *again, unsigned moves,
+                          unsigned drops, int count, int front) {
+    const bat_object *one = bat_document_at(document, 0), *other = bat_document_at(again, 0);
+    assert_int_equal(bat_object_curve_count(one), bat_object_curve_count(other));
+    for (int i = 0, k = front; i < count; i++) {
+        if (drops >> i & 1) continue;
+        const bat_curve *a = bat_object_curve(one, k), *b = bat_object_curve(other, k);
+        if (!(moves >> i & 1)) assert_true(bat_curve_is_equal(a, b));
+        k++;
+    }
+    double a[4], b[4];
+    bat_object_bounds(one, a);
+    bat_object_bounds(other, b);
+    for (int k = 0; k < 4; k++) assert_true(fabs(a[k] - b[k]) < 4e-3);
+}
+
+static void random_paths_keep_what_was_left_alone(void **state) {
+    (void)state;
+    random_source r = {815};
+    int kept = 0;
+    for (int i = 0; i < 400; i++) {
+        char data[ROOM];
+        const int count = make_data(data, &r);
+        bat_document *document = opened_path(data);
+        if (bat_document_count(document) != 1 ||
+            bat_object_curve_count(bat_document_at(document, 0)) != count) {
+            bat_document_free(document); /* one that stays where it begins */
+            continue;
+        }
+        const unsigned all = (1u << count) - 1;
+        const int what = random_int(&r, 0, 5), from = random_int(&r, 1, count),
+                  to = random_int(&r, from, count);
+        const unsigned moves = what < 3 ? (unsigned)random_int(&r, 0, (int)all) : 0;
+        const unsigned drops = what == 3 ? all >> from << from & ~(all >> to << to) : 0;
+        const bool front = what == 4, back = what == 5;
+        edit(document, moves, drops, front, back);
+        char *text = written(document);
+        bat_document *again = opened(text, 1e-3);
+        expect_curves(document, again, moves, drops, count, front);
+        kept += strstr(text, data) != NULL;
+        bat_document_free(again);
+        bat_free(text);
+        bat_document_free(document);
+    }
+    assert_in_range(kept, 5, 200); /* where nothing or only behind it something was done */
+}
+
+static void exact_curves_are_known_again(void **state) {
+    (void)state;
+    const char *file =
+        "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0h9h9h9v9zm2 2a9 9 0 0 1 9 9z'/></svg>";
+    bat_document *document = opened(file, 0);
+    edit(document, 2, 0, false, false);
+    char *text = written(document);
+    assert_non_null(strstr(text, " d=\"M0 0h9h9h9v9zM8 8C"));
+    bat_free(text);
+    bat_document_free(document);
+}
+
+static void failed_allocations_change_nothing(void **state) {
+    (void)state;
+    bat_document *document = opened_path("M1 1h5v5zm9 9a3 3 0 0 1 4 4zM5 5h9v9z");
+    edit(document, 2, 0, false, false);
+    const long before = alloc_live();
+    for (int n = 1;; n++) {
+        char *text = NULL;
+        size_t size;
+        alloc_fail_at(n);
+        const bat_status status = bat_svg_write(document, false, &text, &size);
+        const bool failed = alloc_fail_reached();
+        if (status == BAT_OK) assert_non_null(strstr(text, "M1 1h5v5zM"));
+        if (status != BAT_OK) assert_null(text);
+        bat_free(text);
+        assert_int_equal(alloc_live(), before);
+        if (!failed) break;
+        if (status != BAT_OK) assert_int_equal(status, BAT_MEMORY);
+    }
+    bat_document_free(document);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(only_the_edited_subpath_is_new),
+        cmocka_unit_test(random_paths_keep_what_was_left_alone),
+        cmocka_unit_test(exact_curves_are_known_again),
+        cmocka_unit_test(failed_allocations_change_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
