@@ -148,14 +148,15 @@ static int put_in_place(const bat_curve *curve) {
     return status == BAT_OK ? EXIT_DONE : fail_data(first.file, NULL, "%s", bat_status_message(status));
 }
 
-int address_write(const bat_curve *curve, const char *file) {
+int address_write(const bat_curve *curve, const char *file, bool lossy) {
     if (!first.file)
         return fail_data(file, NULL, "expected the curve to come from a drawing, FILE#NAME, found another");
     const bat_format *format = drawing_format(file);
     if (!format) format = first.drawing.format;
     char *text;
     size_t size;
-    int failed = put_in_place(curve);
+    int failed = drawing_may_replace(lossy, &first.drawing, first.file, file, false);
+    if (!failed) failed = put_in_place(curve);
     if (!failed) failed = drawing_print(first.drawing.document, format, first.file, &text, &size);
     if (failed) return failed;
     failed = io_write(file, text, size);

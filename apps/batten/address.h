@@ -15,8 +15,9 @@ bool is_address(const char *word);
 int address_read(const char *word, bat_curve **out);
 /* The same as a drawing of one curve. */
 int address_read_drawing(const char *word, drawing_file *out);
-/* Writes the drawing of the first address to a file, with another curve in its place. */
-int address_write(const bat_curve *curve, const char *file);
+/* Writes the drawing of the first address to a file, with another curve in its place; over the file that it came from only
+ * if nothing is lost, or lossy. */
+int address_write(const bat_curve *curve, const char *file, bool lossy);
 void address_release(void);
 
 #endif

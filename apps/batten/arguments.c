@@ -11,12 +11,14 @@ const cli_option *command_option(const cli_command *command, int index) {
     static const cli_option
         lines = {OPTION_LINES, NULL, "an input a line of standard input, a result a line, in order"},
         output = {OPTION_OUTPUT, "FILE",
-                  "the curve goes back to its place in the drawing, FILE#NAME, which is written to FILE"};
+                  "the curve goes back to its place in the drawing, FILE#NAME, which is written to FILE"},
+        lossy = {OPTION_LOSSY, NULL, "with -o: write over the input even when something of it is lost"};
     int own = 0;
     while (own < OPTIONS_MAX && command->options[own].name) own++;
     if (index < own) return &command->options[index];
     if (command->lines && index-- == own) return &lines;
-    return command->puts_back && index == own ? &output : NULL;
+    if (!command->puts_back) return NULL;
+    return index == own ? &output : index == own + 1 ? &lossy : NULL;
 }
 
 static int option_index(const cli_command *command, const char *name, size_t size) {

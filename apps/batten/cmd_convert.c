@@ -146,7 +146,9 @@ static int put_drawing(const cli_arguments *arguments, const drawing_file *drawi
     char *text;
     size_t size;
     const bool same = drawing->format == format && strcmp(format->name, "glif") == 0;
-    int failed = same ? EXIT_DONE : drawing_may_replace(arguments, drawing, in, out, false);
+    int failed = same ? EXIT_DONE
+                      : drawing_may_replace(arguments_value(arguments, OPTION_LOSSY) != NULL, drawing, in,
+                                            out, false);
     if (!failed) failed = print(arguments, drawing->document, format, &text, &size);
     if (failed) return failed;
     failed = io_write(out, text, size);
@@ -160,7 +162,8 @@ static int put_page(const cli_arguments *arguments, const drawing_file *drawing,
     const picture_wanted wanted = {.kind = page};
     unsigned char *data = NULL;
     size_t size;
-    int failed = drawing_may_replace(arguments, drawing, in, out, true);
+    int failed = drawing_may_replace(arguments_value(arguments, OPTION_LOSSY) != NULL, drawing, in, out,
+                                     true);
     if (!failed) failed = picture_make(in, drawing->document, &wanted, &data, &size);
     if (!failed) failed = io_write(out, data, size);
     if (!failed) drawing_remark(in, drawing);
@@ -227,6 +230,6 @@ const cli_command command_convert = {
                 {"--precision", "D",
                  "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
                 {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
-                OPTION_LOSSY},
+                {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
     .run = run,
 };

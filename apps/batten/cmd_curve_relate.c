@@ -176,6 +176,7 @@ const cli_command command_curve_intersect = {
     .operands = 1,
     .more = 1,
     .options = {{"--tolerance", "T", "how near they must come, 1e-9 of the size by default"}},
+    .lines = true,
     .run = run_intersect,
 };
 

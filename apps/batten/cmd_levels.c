@@ -86,5 +86,6 @@ const cli_command command_levels = {
     .operands = 1,
     .more = 1,
     .options = {{"--decompose", "N", "takes CURVE apart into N levels, exactly"}},
+    .lines = true,
     .run = run,
 };

@@ -74,7 +74,8 @@ static int run(const cli_arguments *arguments) {
     drawing_file drawing;
     failed = drawing_read(in, NULL, &drawing);
     if (failed) return failed;
-    failed = drawing_may_replace(arguments, &drawing, in, arguments->operands[1], true);
+    failed = drawing_may_replace(arguments_value(arguments, OPTION_LOSSY) != NULL, &drawing, in,
+                                 arguments->operands[1], true);
     unsigned char *data = NULL;
     size_t size = 0;
     if (!failed) failed = picture_make(in, drawing.document, &w, &data, &size);
@@ -115,6 +116,6 @@ const cli_command command_render = {
                  "the eye, as JSON, whose size is the picture's; or a camera: NAME@SECONDS"},
                 {"--look", "LOOK", "in space: shaded, zebra, curvature (Gauss), mean (curvature) or lines"},
                 {"--to", "KIND", "the format of OUT, whatever its name: svg, png, pdf or eps"},
-                OPTION_LOSSY},
+                {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
     .run = run,
 };

@@ -105,24 +105,35 @@ static bat_text report_of(const tally *sum) {
     return text;
 }
 
+/* The drawing, to the file of -o or to standard output. */
+static int put_drawing(const cli_arguments *arguments, const drawing_file *drawing) {
+    const char *name = arguments->operands[0], *out = arguments_value(arguments, OPTION_OUTPUT);
+    const bat_format *format = out ? drawing_format(out) : NULL;
+    char *text = NULL;
+    size_t size;
+    if (!format) format = drawing->format;
+    int failed = out ? drawing_may_replace(arguments_value(arguments, OPTION_LOSSY) != NULL, drawing, name,
+                                           out, false)
+                     : EXIT_DONE;
+    if (!failed) failed = drawing_print(drawing->document, format, name, &text, &size);
+    if (failed) return failed;
+    failed = io_write(out ? out : "-", text, size);
+    bat_free(text);
+    if (!failed && !(format->keeps && drawing_keeps_file(drawing))) drawing_remark(name, drawing);
+    return failed;
+}
+
 /* A CURVE holds its report; a drawing has no place for one. */
-static int print(const char *name, const drawing_file *drawing, const tally *sum) {
+static int print(const cli_arguments *arguments, const drawing_file *drawing, const tally *sum) {
     bat_text report = report_of(sum);
     if (!drawing->format->keeps && drawing_curve_count(drawing->document) == 1 &&
         drawing->format == bat_format_named("json"))
         return write_curve_reported(curve_of(drawing->document, 0, 0), &report);
-    char *text = NULL, *line = NULL;
+    char *line = NULL;
     size_t size;
     if (bat_text_finish(&report, &line, &size) != BAT_OK) return fail_memory();
-    int failed = drawing_print(drawing->document, drawing->format, name, &text, &size);
-    if (!failed) {
-        failed = io_write("-", text, size);
-        bat_free(text);
-    }
-    if (!failed) {
-        drawing_remark(name, drawing);
-        remark("{\"report\":%s}", line);
-    }
+    const int failed = put_drawing(arguments, drawing);
+    if (!failed) remark("{\"report\":%s}", line);
     bat_free(line);
     return failed;
 }
@@ -147,7 +158,7 @@ static int run(const cli_arguments *arguments) {
     else if (status != BAT_OK)
         failed = fail_data(name, NULL, "%s", bat_status_message(status));
     else
-        failed = print(name, &drawing, &sum);
+        failed = print(arguments, &drawing, &sum);
     drawing_free(&drawing);
     return failed;
 }
@@ -158,7 +169,7 @@ const cli_command command_simplify = {
     .summary = "A curve, or every curve of a drawing, with as few points as keep it within a tolerance.",
     .details = "Corners and ends stay. The result has the format of the input. A CURVE gets a \"report\":\n"
                "\"max_error\", \"points_before\", \"points_after\"; of a drawing the report is a line on "
-               "standard error.",
+               "standard error.\n-o FILE writes a whole drawing there, too.",
     .example = "batten simplify drawing.svg --tolerance 0.1 > simple.svg\n"
                "batten simplify curve.json > few.json",
     .operands = 1,

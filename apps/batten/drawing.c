@@ -93,12 +93,11 @@ bool drawing_keeps_file(const drawing_file *drawing) {
     return bat_svg_is_kept(drawing->document) && !drawing->report.lost.count[BAT_LOSS_NATIVE];
 }
 
-int drawing_may_replace(const cli_arguments *arguments, const drawing_file *drawing, const char *in,
-                        const char *out, bool picture) {
+int drawing_may_replace(bool lossy, const drawing_file *drawing, const char *in, const char *out,
+                        bool picture) {
     int total = bat_losses_total(&drawing->report.lost);
     if (!picture && drawing_keeps_file(drawing)) return EXIT_DONE;
-    if ((total == 0 && !picture) || arguments_value(arguments, "--lossy") || !is_same_file(in, out))
-        return EXIT_DONE;
+    if ((total == 0 && !picture) || lossy || !is_same_file(in, out)) return EXIT_DONE;
     if (picture) return fail_data(out, NULL, "a picture would take the drawing's place; --lossy allows it");
     char line[LEFT_OUT_ROOM];
     bat_svg_report_line(&drawing->report, line, sizeof line);

@@ -33,13 +33,11 @@ void drawing_remark(const char *name, const drawing_file *drawing);
 bool drawing_keeps_file(const drawing_file *drawing);
 /* One line on standard error: what of such a file is not shown; nothing when all is. */
 void drawing_remark_kept(const char *name, const drawing_file *drawing);
-/* Whether OUT may be written, which may be the same file as IN: if something in it would be lost, only with
- * --lossy (picture: the output is a picture, which does not keep the drawing). Returns 0, or an exit status
+/* Whether OUT may be written, which may be the same file as IN: if something in it would be lost, only if
+ * lossy (picture: the output is a picture, which does not keep the drawing). Returns 0, or an exit status
  * after reporting the failure. */
-int drawing_may_replace(const cli_arguments *arguments, const drawing_file *drawing, const char *in,
-                        const char *out, bool picture);
-#define OPTION_LOSSY                                                                                         \
-    { "--lossy", NULL, "write over the input even when something of it is lost" }
+int drawing_may_replace(bool lossy, const drawing_file *drawing, const char *in, const char *out,
+                        bool picture);
 
 /* The document as text, to be freed with bat_free. name: used when reporting a failure. Returns 0, or an exit
  * status after reporting the failure. */

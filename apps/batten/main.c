@@ -185,7 +185,8 @@ int main(int count, char **words) {
     int status = arguments_parse(command, count - from, words + from, &arguments);
     if (status) return status;
     if (command != &command_edit) progress_begin(command->name); /* the server waits, it is not at work */
-    write_back_to(arguments_value(&arguments, OPTION_OUTPUT));
+    write_back_to(arguments_value(&arguments, OPTION_OUTPUT),
+                  arguments_value(&arguments, OPTION_LOSSY) != NULL);
     status = arguments_value(&arguments, OPTION_LINES) ? run_lines(&arguments) : command->run(&arguments);
     progress_end();
     address_release();

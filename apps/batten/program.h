@@ -33,7 +33,7 @@ typedef struct cli_command {
 struct cli_arguments {
     const cli_command *command;
     const char *operands[OPERANDS_MAX];  /* NULL: left out */
-    const char *values[OPTIONS_MAX + 2]; /* parallel to command_option; NULL: not given; flags: "" */
+    const char *values[OPTIONS_MAX + 3]; /* parallel to command_option; NULL: not given; flags: "" */
 };
 
 extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
@@ -54,8 +54,9 @@ const cli_command *const *all_commands(size_t *count);
 
 #define OPTION_LINES "--lines"
 #define OPTION_OUTPUT "-o"
+#define OPTION_LOSSY "--lossy"
 
-/* The options of a command: those of its table, then --lines and -o where it takes them; NULL: no more. */
+/* The options of a command: those of its table, then --lines, and -o with --lossy, where it takes them; NULL: no more. */
 const cli_option *command_option(const cli_command *command, int index);
 /* EXIT_DONE, or EXIT_USAGE after reporting what is wrong. */
 int arguments_parse(const cli_command *command, int count, char **words, cli_arguments *out);

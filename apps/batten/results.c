@@ -189,11 +189,12 @@ int write_text(bat_text *text) {
 }
 
 static const char *back_to;
+static bool back_lossy;
 
-void write_back_to(const char *file) { back_to = file; }
+void write_back_to(const char *file, bool lossy) { back_to = file, back_lossy = lossy; }
 
 int write_curve(const bat_curve *curve) {
-    if (back_to) return address_write(curve, back_to);
+    if (back_to) return address_write(curve, back_to, back_lossy);
     char *data;
     size_t size;
     if (bat_curve_write(curve, &data, &size) != BAT_OK) return fail_memory();
@@ -288,7 +289,7 @@ int write_curves(size_t count, bat_curve *const *curves, bat_text *report) {
 }
 
 static int write_back(const bat_curve *curve, bat_text *report) {
-    int failed = address_write(curve, back_to);
+    int failed = address_write(curve, back_to, back_lossy);
     char *line = NULL;
     size_t size;
     if (!report) return failed;

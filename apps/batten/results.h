@@ -30,8 +30,8 @@ void put_points(bat_text *text, const double *numbers, size_t count, int dimensi
 /* Adds a line end to the text, writes it to standard output, and releases it. */
 int write_text(bat_text *text);
 /* From now on a curve goes back to its place in a drawing (address.h), which is written to this file; its report is a
- * remark. NULL: to standard output. */
-void write_back_to(const char *file);
+ * remark. NULL: to standard output. lossy: over what it came from even if something is lost. */
+void write_back_to(const char *file, bool lossy);
 int write_curve(const bat_curve *curve);
 /* Writes the surface with its report (JSON), which is released; NULL: without one. */
 int write_surface(const bat_surface *surface, bat_text *report);

@@ -55,8 +55,9 @@ typedef struct fitting {
     double tolerance, worst; /* worst: greatest distance in the accepted state */
     double mu;
     int solves, budget;
-    bool plain; /* pieces are not looked for */
-    bool fits;  /* the accepted state is within tolerance */
+    bool plain;            /* pieces are not looked for */
+    const double *ends[2]; /* the first and the last point as they were given */
+    bool fits;             /* the accepted state is within tolerance */
 } fitting;
 
 /* ---- One solve ---- */
@@ -504,6 +505,10 @@ static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, b
     if (held_ends) f->worst = worst, f->fits = f->fits && worst <= f->tolerance;
     for (int i = 0; i < n; i++)
         for (int c = 0; c < m; c++) f->points[i * m + c] += origin[c];
+    for (int c = 0; c < m && held_ends; c++) { /* the difference to the origin may have been rounded */
+        f->points[c] = f->ends[0][c];
+        f->points[(n - 1) * m + c] = f->ends[1][c];
+    }
     const double *knots = f->closed ? f->knots + f->degree : f->knots;
     const bat_status status = bat_curve_create(m, f->degree, f->closed, (size_t)n, f->points,
                                                bat_knot_total(f->degree, f->closed, n), knots, out);
@@ -701,7 +706,8 @@ static bat_status fit_any(int dimension, size_t count, const double *points, con
                  .degree = options->degree,
                  .dimension = dimension,
                  .closed = options->closed,
-                 .plain = plain};
+                 .plain = plain,
+                 .ends = {points, points + (count - 1) * (size_t)dimension}};
     f.tolerance = options->tolerance, f.budget = options->solves_max > 0 ? options->solves_max : 120;
     f.worst = INFINITY;
     f.room = (int)(count + options->corner_count) + 8;

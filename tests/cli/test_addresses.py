@@ -60,6 +60,34 @@ class Addresses(ProgramTest):
         plain = self.file("c.json", CURVE)
         self.assertIn("FILE#NAME", self.refused(1, "curve", "reverse", plain, "-o", "x.svg"))
 
+    def test_over_the_input_nothing_is_lost_unasked(self):
+        """A file that is not kept as it is: what cannot be written back stays, and the message says what it is."""
+        latin = DRAWING.replace("words", "caf\u00e9").encode("latin-1")
+        dxf = "\n".join("0 SECTION 2 ENTITIES 0 LINE 8 0 10 0 20 0 11 5 21 5 0 TEXT 8 0 10 1 20 1 40 2 1 hello 0 ENDSEC 0 EOF".split())
+        for name, data, curve in (("l.svg", b'<?xml version="1.0" encoding="ISO-8859-1"?>' + latin, "roof"), ("t.dxf", dxf.encode(), "1")):
+            path = pathlib.Path(self.file(name, data))
+            for words in (["curve", "reverse", f"{path}#{curve}"], ["simplify", f"{path}#{curve}"], ["simplify", path]):
+                result = self.run_program(*words, "-o", path)
+                if words[1] == "reverse" or result.returncode:  # nothing to simplify: nothing is written
+                    self.assertEqual((result.returncode, result.stdout), (1, b""))
+                    self.assertIn(b"1 text", result.stderr)
+                self.assertEqual(path.read_bytes(), data)
+            self.done("curve", "reverse", f"{path}#{curve}", "-o", self.folder / f"other-{name}")
+            self.done("curve", "reverse", f"{path}#{curve}", "-o", path, "--lossy")
+            self.assertNotEqual(path.read_bytes(), data)
+
+    def test_simplify_writes_a_drawing_to_a_file(self):
+        self.done("curve", "insert", f"{self.drawing}#roof", "--at", "0.2,0.4,0.6,0.8", "-o", "many.svg")
+        result = self.run_program("simplify", "many.svg", "-o", "few.svg", "--tolerance", "1e-6")
+        self.assertEqual((result.returncode, result.stdout), (0, b""))
+        self.assertIn(b'"points_after"', result.stderr)
+        for name, count in (("many.svg", 8), ("few.svg", 4)):
+            objects = json.loads(self.done("info", name, "--json"))["objects"]
+            self.assertEqual(objects[0]["curves"][0]["points"], count)
+        self.assertIn("words", (self.folder / "few.svg").read_text(encoding="utf-8"))
+        self.done("simplify", "few.svg", "-o", "few.dxf")
+        self.assertTrue((self.folder / "few.dxf").read_text(encoding="utf-8").lstrip().startswith("0\nSECTION"))
+
     def test_simplify_takes_one_curve_of_a_drawing(self):
         many = self.json("curve", "insert", f"{self.drawing}#roof", "--at", "0.2,0.4,0.6,0.8")
         self.done("curve", "insert", f"{self.drawing}#roof", "--at", "0.2,0.4,0.6,0.8", "-o", "many.batten")
@@ -86,6 +114,22 @@ class Lines(ProgramTest):
         one, two = map(json.loads, made.decode().splitlines())
         self.assertEqual(one, two)
         self.assertEqual(one, self.json("curve", "offset", "-", "--distance", "0.25", stdin=json.dumps(CURVE)))
+
+    def test_every_command_of_one_curve_stroke_or_points(self):
+        """As the first operand alone: the same results, line by line, as one by one; and a bad line is told in its place."""
+        stroke = {"points": [[0, 0], [10, 1], [20, 4], [30, 9]]}
+        commands = {"eval": "--samples 2", "nearest": "--point 1,1", "frames": "--samples 2", "fit": "", "fit --pen": "", "simplify": "",
+                    "levels": "--decompose 1", "curve length": "", "curve bounds": "", "curve curvature": "--samples 2",
+                    "curve split": "--at .5", "curve reverse": "", "curve elevate": "--degree 4", "curve insert": "--at .5",
+                    "curve flatten": "--tolerance .1", "curve offset": "--distance .1", "curve arcs": "--tolerance .1", "curve intersect": ""}
+        for name, words in commands.items():
+            text = json.dumps(stroke if name.startswith("fit") else CURVE)
+            expected = self.json(*name.split(), "-", *words.split(), stdin=text)
+            result = self.run_program(*name.split(), *words.split(), "--lines", stdin=f"{text}\nbad\n{text}\n")
+            self.assertEqual((result.returncode, result.stderr), (1, b""), name)
+            first, bad, last = map(json.loads, result.stdout.decode().splitlines())
+            self.assertEqual((first, last), (expected, expected), name)
+            self.assertEqual(list(bad), ["error"], name)
 
     def test_nothing_and_wrong_usage(self):
         self.assertEqual(self.done("eval", "--lines", "--samples", "3", stdin=""), b"")

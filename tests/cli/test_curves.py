@@ -180,6 +180,35 @@ class FitPoints(ProgramTest):
             self.assertEqual(self.done("fit", "-", stdin=text), as_json)
         self.assertEqual(len(json.loads(as_json)["points"][0]), 3)
 
+    def test_tables_of_other_programs(self):
+        """Decimal commas between semicolons, empty columns at the end; a row with a number is never taken for a header."""
+        expected = self.done("fit", "-", stdin="1.5,2\n3,4.25\n7,1\n")
+        for text in ("1,5;2\n3;4,25\n7;1\n", '"x";"y"\n"1,5";"2"\n"3";"4,25"\n7;1', "1.5,2,\n3,4.25,\n7,1,\n", "X;Y;\n1,5;2;\n3;4,25;\n7;1;\n",
+                     "x,,y\n1.5,,2\n3,,4.25\n7,,1\n"):
+            self.assertEqual(self.done("fit", "-", stdin=text), expected, text)
+        for text, place in (("nan,1\n2,3\n4,5\n", "line 1, field 1"), ("A,1,2\nB,3,4\nC,5,6\n", "line 1, field 1"), ("1,5;2\n3;4,2,5\n", "line 2, field 2")):
+            self.assertIn(f"{place}: expected a number, found", self.refused(1, "fit", "-", stdin=text))
+
+    def test_collections_of_one_line(self):
+        line = {"type": "LineString", "coordinates": wave(0, 60)}
+        feature = {"type": "Feature", "properties": None, "geometry": line}
+        expected = self.done("fit", "-", stdin=json.dumps(line))
+        self.assertEqual(self.done("fit", "-", stdin=json.dumps({"type": "FeatureCollection", "features": [feature]})), expected)
+        for bad, words in (({"type": "FeatureCollection", "features": [feature] * 2}, "features: expected one, a LineString, found 2"),
+                           ({"type": "Polygon", "coordinates": [[[0, 0], [1, 1], [2, 0]]]}, "expected a LineString with coordinates, found Polygon"),
+                           ({"type": "LineString"}, "found LineString without them"), ({"type": "Feature", "geometry": None}, "found none")):
+            self.assertIn(words, self.refused(1, "fit", "-", stdin=json.dumps(bad)))
+
+    def test_any_size_and_ends_to_the_bit(self):
+        helix = [[math.cos(t / 20), math.sin(t / 20), t / 30] for t in range(200)]
+        for scale in (1e-70, 1, 1e70):
+            points = [[c * scale for c in p] for p in helix]
+            curve = self.json("fit", "-", stdin=json.dumps({"points": points}))
+            self.assertEqual((curve["points"][0], curve["points"][-1]), (points[0], points[-1]))
+            self.assertLess(len(curve["points"]), 16)
+            self.assertLess(0, curve["report"]["max_error"])
+            self.assertLess(curve["report"]["max_error"], 8e-3 * scale)
+
     def test_what_is_refused(self):
         for bad in ("", "{}", {"points": []}, {"points": [[0, 0], [1]]}, "x,y\n1,2\n3\n", "x,y\n1,2\n3,b\n", "x,y\n1,1e99\n", "5\n6\n",
                     {"type": "LineString", "coordinates": [[1]]}, {"points": [[1, 1]] * 5}, "x,y\n1,2\n"):

@@ -157,18 +157,52 @@ static void fits_keep_their_tolerance_and_stay_near(void **state) {
     }
 }
 
+/* Fits are the same in all units, up to those that a coordinate may have; open ends are the points' to the bit. */
+static void fits_are_as_good_in_any_unit(void **state) {
+    (void)state;
+    random_source r = {29};
+    for (int round = 0; round < 12; round++) {
+        const int m = 2 + round % 2, power = (int[]){240, -300, 150, -150, 0, 3}[round / 2];
+        double x[40 * 3];
+        for (size_t i = 0; i < 40; i++) {
+            const double t = (double)i / 8;
+            for (int c = 0; c < m; c++)
+                x[i * (size_t)m + (size_t)c] = ldexp((c == 0   ? t
+                                                      : c == 1 ? sin(t)
+                                                               : t * t) +
+                                                         random_between(&r, 0, 1e-3),
+                                                     power);
+        }
+        bat_fit_options options = bat_fit_defaults();
+        options.tolerance = ldexp(1e-2, power), options.hold_ends = true;
+        bat_curve *curve;
+        bat_fit_report report;
+        assert_int_equal(bat_fit_within(m, 40, x, &options, &curve, &report), BAT_OK);
+        assert_true(report.max_error > 0 && report.max_error <= options.tolerance);
+        assert_true(bat_curve_count(curve) < 20);
+        const double *first = bat_curve_points(curve),
+                     *last = first + (bat_curve_count(curve) - 1) * (size_t)m;
+        assert_memory_equal(first, x, (size_t)m * sizeof *x);
+        assert_memory_equal(last, x + 39 * m, (size_t)m * sizeof *x);
+        bat_curve_free(curve);
+    }
+}
+
 static void every_allocation_may_fail(void **state) {
     (void)state;
-    double x[24];
+    double x[24], vast[24];
     for (int i = 0; i < 12; i++) x[2 * i] = i, x[2 * i + 1] = i % 2 ? 8 : 0;
+    for (int i = 0; i < 24; i++) vast[i] = ldexp(x[i], 200);
     bat_fit_options options = bat_fit_defaults();
     options.tolerance = 1e-3;
-    for (int kind = 0; kind < 3; kind++)
+    for (int kind = 0; kind < 4; kind++) {
+        options.tolerance = kind == 3 ? ldexp(1e-3, 200) : 1e-3;
         for (int n = 1;; n++) {
             const long live = alloc_live();
             bat_curve *curve = NULL;
             alloc_fail_at(n);
-            const bat_status status = kind == 2 ? bat_fit_within(2, 12, x, &options, &curve, NULL)
+            const bat_status status = kind >= 2 ? bat_fit_within(2, 12, kind == 2 ? x : vast, &options,
+                                                                 &curve, NULL)
                                                 : bat_interpolate(2, kind, 12, x, NULL, &curve);
             const bool reached = alloc_fail_reached();
             assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
@@ -179,6 +213,7 @@ static void every_allocation_may_fail(void **state) {
             assert_true(n > 2);
             break;
         }
+    }
 }
 
 int main(void) {
@@ -187,6 +222,7 @@ int main(void) {
         cmocka_unit_test(few_points_and_many),
         cmocka_unit_test(circles_are_met_to_the_fourth_order),
         cmocka_unit_test(fits_keep_their_tolerance_and_stay_near),
+        cmocka_unit_test(fits_are_as_good_in_any_unit),
         cmocka_unit_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

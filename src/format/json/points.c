@@ -10,18 +10,43 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS_MAX = 64, SHOWN = 40 };
+enum { COLUMNS_MAX = 64, SHOWN = 40, CELL = 64 };
 
 /* ---- JSON ---- */
 
-/* The list of places of a LineString, or of a Feature that holds one; 0: it is neither. */
-static uint32_t coordinates_of(const bat_json *json, uint32_t node) {
-    const char *type = bat_json_text(json, bat_json_member(json, node, "type"));
-    if (type && strcmp(type, "Feature") == 0) {
-        node = bat_json_member(json, node, "geometry");
-        type = bat_json_text(json, bat_json_member(json, node, "type"));
+/* The geometry of a Feature, of the only Feature of a collection, or the node itself. */
+static bat_status geometry_of(const bat_json *json, uint32_t *node, bat_problem *problem) {
+    const uint32_t features = bat_json_member(json, *node, "features");
+    if (features) {
+        char message[96];
+        const uint32_t count = bat_json_count(json, features);
+        snprintf(message, sizeof message, "features: expected one, a LineString, found %u", (unsigned)count);
+        if (count != 1) return bat_json_say(json, features, BAT_COUNT, message, problem);
+        *node = bat_json_first(json, features);
     }
-    return type && strcmp(type, "LineString") == 0 ? bat_json_member(json, node, "coordinates") : 0;
+    const uint32_t own = bat_json_member(json, *node, "geometry");
+    if (own) *node = own;
+    return BAT_OK;
+}
+
+/* *places: the places of a GeoJSON LineString, however it is wrapped; 0: what is there is no GeoJSON. */
+static bat_status coordinates_of(const bat_json *json, uint32_t *places, bat_problem *problem) {
+    uint32_t node = 1;
+    *places = 0;
+    if (!bat_json_text(json, bat_json_member(json, 1, "type"))) return BAT_OK;
+    const bat_status status = geometry_of(json, &node, problem);
+    if (status != BAT_OK) return status;
+    const char *type = bat_json_text(json, bat_json_member(json, node, "type"));
+    const uint32_t found = bat_json_member(json, node, "coordinates");
+    if (type && strcmp(type, "LineString") == 0 && found) {
+        *places = found;
+        return BAT_OK;
+    }
+    if (!found && bat_json_member(json, 1, "points")) return BAT_OK;
+    char message[96];
+    snprintf(message, sizeof message, "expected a LineString with coordinates, found %.40s%s",
+             type ? type : "none", type && !found ? " without them" : "");
+    return bat_json_say(json, node, BAT_SYNTAX, message, problem);
 }
 
 static bat_status check(size_t count, int dimension, const double *points, bat_problem *problem) {
@@ -39,9 +64,12 @@ static bat_status read_json(const char *text, size_t size, int *dimension, size_
     bat_json json;
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
-    const uint32_t places = coordinates_of(&json, 1);
+    uint32_t places = 0;
     double *all = NULL;
-    if (places) {
+    status = coordinates_of(&json, &places, problem);
+    if (status != BAT_OK) {
+        /* said */
+    } else if (places) {
         status = bat_points_from_json(&json, places, "coordinates", &all, count, dimension, problem);
     } else {
         bat_stroke stroke;
@@ -97,6 +125,16 @@ static bool number_of(field f, double *out) {
     return f.size > 0 && bat_number_scan(f.text, f.text + f.size, out) == f.text + f.size;
 }
 
+/* Between semicolons a comma may be what stands before decimals, as spreadsheets of many countries write it. */
+static bool cell_of(field f, char separator, double *out) {
+    char copy[CELL];
+    const char *comma = separator == ';' && f.size < CELL ? memchr(f.text, ',', f.size) : NULL;
+    if (!comma) return number_of(f, out);
+    memcpy(copy, f.text, f.size);
+    copy[comma - f.text] = '.';
+    return number_of((field){copy, f.size}, out);
+}
+
 static bat_status complain(bat_problem *problem, bat_status status, size_t line, int column,
                            const char *expected, field found) {
     char place[40], message[160];
@@ -132,22 +170,23 @@ static bool is_group(field f) {
     return i == f.size && i == sizeof word - 1;
 }
 
-/* From the first line that holds anything: a header when one of its fields is no number. Columns called x, y and z, else the
- * first ones. Returns whether it was a header. */
+/* From the first line that holds anything: a header when it names x and y, or when no field is a number. Columns called x, y
+ * and z, else the first ones; what is empty at the end is none. Returns whether it was a header. */
 static bool begin(table *t, const field *fields, int count) {
     double ignored;
-    bool header = false;
-    for (int i = 0; i < count; i++) header = header || !number_of(fields[i], &ignored);
-    int named = 0;
+    int named = 0, numbers = 0;
+    for (int i = 0; i < count; i++) numbers += cell_of(fields[i], t->separator, &ignored);
+    for (int c = 0; c < BAT_DIMENSION_MAX && named == c; c++)
+        for (int i = 0; i < count && named == c; i++)
+            if (is_named(fields[i], (char)('x' + c))) t->columns[c] = i, named++;
+    t->named = named >= 2;
+    const bool header = t->named || numbers == 0;
     t->group = -1;
     for (int i = 0; i < count && header; i++)
         if (is_group(fields[i])) t->group = i;
-    for (int c = 0; c < BAT_DIMENSION_MAX && header && named == c; c++)
-        for (int i = 0; i < count && named == c; i++)
-            if (is_named(fields[i], (char)('x' + c))) t->columns[c] = i, named++;
+    while (count > 0 && fields[count - 1].size == 0) count--;
     t->dimension = named >= 2 ? named : count < 2 ? 0 : count == 3 ? 3 : 2;
-    t->named = named >= 2;
-    if (named < 2)
+    if (!t->named)
         for (int c = 0; c < BAT_DIMENSION_MAX; c++) t->columns[c] = c;
     return header;
 }
@@ -174,7 +213,7 @@ static bat_status read_row(table *t, const field *fields, int count, size_t line
     for (int c = 0; c < t->dimension; c++) {
         const int i = t->columns[c];
         if (i >= count) return complain(problem, BAT_SYNTAX, line, count, "a number", (field){"", 0});
-        if (!number_of(fields[i], point + c))
+        if (!cell_of(fields[i], t->separator, point + c))
             return complain(problem, BAT_SYNTAX, line, i, "a number", fields[i]);
         if (!(fabs(point[c]) <= BAT_COORDINATE_MAX))
             return complain(problem, BAT_NUMBER, line, i, "a number up to 1e75", fields[i]);
@@ -240,9 +279,13 @@ bool bat_point_rows_are(const char *text, size_t size) {
         while (at < stop && is_blank(*at)) at++;
         if (at < stop && *at != '#') {
             field fields[COLUMNS_MAX];
-            table t = {.dimension = 0};
-            const int count = fields_of(at, stop, separator_of(at, stop), fields);
-            return begin(&t, fields, count) ? t.named : t.dimension >= 2;
+            table t = {.separator = separator_of(at, stop)};
+            const int count = fields_of(at, stop, t.separator, fields);
+            double ignored;
+            bool numbers = !begin(&t, fields, count) && t.dimension >= 2;
+            for (int c = 0; c < t.dimension && numbers; c++)
+                numbers = cell_of(fields[c], t.separator, &ignored);
+            return t.named || numbers;
         }
         at = next;
     }
