@@ -50,6 +50,11 @@ int drawing_read(const char *name, const bat_svg_options *options, drawing_file 
         failed = first_page(name, &text, &size);
         if (failed) return failed;
         format = bat_format_named("svg");
+    } else if (pdf_is_postscript(text, size)) {
+        free(text);
+        return fail_data(name, NULL,
+                         "expected a drawing, found PostScript, which is written, not read; as PDF "
+                         "it can be read");
     }
     bat_problem problem;
     bat_status status = drawing_parse(text, size, format, options, out, &problem);

@@ -23,6 +23,11 @@ bool pdf_is_one(const char *data, size_t size) {
     return false;
 }
 
+bool pdf_is_postscript(const char *data, size_t size) {
+    static const char mark[] = "%!PS", preview[] = "\xc5\xd0\xd3\xc6";
+    return size >= 4 && (memcmp(data, mark, 4) == 0 || memcmp(data, preview, 4) == 0);
+}
+
 /* Starts it with the file `in` as its input and the pipe's end `out` as its output. */
 static int start(int in, int out, pid_t *child) {
     static char *const words[] = {"pdftocairo", "-svg", "-f", "1", "-l", "1", "-", "-", NULL};

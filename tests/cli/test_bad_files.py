@@ -9,6 +9,8 @@ GLYPH = '<glyph name="a" format="2"><outline><contour>%s</contour></outline></gl
 STEP = "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n%s\nENDSEC;\nEND-ISO-10303-21;\n"
 BVH = "HIERARCHY\nROOT Hips\n{\n\tOFFSET 0 0 0\n\tCHANNELS %s\n\tEnd Site\n\t{\n\t\tOFFSET 0 1 0\n\t}\n}\nMOTION\n%s"
 
+OBJ = "v 0 0 0\nv 1 1 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u %s\nend\n"
+
 # name, content, what the line has to hold
 BAD = [
     ("a.json", "", "expected .*found"),
@@ -41,6 +43,8 @@ BAD = [
     ("a.obj", "", "expected .*found"),
     ("a.obj", "v 0 0\n", "line 1.*expected .*found"),
     ("a.obj", "v 0 0 0\nf 1 2 3\n", "line 2.*expected .*found|line 2.*vertex"),
+    ("a.obj", OBJ % "0 0 1 1e75", "line 7: parm: expected knots up to 1e30.*found"),
+    ("a.obj", OBJ % "0 1 0 1", "line 7: parm: expected knots that neither fall.*found"),
     ("a.obj", "v 0 0 zero\n", "line 1.*expected .*found"),
     ("a.glif", "", "expected .*found"),
     ("a.glif", GLYPH % '<point x="1" y="2" type="swirl"/>', "expected .*found"),
@@ -60,6 +64,9 @@ BAD = [
     ("a.igs", "not an IGES file\n", "line 1|expected .*found"),
     ("a.stp", STEP % "#1=CARTESIAN_POINT('',(0.,0.));", "expected .*found"),
     ("a.stp", "ISO-10303-21;\nDATA;\n#1=B_SPLINE", "expected .*found|line 3"),
+    ("a.eps", "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 9 9\nnewpath\n", "found PostScript.*PDF"),
+    ("a.ai", "%!PS-Adobe-3.0\n%%Creator: Adobe Illustrator(TM) 7.0\n", "found PostScript.*PDF"),
+    ("a.eps", b"\xc5\xd0\xd3\xc6 \x00\x00\x00", "found PostScript"),
     ("a.pdf", "%PDF-1.4\nnothing", "pdftocairo"),
 ]
 

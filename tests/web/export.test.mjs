@@ -130,6 +130,14 @@ test('what cannot be made is said: an empty drawing, a picture too large', async
   await context.close();
 });
 
+test('a browser that keeps nothing exports all the same', async () => {
+  const { page, context } = await begin();
+  await page.evaluate(() => { Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }; });
+  const file = await made(page, { format: 'plain', part: '0' });
+  assert.match(file.bytes.toString(), /id="blue"/);
+  await context.close();
+});
+
 test('printing shows the drawing alone on a page of its size, as vectors', async () => {
   const { page, context } = await begin();
   await page.evaluate(() => { window.print = () => { window.printed = true; }; });

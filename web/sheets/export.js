@@ -133,7 +133,11 @@ export async function exportDrawing(shell) {
     return;
   }
   const wanted = read();
-  localStorage.setItem(STORE, JSON.stringify(wanted));
+  try {
+    localStorage.setItem(STORE, JSON.stringify(wanted));
+  } catch {
+    // It is for this time only then.
+  }
   try {
     await carryOut(shell, wanted, chosen === 'copy');
   } catch (error) {

@@ -43,7 +43,7 @@ static bat_status coordinates_of(const bat_json *json, uint32_t *places, bat_pro
         return BAT_OK;
     }
     if (!found && bat_json_member(json, 1, "points")) return BAT_OK;
-    char message[96];
+    char message[128];
     snprintf(message, sizeof message, "expected a LineString with coordinates, found %.40s%s",
              type ? type : "none", type && !found ? " without them" : "");
     return bat_json_say(json, node, BAT_SYNTAX, message, problem);

@@ -167,6 +167,10 @@ static bat_status refuse(parser *p, const net *n, const char *word, bat_status s
     char message[160];
     const bool weights = status == BAT_NUMBER && n->weights;
     if (status == BAT_PARAMETER) return wrong(p, status, "curv: expected a part of what the knots give");
+    if (status == BAT_NUMBER && !weights)
+        return wrong(p, status, "parm: expected knots up to 1e30, none of them too close, found others");
+    if (status == BAT_KNOTS)
+        return wrong(p, status, "parm: expected knots that neither fall nor repeat too often, found others");
     snprintf(message, sizeof message, "%s: %s", word,
              weights ? BAT_WEIGHTS_EXPECTED : bat_status_message(status));
     return wrong(p, status, weights ? message : bat_status_message(status));
