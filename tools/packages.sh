@@ -69,6 +69,8 @@ need_to_test() {
     need ghostscript gs
     need assimp-utils assimp
     need blender blender
+    need zsh zsh
+    need fish fish
     need groff-base groff
     need nodejs node
     need npm npm

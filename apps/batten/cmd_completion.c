@@ -35,9 +35,20 @@ static void put_quoted(bat_text *text, const char *words) {
 }
 
 /* Words of an option's value that are proposed: "C0|C1|C2". NULL: any value. */
-static const char *choices_of(const cli_option *option) {
-    return option->value && strchr(option->value, '|') && !strpbrk(option->value, ", ") ? option->value
-                                                                                        : NULL;
+static const char *choices_of(const cli_command *command, const cli_option *option) {
+    static const struct {
+        const cli_command *command;
+        const char *option, *words;
+    } told[] = {{&command_frames, "--kind", "rmf|frenet|fixed"},
+                {&command_tangents, "--mode", "faithful|paper"},
+                {&command_tangents, "--default", "centripetal|uniform|chordal"},
+                {&command_render, "--look", "shaded|zebra|curvature|mean|lines"},
+                {&command_render, "--to", "svg|png|pdf|eps"},
+                {&command_curve_region, "--operation", "union|difference|intersection|exclusion"}};
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++)
+        if (told[i].command == command && strcmp(told[i].option, option->name) == 0) return told[i].words;
+    const char *value = option->value;
+    return value && strchr(value, '|') && !strpbrk(value, ", ()") ? value : NULL;
 }
 
 static void put_words(bat_text *text, const char *choices) {
@@ -62,7 +73,7 @@ static void bash_option(bat_text *text, const cli_command *command, const cli_op
 }
 
 static void bash_choice(bat_text *text, const cli_command *command, const cli_option *option) {
-    const char *choices = choices_of(option);
+    const char *choices = choices_of(command, option);
     if (!choices) return;
     bat_text_string(text, "    '");
     bat_text_string(text, command->name);
@@ -126,6 +137,15 @@ static void put_bash(bat_text *text, const cli_command *const *all, size_t count
         each_option(text, all[i], bash_option);
         bat_text_string(text, "' ;;\n");
     }
+    bat_text_string(text, "    esac\n  fi\n  if [[ -z $words && $cur != -* ]]; then\n    case $command in\n");
+    for (size_t i = 0; i < count; i++) {
+        if (!all[i]->words) continue;
+        bat_text_string(text, "    '");
+        bat_text_string(text, all[i]->name);
+        bat_text_string(text, "') words='");
+        put_words(text, all[i]->words);
+        bat_text_string(text, "' ;;\n");
+    }
     bat_text_string(text, "    esac\n  fi\n"
                           "  [[ -n $words ]] && COMPREPLY=($(compgen -W \"$words\" -- \"$cur\"))\n"
                           "}\n"
@@ -135,7 +155,6 @@ static void put_bash(bat_text *text, const cli_command *const *all, size_t count
 /* ---- zsh ---- */
 
 static void zsh_option(bat_text *text, const cli_command *command, const cli_option *option) {
-    (void)command;
     bat_text_string(text, " \\\n        ");
     bat_text line = {0};
     bat_text_string(&line, option->name);
@@ -146,7 +165,7 @@ static void zsh_option(bat_text *text, const cli_command *command, const cli_opt
     }
     bat_text_string(&line, "]");
     if (option->value) {
-        const char *choices = choices_of(option);
+        const char *choices = choices_of(command, option);
         bat_text_string(&line, ":value:");
         bat_text_string(&line, choices ? "(" : "_files");
         if (choices) put_words(&line, choices);
@@ -172,7 +191,10 @@ static void put_zsh(bat_text *text, const cli_command *const *all, size_t count)
         put_quoted(text, all[i]->name);
         bat_text_string(text, ")\n      _arguments");
         each_option(text, all[i], zsh_option);
-        bat_text_string(text, " \\\n        '*:file:_files' ;;\n");
+        bat_text_string(text, " \\\n        '*:");
+        bat_text_string(text, all[i]->words ? "word:(" : "file:_files");
+        if (all[i]->words) put_words(text, all[i]->words);
+        bat_text_string(text, all[i]->words ? ")' ;;\n" : "' ;;\n");
     }
     bat_text_string(text, "  esac\n}\n"
                           "if [[ $zsh_eval_context[-1] == loadautofunc ]]; then _batten \"$@\"\n"
@@ -193,7 +215,7 @@ static void fish_condition(bat_text *text, const char *name) {
 }
 
 static void fish_option(bat_text *text, const cli_command *command, const cli_option *option) {
-    const char *choices = choices_of(option);
+    const char *choices = choices_of(command, option);
     const bool is_long = option->name[1] == '-';
     fish_condition(text, command->name);
     bat_text_string(text, is_long ? " -l " : " -s ");
@@ -226,6 +248,11 @@ static void put_fish(bat_text *text, const cli_command *const *all, size_t count
             bat_text_string(text, "\n");
         }
         each_option(text, all[i], fish_option);
+        if (!all[i]->words) continue;
+        fish_condition(text, all[i]->name);
+        bat_text_string(text, " -f -a '");
+        put_words(text, all[i]->words);
+        bat_text_string(text, "'\n");
     }
 }
 
@@ -254,5 +281,6 @@ const cli_command command_completion = {
                "~/.config/fish/completions/batten.fish",
     .example = "batten completion bash > ~/.local/share/bash-completion/completions/batten",
     .operands = 1,
+    .words = "bash|zsh|fish",
     .run = run,
 };

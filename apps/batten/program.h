@@ -24,6 +24,7 @@ typedef struct cli_command {
     const char *example; /* lines */
     int operands;        /* how many are needed */
     int more;            /* how many more may follow */
+    const char *words;   /* those that its operand may be, "bash|zsh|fish"; NULL: a file */
     bool lines;          /* its first operand may be many: --lines */
     bool puts_back;      /* its result is a curve, which may go back to its place in a drawing: -o FILE */
     cli_option options[OPTIONS_MAX];

@@ -266,11 +266,21 @@ static bool home(const bat_curve *curve, double gap, double *u) {
     return bat_encounter_at(curve, *u, domain[0], gap);
 }
 
+/* The same, whichever of its places a closed curve's seam goes by. */
+static bool touch_around(const bat_curve *curve, const double x[2], const double y[2], double gap) {
+    const int turns = bat_curve_is_closed(curve) ? 1 : 0;
+    for (int i = -turns; i <= turns; i++) {
+        const double by = i * period_of(curve), moved[2] = {x[0] + by, x[1] + by};
+        if (touch(curve, moved, y, gap)) return true;
+    }
+    return false;
+}
+
 static bool within(const bat_encounter *m, const bat_candidate *x) {
     for (size_t i = 0; i < m->overlap_count; i++) {
         const bat_overlap *o = m->overlaps + i;
         const double v[2] = {fmin(o->v[0], o->v[1]), fmax(o->v[0], o->v[1])};
-        if (touch(m->a, x->u, o->u, m->gap) && touch(m->b, x->v, v, m->gap)) return true;
+        if (touch_around(m->a, x->u, o->u, m->gap) && touch_around(m->b, x->v, v, m->gap)) return true;
     }
     return false;
 }

@@ -155,6 +155,53 @@ class Completions(ProgramTest):
             self.assertEqual(self.complete(*name.split(), "-"), options | {"--help"}, name)
         self.assertEqual(self.complete("curve", "join", "a", "b", "--continuity", ""), {"C0", "C1", "C2"})
         self.assertEqual(self.complete("sketch", "car.svg"), set())
+        self.assertEqual(self.complete("completion", ""), {"bash", "zsh", "fish"})
+        self.assertEqual(self.complete("motion", "--out", ""), set())  # a file
+
+    def words_of_help(self):
+        """Options whose words the help names: each is proposed, and is one that the command takes."""
+        return {("frames", "--kind"): "rmf frenet fixed", ("tangents", "--mode"): "faithful paper",
+                ("tangents", "--default"): "centripetal uniform chordal", ("render", "--to"): "svg png pdf eps",
+                ("render", "--look"): "shaded zebra curvature mean lines", ("sketch", "--pins"): "2 3",
+                ("curve", "region", "--operation"): "union difference intersection exclusion"}
+
+    def test_words_that_are_proposed_are_taken(self):
+        for words, expected in self.words_of_help().items():
+            self.assertEqual(self.complete(*words, ""), set(expected.split()))
+            for word in expected.split():
+                operands = ["missing.json"] * (1 if words[0] in ("frames", "tangents") else 2)
+                if words[0] == "render":
+                    operands[1] = "out.png"
+                more = ["--samples", "2"] if words[0] == "frames" else []
+                self.refused(1, *words[:-1], *operands, *more, words[-1], word)  # bad data, not wrong usage
+
+    @unittest.skipUnless(shutil.which("fish"), "fish is not installed")
+    def test_fish_proposes_the_same(self):
+        script = self.file("b.fish", self.done("completion", "fish").decode())
+        def propose(line):
+            result = subprocess.run(["fish", "--no-config", "-c", f"source {script}; complete -C '{line}'"], capture_output=True, check=True,
+                                    timeout=60, cwd=self.folder)
+            self.assertEqual(result.stderr, b"", line)
+            return {row.split("\t")[0] for row in result.stdout.decode().splitlines()}
+        self.assertLess({"curve", "surface", "fit", "completion"}, propose("batten "))
+        self.assertEqual(propose("batten completion "), {"bash", "zsh", "fish"})
+        self.assertEqual(propose("batten motion --out "), {"b.fish"} | {p.name for p in self.folder.iterdir()})
+        self.assertEqual(propose("batten curve "), {name.split()[1] for name in COMMANDS if name.startswith("curve ")})
+        for words, expected in self.words_of_help().items():
+            self.assertEqual(propose(" ".join(("batten", *words, ""))), set(expected.split()), words)
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
+    def test_zsh_proposes_the_same(self):
+        """Without its line editor: what compadd and _arguments would be given."""
+        script = self.file("_batten", self.done("completion", "zsh").decode())
+        run = ("compdef() :; compadd() print -rl -- $@; _arguments() print -rl -- $@; source $1; shift; words=($@ ''); CURRENT=$#words; _batten")
+        for line, expected in (("batten", "curve surface fit"), ("batten curve", "flatten offset arcs"), ("batten completion", "*:word:(bash|zsh|fish)"),
+                               ("batten curve region", "union|difference|intersection|exclusion)"), ("batten frames", "rmf|frenet|fixed)"),
+                               ("batten motion", "*:file:_files"), ("batten sketch", "-o[ --lossy[ :value:(2|3)")):
+            result = subprocess.run(["zsh", "-f", "-c", run, "zsh", script, *line.split()], capture_output=True, timeout=60, cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, b""), line)
+            for word in expected.split():
+                self.assertIn(word.replace("|", " "), result.stdout.decode(), line)
 
     def test_zsh_and_fish_have_every_command(self):
         for shell in ("zsh", "fish"):

@@ -323,6 +323,29 @@ static void overlaps_are_found(void **state) {
     }
 }
 
+/* Squares that share parts of two sides: where the seam of one lies in such a part, nothing is a crossing. */
+static void seams_lie_in_overlaps(void **state) {
+    (void)state;
+    const double knots[] = {0, 1, 2, 3, 4}, corners[] = {0, 0, 10, 0, 10, 10, 0, 10};
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++) {
+            double x[8], y[8];
+            for (int k = 0; k < 8; k++) {
+                x[k] = corners[(k + 2 * i) % 8];
+                y[k] = corners[(k + 2 * j) % 8] + (k % 2 ? 0 : 5);
+            }
+            bat_curve *a, *b;
+            assert_int_equal(bat_curve_create(2, 1, true, 4, x, 5, knots, &a), BAT_OK);
+            assert_int_equal(bat_curve_create(2, 1, true, 4, y, 5, knots, &b), BAT_OK);
+            bat_meeting meeting;
+            assert_int_equal(bat_curve_intersect(a, b, 1e-8, &meeting), BAT_OK);
+            assert_int_equal(meeting.overlap_count, 2);
+            assert_int_equal(meeting.count, 0);
+            bat_meeting_free(&meeting);
+            bat_curve_free(a), bat_curve_free(b);
+        }
+}
+
 /* ---- a curve that meets itself ---- */
 
 static void loops_have_closed_forms(void **state) {
@@ -425,6 +448,7 @@ int main(void) {
         cmocka_unit_test(crossings_are_those_of_fine_polylines),
         cmocka_unit_test(space_curves_meet_where_they_were_made_to),
         cmocka_unit_test(overlaps_are_found),
+        cmocka_unit_test(seams_lie_in_overlaps),
         cmocka_unit_test(loops_have_closed_forms),
         cmocka_unit_test(own_crossings_are_those_of_fine_polylines),
         cmocka_unit_test(bad_arguments),
