@@ -11,6 +11,34 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Outlines are closed, and as far from the curve as the width says. */
+static void outline(const bat_curve *curve, unsigned kind, double size) {
+    const bat_nib nib = {0.2 * size, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4},
+                  other = {0.1 * size, (bat_cap)(kind % 3), (bat_join)(kind / 3 % 3), 1 + kind % 5};
+    size_t count;
+    bat_curve **all;
+    if (bat_curve_outline(curve, &other, 1e-3 * size, 0.02, &count, &all, NULL) == BAT_OK)
+        bat_curves_free(count, all);
+    if (bat_curve_outline(curve, &nib, 1e-3 * size, 0.02, &count, &all, NULL) == BAT_OK) {
+        for (size_t i = 0; i < count; i++) {
+            double u[16], x[2];
+            bat_near near;
+            if (!bat_curve_is_closed(all[i])) abort();
+            bat_curve_spread(all[i], 16, u);
+            for (int k = 0; k < 16; k++) {
+                bat_curve_eval(all[i], u[k], 0, x);
+                if (bat_curve_nearest(curve, x, &near) != BAT_OK) abort();
+                if (fabs(near.distance - 0.1 * size) > 1.3e-3 * size) abort();
+            }
+        }
+        bat_curves_free(count, all);
+    }
+    const bat_region region = {1, &curve, kind & 1};
+    if (bat_region_offset(&region, (kind & 2 ? 0.05 : -0.05) * size, (bat_join)(kind % 3), 4, 1e-3 * size,
+                          0.02, &count, &all) == BAT_OK)
+        bat_curves_free(count, all);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 enum { MOST = 12 };
@@ -166,6 +194,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             make(a, scale);
             beside(a, ((int)(size % 64) - 32) * 0.02 * scale, scale);
             if (b) relate(a, b, scale);
+            outline(a, (unsigned)(size % 64), scale);
             if (b) unite(a, b, (bat_region_operation)(size % BAT_REGION_OPERATION_COUNT), scale);
         }
     }

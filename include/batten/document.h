@@ -12,6 +12,7 @@
 #include <batten/mesh.h>
 #include <batten/motion.h>
 #include <batten/recipe.h>
+#include <batten/relate.h>
 #include <batten/relief.h>
 #include <batten/surface.h>
 #include <batten/tangents.h>
@@ -23,9 +24,6 @@ extern "C" {
 
 typedef uint64_t bat_id;                /* 0: none. Ids are given by the document, ascending, never reused. */
 #define BAT_ID_MAX ((bat_id)2147483647) /* the greatest id, here and in files: display lists have 32 bits */
-
-typedef enum bat_cap { BAT_CAP_BUTT, BAT_CAP_ROUND, BAT_CAP_SQUARE } bat_cap;
-typedef enum bat_join { BAT_JOIN_MITER, BAT_JOIN_ROUND, BAT_JOIN_BEVEL } bat_join;
 
 typedef struct bat_style {
     bool stroked, filled;

@@ -20,6 +20,18 @@ BAT_API const char *bat_editor_layers(bat_editor *editor);
  * separated by spaces, with a star behind the name of a switch that is on. Empty unless the select tool is in force, which shows what is selected. Owned by the
  * editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_actions(bat_editor *editor);
+/* The names of the properties of the style in which the selected objects differ, separated by spaces; "" when they agree, or
+ * nothing is selected. Owned by the editor, valid until the next call of it; NULL: out of memory. O(selected). */
+BAT_API const char *bat_editor_mixed(bat_editor *editor);
+/* The colours that strokes and fills of the drawing have, at most 64, the most frequent first, as numbers 0xRRGGBBAA separated by
+ * spaces. Owned by the editor, valid until the next call of it; NULL: out of memory. O(objects log objects). */
+BAT_API const char *bat_editor_colours(bat_editor *editor);
+/* The steps that can be undone and redone, oldest first, as JSON: {"done": how many of them are done,"steps":[what each did,
+ * in words]}. Owned by the editor, valid until the next call of it; NULL: out of memory. O(steps). */
+BAT_API const char *bat_editor_history(bat_editor *editor);
+/* Undoes or redoes steps until `done` of them are done. BAT_ARGUMENT: there are not so many; BAT_STATE: a drag is under way, or
+ * the document is read-only. */
+BAT_API bat_status bat_editor_go(bat_editor *editor, int done);
 /* Moves a layer to the place of another one beside it: in front of it when it comes from behind, otherwise behind
  * it. This is a step of the history. BAT_ARGUMENT: the two are not layers with the same parent. */
 BAT_API bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target);

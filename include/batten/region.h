@@ -40,6 +40,17 @@ BAT_API bat_status bat_regions_combine(bat_region_operation operation, size_t re
                                        const bat_region *regions, double tolerance, size_t *count,
                                        bat_curve ***out);
 
+/*
+ * The region grown by a distance in document units, or (distance < 0) shrunk: all that lies within it of the region, or all
+ * of the region that does not lie within it of its boundary. Corners that open are made as the join says. Holes and curves
+ * that lie within each other count together; the result is as that of bat_regions_combine, with nothing left where the
+ * distance is too great. corner as bat_curve_offset. BAT_ARGUMENT: an open curve, or a distance below 8 tolerances;
+ * else as bat_regions_combine and bat_curve_outline.
+ */
+BAT_API bat_status bat_region_offset(const bat_region *region, double distance, bat_join join,
+                                     double miter_limit, double tolerance, double corner, size_t *count,
+                                     bat_curve ***out);
+
 #ifdef __cplusplus
 }
 #endif

@@ -100,6 +100,27 @@ BAT_API bat_status bat_curve_arcs(const bat_curve *curve, double tolerance, doub
  */
 BAT_API bat_status bat_curve_offset(const bat_curve *curve, double distance, double tolerance, double corner,
                                     size_t *count, bat_curve ***out, double *max_error);
+
+typedef enum bat_cap { BAT_CAP_BUTT, BAT_CAP_ROUND, BAT_CAP_SQUARE } bat_cap;
+typedef enum bat_join { BAT_JOIN_MITER, BAT_JOIN_ROUND, BAT_JOIN_BEVEL } bat_join;
+
+typedef struct bat_nib {
+    double width; /* of the stroke, document units, > 0 */
+    bat_cap cap;  /* of open curves */
+    bat_join join;
+    double miter_limit; /* at least 1: mitres longer than this many widths are bevelled */
+} bat_nib;
+
+/*
+ * The outline of a stroke along a planar curve: closed curves that do not cross and have the stroke to the left where y
+ * points up (both fill rules give the same), smooth where the curve is. The stroke is all that lies within half the width of
+ * the curve; caps, mitres and bevels are added or cut off as SVG draws them. tolerance, corner, *max_error, *count and *out as
+ * bat_curve_offset. No curve is made of a point. A bevel that another stretch of the curve covers in part is cut off all the
+ * same, by less than half a width. BAT_ARGUMENT: a width or a limit out of range; BAT_SINGULAR: the pieces do not
+ * fit together with this tolerance, and another may do. docs/math/relate.md 7.
+ */
+BAT_API bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance,
+                                     double corner, size_t *count, bat_curve ***out, double *max_error);
 /* The curves and their array; NULL is fine. */
 BAT_API void bat_curves_free(size_t count, bat_curve **curves);
 

@@ -184,6 +184,16 @@ bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size) {
 const char *bat_editor_layers(bat_editor *editor) { return bat_panel_layers(&editor->context); }
 
 const char *bat_editor_actions(bat_editor *editor) { return bat_panel_actions(&editor->context); }
+const char *bat_editor_history(bat_editor *editor) { return bat_panel_history(&editor->context); }
+
+bat_status bat_editor_go(bat_editor *editor, int done) {
+    if (editor->session.busy) return BAT_STATE;
+    return settled(editor, bat_history_go(&editor->context, done));
+}
+
+const char *bat_editor_colours(bat_editor *editor) { return bat_panel_colours(&editor->context); }
+
+const char *bat_editor_mixed(bat_editor *editor) { return bat_panel_mixed(&editor->context); }
 
 bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target) {
     return settled(editor, bat_layer_place(&editor->context, id, target));

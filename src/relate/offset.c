@@ -20,6 +20,9 @@ static const double SMALL = 1e-3;  /* tolerances: what is left of a cusp */
 typedef struct parallel {
     double distance, tolerance, corner;
     bat_chain *chain;
+    bat_brim *brim; /* NULL: round */
+    double way;     /* -1: along the reversed curve */
+    bool around;    /* the end of the curve lies before what comes next */
     double end[2], tangent[2], start[2], first[2];
 } parallel;
 
@@ -174,15 +177,79 @@ static bat_status round_off(const parallel *p, const double *centre, const doubl
     return BAT_OK;
 }
 
-/* From the end of what has been made to a place of the parallel around `centre`, where the curve goes on. A curve that turns
- * back has its outside on both sides. */
-static bat_status reach_out(const parallel *p, const double *centre, const double *point, const double *t) {
+/* ---- corners and ends that are not round ---- */
+
+static void put_line(bat_patch *patch, double x, double y, double far) {
+    double *line = patch->lines[patch->count++];
+    line[0] = x, line[1] = y, line[2] = far;
+}
+
+/* A straight way from the end of what has been made, over up to two places, to a point. */
+static bat_status by_way_of(const parallel *p, int count, double places[2][2], const double *point) {
+    bat_status status = BAT_OK;
+    const double *from = p->end;
+    for (int i = 0; i < count && status == BAT_OK; i++)
+        status = straight(p->chain, from, places[i]), from = places[i];
+    return status == BAT_OK ? straight(p->chain, from, point) : status;
+}
+
+/* The end of an open curve, butt or square, from the tangent s there. */
+static bat_status make_end(const parallel *p, double u, const double *centre, const double *point) {
+    const double *s = p->tangent, far = fabs(p->distance), out = p->brim->cap == BAT_CAP_SQUARE ? far : 0;
+    bat_patch patch = {.u = p->way * u, .point = {centre[0], centre[1]}};
+    double places[2][2] = {{p->end[0] + out * s[0], p->end[1] + out * s[1]},
+                           {point[0] + out * s[0], point[1] + out * s[1]}};
+    put_line(&patch, s[0], s[1], out);
+    put_line(&patch, -s[1], s[0], far);
+    put_line(&patch, s[1], -s[0], far);
+    const bat_status status = bat_brim_add(p->brim, &patch);
+    return status == BAT_OK ? by_way_of(p, out > 0 ? 2 : 0, places, point) : status;
+}
+
+/* A corner that opens by `turn`, mitred as far as the limit goes, or bevelled. */
+static bat_status make_corner(const parallel *p, double u, const double *centre, const double *point,
+                              const double *t, double turn) {
+    const double *s = p->tangent, side = copysign(1, p->distance), far = fabs(p->distance);
+    const double cosine = fmax(bat_cos(0.5 * turn), 0);
+    double m[2] = {-side * (s[1] + t[1]), side * (s[0] + t[0])};
+    const double length = bat_hypot(m[0], m[1]);
+    bat_patch patch = {.u = p->way * u, .point = {centre[0], centre[1]}};
+    if (fabs(turn) > BACK || !(length > 0)) {
+        m[0] = s[0], m[1] = s[1];
+    } else {
+        m[0] /= length, m[1] /= length;
+    }
+    put_line(&patch, -side * s[1], side * s[0], far);
+    put_line(&patch, -side * t[1], side * t[0], far);
+    const bool mitre = p->brim->join == BAT_JOIN_MITER && p->brim->miter_limit * cosine >= 1;
+    if (!mitre) put_line(&patch, m[0], m[1], far * cosine);
+    bat_status status = bat_brim_add(p->brim, &patch);
+    if (status != BAT_OK) return status;
+    double tip[2][2] = {{0}};
+    for (int k = 0; k < 2 && mitre; k++) tip[0][k] = centre[k] + far / cosine * m[k];
+    return by_way_of(p, mitre, tip, point);
+}
+
+/* From the end of what has been made to a place of the parallel around `centre`, where the curve goes on at u. A curve that
+ * turns back has its outside on both sides. */
+static bat_status reach_out(const parallel *p, double u, const double *centre, const double *point,
+                            const double *t) {
     const double *s = p->tangent;
     double turn = bat_atan2(s[0] * t[1] - s[1] * t[0], s[0] * t[0] + s[1] * t[1]);
     const double gap = bat_hypot(p->end[0] - point[0], p->end[1] - point[1]);
     if (fabs(turn) <= p->corner && gap <= 0.1 * p->tolerance) return BAT_OK;
     if (fabs(turn) > BACK) turn = copysign(turn, -p->distance);
-    return turn * p->distance < 0 ? round_off(p, centre, s, turn) : straight(p->chain, p->end, point);
+    if (!(turn * p->distance < 0)) return straight(p->chain, p->end, point);
+    if (p->brim && p->brim->join != BAT_JOIN_ROUND && fabs(turn) > p->corner)
+        return make_corner(p, u, centre, point, t, turn);
+    return round_off(p, centre, s, turn);
+}
+
+/* Around the end of an open curve. */
+static bat_status reach_round(const parallel *p, double u, const double *centre, const double *point) {
+    return p->brim && p->brim->cap != BAT_CAP_ROUND
+               ? make_end(p, u, centre, point)
+               : round_off(p, centre, p->tangent, copysign(BAT_PI, -p->distance));
 }
 
 /* Adds the parallel of a span; where it cannot be followed, at a cusp, the next one that can begins after a corner. */
@@ -204,9 +271,11 @@ static bat_status span(parallel *p, const bat_segment *s, int depth) {
         holds_between(p, s, cubic)) {
         bat_status status = BAT_OK;
         if (p->chain->count)
-            status = reach_out(p, s->b, samples[0], tangents[0]);
+            status = p->around ? reach_round(p, s->from, s->b, samples[0])
+                               : reach_out(p, s->from, s->b, samples[0], tangents[0]);
         else
             memcpy(p->start, samples[0], sizeof p->start), memcpy(p->first, tangents[0], sizeof p->first);
+        p->around = false;
         memcpy(p->end, samples[SAMPLES], sizeof p->end);
         memcpy(p->tangent, tangents[SAMPLES], sizeof p->tangent);
         return status == BAT_OK ? bat_chain_add(p->chain, cubic) : status;
@@ -220,19 +289,52 @@ static bat_status span(parallel *p, const bat_segment *s, int depth) {
     return status == BAT_OK ? span(p, &right, depth + 1) : status;
 }
 
-bat_status bat_offset_raw(const bat_curve *curve, double distance, double tolerance, double corner,
-                          bat_chain *out) {
+/* The spans in order, or each reversed from the last to the first. */
+static bat_status spans(parallel *p, const bat_segment *all, int count) {
+    bat_status status = BAT_OK;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        bat_segment s = all[p->way > 0 ? i : count - 1 - i];
+        if (!(bat_segment_reach(&s) > 0)) continue;
+        if (p->way < 0) {
+            const bat_segment *whole = &all[count - 1 - i];
+            for (int k = 0; k <= s.degree; k++)
+                memcpy(s.b + (size_t)2 * (size_t)k, whole->b + (size_t)2 * (size_t)(s.degree - k),
+                       2 * sizeof *s.b);
+            s.from = -whole->to, s.to = -whole->from;
+        }
+        status = span(p, &s, 0);
+    }
+    return status;
+}
+
+static bat_status raw(const bat_curve *curve, parallel *p, bool around) {
     bat_segment *all;
     int count;
     bat_status status = bat_segments_of(curve, &count, &all);
     if (status != BAT_OK) return status;
-    parallel p = {.distance = distance, .tolerance = tolerance, .corner = corner, .chain = out};
-    for (int i = 0; i < count && status == BAT_OK; i++)
-        if (bat_segment_reach(&all[i]) > 0) status = span(&p, &all[i], 0);
-    if (status == BAT_OK && bat_curve_is_closed(curve) && out->count) {
-        status = reach_out(&p, all[0].b, p.start, p.first);
-        if (status == BAT_OK) memcpy(out->points + 6 * out->count, out->points, 2 * sizeof *out->points);
+    p->way = 1;
+    status = spans(p, all, count);
+    if (status == BAT_OK && around && p->chain->count) {
+        p->way = -1, p->around = true;
+        status = spans(p, all, count);
+        if (status == BAT_OK) status = reach_round(p, -all[0].from, all[0].b, p->start);
     }
+    if (status == BAT_OK && bat_curve_is_closed(curve) && p->chain->count)
+        status = reach_out(p, all[0].from, all[0].b, p->start, p->first);
+    if (status == BAT_OK && (around || bat_curve_is_closed(curve)) && p->chain->count)
+        memcpy(p->chain->points + 6 * p->chain->count, p->chain->points, 2 * sizeof *p->chain->points);
     free(all);
     return status;
+}
+
+bat_status bat_offset_raw(const bat_curve *curve, double distance, double tolerance, double corner,
+                          bat_brim *brim, bat_chain *out) {
+    parallel p = {.distance = distance, .tolerance = tolerance, .corner = corner, .chain = out, .brim = brim};
+    return raw(curve, &p, false);
+}
+
+bat_status bat_offset_around(const bat_curve *curve, double distance, double tolerance, double corner,
+                             bat_brim *brim, bat_chain *out) {
+    parallel p = {.distance = distance, .tolerance = tolerance, .corner = corner, .chain = out, .brim = brim};
+    return raw(curve, &p, true);
 }

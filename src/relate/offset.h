@@ -2,17 +2,32 @@
 #ifndef BATTEN_SRC_RELATE_OFFSET_H
 #define BATTEN_SRC_RELATE_OFFSET_H
 
+#include "relate/brim.h"
+
 #include <batten/curve.h>
+#include <batten/nearest.h>
 
 typedef struct bat_chain {
     int count, room; /* cubics */
     double *points;  /* 3 * count + 1 points of 2 numbers */
 } bat_chain;
 
-/* The parallel of a planar curve at a distance, left positive, within tolerance as measured: corners that open are rounded,
- * others are bridged by a straight line, as the trimming removes it. */
+/* The parallel of a planar curve at a distance, left positive, within tolerance as measured: corners that open are made as
+ * the brim says, which records them (NULL: rounded), others are bridged by a straight line, as the trimming removes it. */
 bat_status bat_offset_raw(const bat_curve *curve, double distance, double tolerance, double corner,
-                          bat_chain *out);
+                          bat_brim *brim, bat_chain *out);
+/* The same along an open curve, around its end, and back: closed. */
+bat_status bat_offset_around(const bat_curve *curve, double distance, double tolerance, double corner,
+                             bat_brim *brim, bat_chain *out);
 bat_status bat_chain_add(bat_chain *chain, const double cubic[8]);
+
+/* ---- trim.c ---- */
+/* Shares of the tolerance that the raw parallel may take, and the removal of its knots. */
+extern const double bat_offset_fit, bat_offset_removal;
+/* What is left of a raw parallel of the curve that the finder has, or (brim) of its brim; *max_error (may be NULL) as
+ * bat_curve_offset. */
+bat_status bat_offset_trim(const bat_curve *raw, bat_finder *finder, double distance, double tolerance,
+                           double corner, const bat_brim *brim, size_t *count, bat_curve ***out,
+                           double *max_error);
 
 #endif

@@ -17,7 +17,8 @@
 enum { PROBES = 16, BISECTIONS = 60, DEPTH_MAX = 20 };
 
 /* Shares of the tolerance: of the raw parallel, of its knots' removal, of crossings; what is too near; what may be missed. */
-static const double FIT = 0.55, REMOVAL = 0.2, GAP = 0.1, NEARER = 0.95, MISSED = 0.05;
+const double bat_offset_fit = 0.55, bat_offset_removal = 0.2;
+static const double GAP = 0.1, NEARER = 0.95, MISSED = 0.05;
 static const double REACH = 6;    /* times sqrt(tolerance * distance): ends that may belong to one crossing */
 static const double SPECK = 4;    /* tolerances: what is smaller is a point, and left out */
 static const double BESIDE = 1.5; /* tolerances: as near to another stretch, a short one says nothing new */
@@ -34,7 +35,8 @@ typedef struct run {
 
 typedef struct trim {
     const bat_curve *raw;
-    bat_finder *finder; /* of the curve itself */
+    const bat_finder *finder; /* of the curve itself */
+    const bat_brim *brim;     /* NULL: all round */
     double distance, tolerance, domain[2];
     bool closed;
     int change_count, change_room;
@@ -51,13 +53,18 @@ typedef struct place {
     double bend;     /* how much the distance may bend upwards there, along the parallel */
 } place;
 
+/* How far a point is outside of what lies within the distance, or (brim) of the brim. */
+static double depth_at(const trim *t, const double *x) {
+    bat_near near;
+    bat_finder_nearest(t->finder, x, &near);
+    return t->brim ? bat_brim_depth(t->brim, x, &near, fabs(t->distance)) : near.distance - fabs(t->distance);
+}
+
 static place place_at(const trim *t, double u) {
     place p = {.u = u};
-    bat_near near;
     double x[6];
     bat_curve_eval(t->raw, u, 2, x);
-    bat_finder_nearest(t->finder, x, &near);
-    p.depth = near.distance - fabs(t->distance);
+    p.depth = depth_at(t, x);
     const double v = bat_hypot(x[2], x[3]), own = v > 0 ? fabs(x[2] * x[5] - x[3] * x[4]) / (v * v * v) : 0;
     p.bend = own + 1 / fabs(t->distance);
     return p;
@@ -371,30 +378,43 @@ static double measured(const trim *t) {
         const int n = PROBES * bat_curve_segment_count(curve);
         for (int k = 0; k <= n; k++) {
             double point[2];
-            bat_near near;
             bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * k / n, 0, point);
-            bat_finder_nearest(t->finder, point, &near);
-            worst = fmax(worst, fabs(near.distance - fabs(t->distance)));
+            worst = fmax(worst, fabs(depth_at(t, point)));
         }
     }
     return worst;
 }
 
-static bat_status parallels(trim *t, const bat_curve *curve, double corner) {
+bat_status bat_offset_trim(const bat_curve *raw, bat_finder *finder, double distance, double tolerance,
+                           double corner, const bat_brim *brim, size_t *count, bat_curve ***out,
+                           double *max_error) {
+    trim t = {.raw = raw, .finder = finder, .brim = brim, .distance = distance, .tolerance = tolerance};
+    const bat_status status = cut_off(&t, corner);
+    free(t.changes), free(t.runs);
+    if (status != BAT_OK) {
+        bat_curves_free(t.count, t.out);
+        return status;
+    }
+    if (max_error) *max_error = measured(&t);
+    *count = t.count, *out = t.out;
+    return BAT_OK;
+}
+
+static bat_status parallels(const bat_curve *curve, double distance, double tolerance, double corner,
+                            size_t *count, bat_curve ***out, double *max_error) {
     bat_chain chain = {0};
     bat_curve *raw = NULL;
-    bat_status status = bat_offset_raw(curve, t->distance, FIT * t->tolerance, corner, &chain);
+    bat_finder *finder = NULL;
+    bat_status status = bat_offset_raw(curve, distance, bat_offset_fit * tolerance, corner, NULL, &chain);
     if (status == BAT_OK && chain.count)
         status = bat_curve_from_bezier(2, 3, bat_curve_is_closed(curve), chain.count, chain.points, corner,
-                                       REMOVAL * t->tolerance, &raw, NULL);
+                                       bat_offset_removal * tolerance, &raw, NULL);
     free(chain.points);
-    if (status == BAT_OK && raw) status = bat_finder_create(curve, &t->finder);
-    if (status == BAT_OK && raw) {
-        t->raw = raw;
-        status = cut_off(t, corner);
-    }
+    if (status == BAT_OK && raw) status = bat_finder_create(curve, &finder);
+    if (status == BAT_OK && raw)
+        status = bat_offset_trim(raw, finder, distance, tolerance, corner, NULL, count, out, max_error);
     bat_curve_free(raw);
-    free(t->changes), free(t->runs);
+    bat_finder_free(finder);
     return status;
 }
 
@@ -403,22 +423,21 @@ bat_status bat_curve_offset(const bat_curve *curve, double distance, double tole
     if (!curve || !count || !out || !(tolerance > 0) || !(corner >= 0)) return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
     if (!(fabs(distance) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
-    trim t = {.distance = distance, .tolerance = tolerance};
-    bat_status status;
+    size_t made = 0;
+    bat_curve **all = NULL;
+    double error = 0;
+    bat_status status = BAT_OK;
     if (distance == 0) {
-        bat_curve *copy;
-        status = bat_curve_copy(curve, &copy);
-        if (status == BAT_OK) status = hand_over(&t, copy);
+        all = calloc(1, sizeof *all);
+        status = all ? bat_curve_copy(curve, all) : BAT_MEMORY;
+        if (status != BAT_OK) free(all);
+        made = 1;
     } else {
-        status = parallels(&t, curve, corner);
+        status = parallels(curve, distance, tolerance, corner, &made, &all, max_error ? &error : NULL);
     }
-    if (status == BAT_OK && max_error) *max_error = t.finder ? measured(&t) : 0;
-    bat_finder_free(t.finder);
-    if (status != BAT_OK) {
-        bat_curves_free(t.count, t.out);
-        return status;
-    }
-    *count = t.count, *out = t.out;
+    if (status != BAT_OK) return status;
+    if (max_error) *max_error = error;
+    *count = made, *out = all;
     return BAT_OK;
 }
 

@@ -161,6 +161,35 @@ class Operations(ProgramTest):
         self.refused(2, "curve", "region", square, square, "--tolerance", "0")
         self.refused(2, "curve", "region", square)
 
+    def test_outline(self):
+        """Strokes along random polylines, which often cross themselves, cover what shapely's buffers do."""
+        try:
+            import shapely.geometry
+        except ImportError:
+            self.skipTest("shapely is not installed")
+        random = numpy.random.default_rng(6)
+        for i in range(12):
+            points = random.uniform(0, 10, (5, 2)).tolist()
+            name = self.file("s.json", {"degree": 1, "closed": False, "knots": [0, 0, 1, 2, 3, 4, 4], "points": points})
+            cap, join = ("butt", "round", "square")[i % 3], ("miter", "round", "bevel")[i // 3 % 3]
+            made = self.json("curve", "outline", name, "--width", "0.8", "--cap", cap if join != "bevel" else "round",
+                             "--join", join, "--miter-limit", "1000", "--tolerance", "1e-5")
+            buffer = shapely.geometry.LineString(points).buffer(
+                0.4, quad_segs=256, join_style={"miter": 2, "round": 1, "bevel": 3}[join], mitre_limit=1000,
+                cap_style={"butt": 2, "round": 1, "square": 3}[cap if join != "bevel" else "round"])
+            area = 0
+            for curve in made:
+                self.assertTrue(curve["closed"])
+                self.assertLess(curve["report"]["max_error"], 1.2e-5)
+                del curve["report"]
+                flat = numpy.array(self.json("curve", "flatten", self.file("o.json", curve), "--tolerance", "1e-6")["points"])
+                area += float(numpy.sum(flat[:-1, 0] * flat[1:, 1] - flat[:-1, 1] * flat[1:, 0])) / 2
+            self.assertAlmostEqual(area, buffer.area, 2)
+        self.assertIn("in the plane", self.refused(1, "curve", "outline", self.space, "--width", "1"))
+        self.refused(2, "curve", "outline", self.curve)
+        self.refused(2, "curve", "outline", self.curve, "--width", "0")
+        self.refused(2, "curve", "outline", self.curve, "--width", "1", "--cap", "flat")
+
     def test_intersect(self):
         parabola = {"degree": 2, "closed": False, "knots": [0, 0, 0, 1, 1, 1], "points": [[-1, 1], [0, -1], [1, 1]]}
         a, b = self.file("p.json", parabola), self.file("l.json", line([-2, 0.25], [2, 0.25]))

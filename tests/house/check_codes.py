@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The numbers that the engine and the page share are defined in one place: input.h, frame.h and panels.h of
-include/batten (and the caps and joins of document.h). web/engine/codes.js is generated from them, and no other script
+include/batten (and the caps and joins of relate.h). web/engine/codes.js is generated from them, and no other script
 of the page may define them.
 
 Usage: check_codes.py ROOT [--write]. Exit status 1 when codes.js differs from the headers. --write: regenerates it.
@@ -21,7 +21,7 @@ WIDTH = 118
 def enums(root):
     """Every name of an enum of these headers, with its number."""
     found = {}
-    for name in ("input", "frame", "panels", "document"):
+    for name in ("input", "frame", "panels", "relate"):
         text = (root / "include" / "batten" / f"{name}.h").read_text("utf-8")
         text = re.sub(r"/\*.*?\*/", " ", text, flags=re.S)
         for body in re.findall(r"enum(?:\s+\w+)?\s*\{(.*?)\}", text, re.S):

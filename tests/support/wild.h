@@ -155,6 +155,9 @@ static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *
         bat_editor_outline(editor, what == 134 ? 0 : session_byte(bytes), 40);
         bat_editor_outline_points(editor, wild_id(editor, bytes));
         bat_editor_unshown(editor);
+        bat_editor_mixed(editor);
+        bat_editor_colours(editor);
+        bat_editor_history(editor);
         bat_editor_holds(editor);
         bat_editor_said(editor);
     } else if (what < 141) {

@@ -59,6 +59,13 @@ static uint64_t add_region(uint64_t d, const bat_curve *curve, const bat_curve *
     d = add(d, (uint64_t)bat_regions_combine(BAT_REGION_EXCLUSION, 2, both, 1e-3, &count, &all));
     for (size_t i = 0; i < count; i++) d = bat_digest_double(d, bat_curve_area(all[i]));
     bat_curves_free(count, all);
+    d = add(d, (uint64_t)count), count = 0, all = NULL;
+    const bat_nib nib = {0.3, BAT_CAP_BUTT, BAT_JOIN_MITER, 4};
+    d = add(d, (uint64_t)bat_curve_outline(curve, &nib, 1e-2, 0.1, &count, &all, NULL));
+    bat_curves_free(count, all);
+    d = add(d, (uint64_t)count), count = 0, all = NULL;
+    d = add(d, (uint64_t)bat_region_offset(both, 0.2, BAT_JOIN_ROUND, 4, 1e-2, 0.1, &count, &all));
+    bat_curves_free(count, all);
     return add(d, (uint64_t)count);
 }
 

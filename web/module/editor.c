@@ -48,6 +48,10 @@ int editor_correct(bat_editor *editor, int kind, double wide, double tall, doubl
 MODULE_EXPORT(editor_outline)
 const char *editor_outline(bat_editor *editor, int first, int count);
 MODULE_EXPORT(editor_unshown) const char *editor_unshown(bat_editor *editor);
+MODULE_EXPORT(editor_history) const char *editor_history(bat_editor *editor);
+MODULE_EXPORT(editor_go) int editor_go(bat_editor *editor, int done);
+MODULE_EXPORT(editor_colours) const char *editor_colours(bat_editor *editor);
+MODULE_EXPORT(editor_mixed) const char *editor_mixed(bat_editor *editor);
 MODULE_EXPORT(editor_holds) const char *editor_holds(bat_editor *editor);
 MODULE_EXPORT(editor_outline_points) const char *editor_outline_points(bat_editor *editor, uint32_t id);
 MODULE_EXPORT(editor_choose) int editor_choose(bat_editor *editor, uint32_t id, int point);
@@ -231,6 +235,26 @@ const char *editor_outline(bat_editor *editor, int first, int count) {
 const char *editor_unshown(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_unshown(editor);
+}
+
+const char *editor_history(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_history(editor);
+}
+
+int editor_go(bat_editor *editor, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_go(editor, done);
+}
+
+const char *editor_colours(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_colours(editor);
+}
+
+const char *editor_mixed(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_mixed(editor);
 }
 
 const char *editor_holds(bat_editor *editor) {

@@ -39,6 +39,7 @@ export class Requests {
       [Ask.LOSSES, () => this.#losses()],
       [Ask.KEPT, () => this.#kept()],
       [Ask.OPEN, () => files.pick()],
+      [Ask.HISTORY, () => this.#history()],
     ];
     for (const [asked, run] of requests ? ways : []) {
       if (requests & asked) {
@@ -61,6 +62,11 @@ export class Requests {
   async #export() {
     const { exportDrawing } = await want(import('./export.js'));
     await exportDrawing(this.shell);
+  }
+
+  async #history() {
+    const { show } = await want(import('./history.js'));
+    show(this.shell.engine, this.shell.wake);
   }
 
   async #kept() {

@@ -1,11 +1,42 @@
-// The sheet of styles: how curves look. Fetched when it is first opened.
+// The sheet of styles: how curves look, what is mixed in the selection, the colours of the drawing. Fetched when it is first
+// opened.
 
-import { tell } from '../page/words.js';
+import { Swatches } from './swatches.js';
+import { tell, word } from '../page/words.js';
 
 /** @type {import('./panel.js').Filler['fill']} */
-export function fill({ tables, controls, buttons }, sheet) {
-  sheet.append(tell(document.createElement('h2'), { text: 'shell.style' }),
-    ...tables.properties.filter((row) => row.group === 'style').map((row) => controls.control(row, 'setting')),
-    buttons.row(tables.commands.filter(({ name }) => name.startsWith('style-'))));
-  return { show: () => {} };
+export function fill({ tables, controls, buttons, engine, wake }, sheet) {
+  const swatches = new Swatches(engine, () => {
+    controls.refresh();
+    wake();
+  });
+  const rows = tables.properties.filter((row) => row.group === 'style').map((row) => {
+    const box = controls.control(row, 'setting');
+    const mark = document.createElement('span');
+    mark.className = 'unit';
+    mark.dataset.mixed = row.name;
+    mark.hidden = true;
+    box.append(mark);
+    return row.type === 'colour' ? [box, swatches.make(row.name)] : [box];
+  });
+  sheet.append(tell(document.createElement('h2'), { text: 'shell.style' }), ...rows.flat(),
+    buttons.row(tables.commands.filter(({ name }) => name.startsWith('style-') || name.startsWith('select-same-'))));
+  let shown = '';
+  return {
+    show(frame) {
+      const now = `${frame.selection} ${frame.revision}`;
+      if (now === shown || frame.busy || !sheet.matches(':popover-open')) {
+        return;
+      }
+      shown = now;
+      const mixed = engine.ask('editor_mixed').split(' ');
+      for (const mark of sheet.querySelectorAll('[data-mixed]')) {
+        const element = /** @type {HTMLElement} */ (mark);
+        element.hidden = !mixed.includes(element.dataset.mixed ?? '');
+        element.textContent = element.hidden ? '' : word('shell.mixed');
+      }
+      swatches.refresh();
+      controls.refresh();
+    },
+  };
 }

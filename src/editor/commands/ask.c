@@ -15,6 +15,7 @@ bat_status bat_command_ask(bat_context *c, bat_command_id id) {
                     {BAT_COMMAND_DOWNLOAD_SVG, BAT_ASK_DOWNLOAD_SVG},
                     {BAT_COMMAND_DOWNLOAD_NATIVE, BAT_ASK_DOWNLOAD_NATIVE},
                     {BAT_COMMAND_EXPORT, BAT_ASK_EXPORT},
+                    {BAT_COMMAND_HISTORY, BAT_ASK_HISTORY},
                     {BAT_COMMAND_DOWNLOAD_JOURNAL, BAT_ASK_JOURNAL},
                     {BAT_COMMAND_CUT, BAT_ASK_CUT},
                     {BAT_COMMAND_COPY, BAT_ASK_COPY},

@@ -11,6 +11,8 @@ bat_status bat_command_do(bat_context *c, const char *name);
 bat_status bat_command_bind(bat_context *c, const char *command, const char *keys);
 bat_status bat_property_set(bat_context *c, const char *property, double value);
 bat_status bat_property_get(const bat_context *c, const char *property, double *value);
+/* Undoes or redoes steps until so many of the history are done. BAT_ARGUMENT: it has not so many. */
+bat_status bat_history_go(bat_context *c, int done);
 bat_status bat_layer_place(bat_context *c, bat_id id, bat_id target);
 bat_status bat_layer_activate(bat_context *c, bat_id id);
 bat_status bat_layer_rename(bat_context *c, bat_id id, const char *name);

@@ -1,5 +1,6 @@
 /* Undo and redo. */
 #include "editor/choice/choice.h"
+#include "editor/commands/dispatch.h"
 #include "editor/tables/commands.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -59,4 +60,16 @@ bat_status bat_command_redo(bat_context *c, bat_command_id id) {
     (void)id;
     bat_toolbox_drop_uncommitted(c);
     return tell_step(c, step(c, false), BAT_STRING_NOTICE_REDONE, BAT_STRING_NOTICE_NOTHING_TO_REDO);
+}
+
+bat_status bat_history_go(bat_context *c, int done) {
+    const bat_history *history = &c->session->history;
+    if (done < 0 || done > history->count) return BAT_ARGUMENT;
+    bat_toolbox_drop_uncommitted(c);
+    if (done == history->done) return BAT_OK;
+    const bool back = done < history->done;
+    bat_status status = BAT_OK;
+    while (status == BAT_OK && done != history->done) status = step(c, back);
+    return tell_step(c, status, back ? BAT_STRING_NOTICE_UNDONE : BAT_STRING_NOTICE_REDONE,
+                     back ? BAT_STRING_NOTICE_NOTHING_TO_UNDO : BAT_STRING_NOTICE_NOTHING_TO_REDO);
 }

@@ -42,9 +42,9 @@ bat_status bat_property_get(const bat_context *c, const char *property, double *
         *value = (double)bat_shape_options_of(shape)->frame;
         return BAT_OK;
     }
-    const bat_style *style = bat_property_at(id)->group == BAT_GROUP_STYLE ? bat_styling_selected(c, id)
-                                                                           : NULL;
-    *value = style                                ? bat_styling_value(style, id)
+    const bat_object *styled = bat_property_at(id)->group == BAT_GROUP_STYLE ? bat_styling_selected(c, id)
+                                                                             : NULL;
+    *value = styled                               ? bat_styling_of(styled, id)
              : id == BAT_PROPERTY_PICTURE_SPAN    ? bat_span_value(c)
              : id == BAT_PROPERTY_PICTURE_OPACITY ? bat_tracing_opacity(c)
                                                   : c->settings->values[id];

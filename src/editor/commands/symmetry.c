@@ -1,8 +1,10 @@
-/* The commands that choose the axis of symmetry. */
-#include "base/real.h"
+/* The commands that choose the axis of symmetry, or mirror about a line. */
 #include "document/kind.h"
 #include "editor/choice/choice.h"
 #include "curve/mirror.h"
+#include "editor/choice/selection.h"
+#include "editor/edit/arrange.h"
+#include "editor/edit/symmetry.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/tables/commands.h"
@@ -11,20 +13,6 @@
 #include <math.h>
 
 static const double STRAIGHT = 0.5; /* px: greatest deviation from a straight line */
-
-/* The line through both ends of the curve, if the curve is straight between them. */
-static bool axis_of(const bat_curve *curve, double within, bat_mirror *out) {
-    double ends[2][2], domain[2];
-    if (bat_curve_dimension(curve) != 2 || bat_curve_is_closed(curve)) return false;
-    bat_curve_domain(curve, domain);
-    for (int i = 0; i < 2; i++) bat_curve_eval(curve, domain[i], 0, ends[i]);
-    const double x = ends[1][0] - ends[0][0], y = ends[1][1] - ends[0][1], length = bat_hypot(x, y);
-    if (!(length > within)) return false;
-    *out = (bat_mirror){true, {ends[0][0], ends[0][1]}, {x / length, y / length}};
-    for (size_t i = 0; i < bat_curve_count(curve); i++)
-        if (fabs(bat_mirror_side(out, bat_curve_points(curve) + 2 * i)) > within) return false;
-    return true;
-}
 
 static bat_status choose(bat_context *c, const bat_mirror *axis) {
     bat_status status = bat_session_set_axis(c->session, axis);
@@ -46,11 +34,41 @@ bat_status bat_command_symmetry_axis(bat_context *c, bat_command_id id) {
                                  ? bat_document_at(document, bat_document_find(document, selection->ids[0]))
                                  : NULL;
     if (!line || !bat_object_is(line, BAT_CURVES) || bat_object_curve_count(line) != 1 ||
-        !axis_of(bat_object_curve(line, 0), STRAIGHT * bat_stage_pixel(c->stage), &axis)) {
+        !bat_symmetry_line(bat_object_curve(line, 0), STRAIGHT * bat_stage_pixel(c->stage), &axis)) {
         bat_notice(c, BAT_STRING_NOTICE_AXIS);
         return BAT_STATE;
     }
     return choose(c, &axis);
+}
+
+/* The frontmost straight line of the selection, as an axis; 0: there is none. */
+static bat_id line_among(const bat_context *c, bat_mirror *axis) {
+    const bat_document *document = c->session->document;
+    for (int i = bat_document_count(document) - 1; i >= 0; i--) {
+        const bat_object *object = bat_document_at(document, i);
+        if (bat_selection_has(&c->choice->selection, bat_object_id(object)) &&
+            bat_object_is_made_of_curves(object) && bat_object_curve_count(object) == 1 &&
+            bat_symmetry_line(bat_object_curve(object, 0), STRAIGHT * bat_stage_pixel(c->stage), axis))
+            return bat_object_id(object);
+    }
+    return 0;
+}
+
+bat_status bat_command_mirror_line(bat_context *c, bat_command_id id) {
+    bat_selection *selection = &c->choice->selection;
+    bat_mirror axis;
+    double matrix[6];
+    (void)id;
+    const bat_id line = selection->count > 1 ? line_among(c, &axis) : 0;
+    if (!line) {
+        bat_notice(c, BAT_STRING_NOTICE_SELECT_MIRROR);
+        return BAT_STATE;
+    }
+    bat_selection_remove(selection, line);
+    bat_mirror_matrix(&axis, matrix);
+    const bat_status status = bat_arrange_transform(c, matrix, BAT_STRING_STEP_MIRROR);
+    bat_selection_add(selection, line); /* there is room: it was there */
+    return status;
 }
 
 bat_status bat_command_symmetry_origin(bat_context *c, bat_command_id id) {

@@ -19,6 +19,13 @@ bat_status bat_command_view_fit(bat_context *c, bat_command_id id) {
     return bat_seen_fit(c) ? BAT_OK : BAT_STATE;
 }
 
+bat_status bat_command_view_selection(bat_context *c, bat_command_id id) {
+    (void)id;
+    if (bat_seen_fit_selection(c)) return BAT_OK;
+    bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
+    return BAT_STATE;
+}
+
 static void middle_of(const bat_stage *stage, double middle[2]) {
     middle[0] = stage->view.width / 2;
     middle[1] = stage->view.height / 2;

@@ -18,8 +18,13 @@ double bat_styling_value(const bat_style *style, bat_property_id property);
 bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values);
 /* The style that new curves get. */
 bat_style bat_styling_new(const bat_context *c);
-/* The style of the frontmost selected object, or, for its opacity, of the group that is selected as a whole; NULL: nothing
- * is selected. */
-const bat_style *bat_styling_selected(const bat_context *c, bat_property_id property);
+/* The frontmost selected object, or, for its opacity, the group that is selected as a whole; NULL: nothing is selected. */
+const bat_object *bat_styling_selected(const bat_context *c, bat_property_id property);
+/* The object's value for the property, within its range. */
+double bat_styling_of(const bat_object *object, bat_property_id property);
+/* Gives the object's style, with gradients and dashes, to everything selected, as one step, and to new curves. */
+bat_status bat_styling_take(bat_context *c, const bat_object *from);
+/* Which properties of the style differ among what is selected: a bit for each, in the order of the table. O(selected). */
+uint32_t bat_styling_mixed(const bat_context *c);
 
 #endif

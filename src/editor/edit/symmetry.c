@@ -1,8 +1,10 @@
 #include "editor/edit/symmetry.h"
+#include "base/real.h"
 #include "editor/edit/mirror.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
+#include <math.h>
 
 static bool upright_middle(const bat_context *c, bat_mirror *out) {
     double page[4], box[4], size[2], at[2] = {0, 0};
@@ -76,4 +78,17 @@ bat_status bat_symmetry_finish(bat_context *c, bat_string label) {
     const double pixel = bat_stage_pixel(c->stage);
     if (!axis.on) return BAT_OK;
     return bat_mirror_changes(c, &axis, ways, pixel, c->settings->values[BAT_PROPERTY_TOLERANCE] * pixel);
+}
+
+bool bat_symmetry_line(const bat_curve *curve, double within, bat_mirror *out) {
+    double ends[2][2], domain[2];
+    if (bat_curve_dimension(curve) != 2 || bat_curve_is_closed(curve)) return false;
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i < 2; i++) bat_curve_eval(curve, domain[i], 0, ends[i]);
+    const double x = ends[1][0] - ends[0][0], y = ends[1][1] - ends[0][1], length = bat_hypot(x, y);
+    if (!(length > within)) return false;
+    *out = (bat_mirror){true, {ends[0][0], ends[0][1]}, {x / length, y / length}};
+    for (size_t i = 0; i < bat_curve_count(curve); i++)
+        if (fabs(bat_mirror_side(out, bat_curve_points(curve) + 2 * i)) > within) return false;
+    return true;
 }

@@ -14,6 +14,8 @@ bat_mirror bat_symmetry(bat_context *c);
 bat_mirror bat_symmetry_plane(bat_context *c);
 /* The axis, whether or not symmetry is on. */
 bat_mirror bat_symmetry_axis(bat_context *c);
+/* The line through both ends of a planar curve, if it is straight between them, but for `within`. */
+bool bat_symmetry_line(const bat_curve *curve, double within, bat_mirror *out);
 /* Before a tool's step is committed: mirrors what it changes, if steps of its kind are mirrored. Strokes of the
  * sketch tool state this themselves (stroke.h). */
 bat_status bat_symmetry_finish(bat_context *c, bat_string label);

@@ -104,6 +104,9 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_WIRE_BAKE:
     case BAT_COMMAND_WIRE_REVERT:
         return bat_document_has_followers(c->session->document) && bat_wire_command_fits(c, id);
+    case BAT_COMMAND_CURVE_OFFSET:
+    case BAT_COMMAND_CURVE_OUTLINE: return f->open + f->closed > f->space;
+    case BAT_COMMAND_MIRROR_LINE: return f->roots > 1 && f->open > 0;
     case BAT_COMMAND_TO_PAGE: return f->space > 0;
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;

@@ -8,4 +8,7 @@ void bat_panels_free(bat_panels *panels) {
     free(panels->readings);
     free(panels->tables);
     free(panels->move);
+    free(panels->mixed);
+    free(panels->colours);
+    free(panels->history);
 }

@@ -111,6 +111,31 @@ static bool fit_deep(bat_context *c, const double page[4]) {
     return bat_view_extent_fit(view, &extent);
 }
 
+/* Everything selected with all in it, as it is seen. */
+static bool box_selected(bat_context *c, double box[4]) {
+    const bat_document *document = c->session->document;
+    bat_seen_sync(c);
+    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
+    for (int i = 0; i < c->scene->count && c->choice->selection.count;) {
+        int end = i + 1;
+        if (bat_selection_has(&c->choice->selection, bat_object_id(bat_document_at(document, i)))) {
+            end = bat_document_end(document, i);
+            for (int k = i; k < end && k < c->scene->count; k++) {
+                const bat_scene_entry *entry = &c->scene->entries[k];
+                for (int n = 0; n < 4 && !entry->hidden; n++)
+                    box[n] = n < 2 ? fmin(box[n], entry->box[n]) : fmax(box[n], entry->box[n]);
+            }
+        }
+        i = end;
+    }
+    return box[0] <= box[2] && box[1] <= box[3];
+}
+
+bool bat_seen_fit_selection(bat_context *c) {
+    double box[4];
+    return box_selected(c, box) && bat_view_fit(&c->stage->view, box, margin_of(c));
+}
+
 bool bat_seen_fit(bat_context *c) {
     double page[4], box[4];
     bat_document_page(c->session->document, page);

@@ -1,0 +1,77 @@
+/* batten curve outline: the outline of a stroke along a curve. */
+#include "curves.h"
+
+#include <batten/format.h>
+#include <batten/relate.h>
+
+#include <math.h>
+
+static const double CORNER = 0.02;          /* radians */
+static const double TOLERANCE_SHARE = 1e-4; /* of the sides of the curve's box, where no tolerance is given */
+static const double LIMIT_MAX = 1e6;        /* of mitres */
+static const char *const CAPS[] = {"butt", "round", "square"};
+static const char *const JOINS[] = {"miter", "round", "bevel"};
+
+static int options_of(const cli_arguments *arguments, bat_nib *nib, double *tolerance) {
+    int cap = BAT_CAP_ROUND, join = BAT_JOIN_ROUND;
+    int failed = required_tolerance(arguments, "--width", &nib->width);
+    if (!failed) failed = arguments_choice(arguments, "--cap", CAPS, 3, &cap);
+    if (!failed) failed = arguments_choice(arguments, "--join", JOINS, 3, &join);
+    nib->cap = (bat_cap)cap, nib->join = (bat_join)join, nib->miter_limit = 4;
+    if (!failed && arguments_value(arguments, "--miter-limit"))
+        failed = arguments_number(arguments, "--miter-limit", 1, LIMIT_MAX, &nib->miter_limit);
+    if (!failed && arguments_value(arguments, "--tolerance"))
+        failed = required_tolerance(arguments, "--tolerance", tolerance);
+    return failed;
+}
+
+static int outline(const cli_arguments *arguments, const bat_curve *a, const bat_curve *b) {
+    bat_nib nib;
+    double tolerance = TOLERANCE_SHARE * size_of_both(a, b), error = 0;
+    size_t count = 0;
+    bat_curve **all = NULL;
+    int failed = options_of(arguments, &nib, &tolerance);
+    if (failed) return failed;
+    if (bat_curve_dimension(a) != 2)
+        return fail_data(arguments->operands[0], "points[0]",
+                         "expected 2 numbers, for a curve in the plane, found 3");
+    if (!(tolerance > 0)) tolerance = fmax(TOLERANCE_SHARE * nib.width, 1e-12); /* a point */
+    const bat_status status = bat_curve_outline(a, &nib, tolerance, CORNER, &count, &all, &error);
+    if (status == BAT_SINGULAR)
+        return fail_data(arguments->operands[0], NULL,
+                         "the outline does not close with this tolerance: another --tolerance may do");
+    if (status != BAT_OK) return fail_curve(arguments, status);
+    bat_text report = {0};
+    bat_text_string(&report, "{\"max_error\":");
+    bat_text_number(&report, error);
+    bat_text_string(&report, "}");
+    failed = write_curves(count, all, &report);
+    bat_curves_free(count, all);
+    return failed;
+}
+
+static int run_outline(const cli_arguments *arguments) {
+    bat_nib nib;
+    double tolerance;
+    if (!arguments_value(arguments, "--width")) return fail_usage(arguments->command, "--width is needed");
+    const int failed = options_of(arguments, &nib, &tolerance); /* before any file is read */
+    return failed ? failed : with_curves(arguments, outline);
+}
+
+const cli_command command_curve_outline = {
+    .name = "curve outline",
+    .usage = "CURVE --width W [--cap KIND] [--join KIND] [--miter-limit R] [--tolerance T]",
+    .summary = "The outline of a stroke along a planar curve.",
+    .details = "The result is an array of closed CURVEs that do not cross, each with a \"report\": none is "
+               "further than\n\"max_error\" from where the stroke ends; outer ones run anticlockwise where y "
+               "points up, holes clockwise.",
+    .example = "batten curve outline curve.json --width 4 --cap butt --join miter",
+    .operands = 1,
+    .options = {{"--width", "W", "of the stroke, document units"},
+                {"--cap", "KIND", "butt, round or square, at the ends of an open curve; round by default"},
+                {"--join", "KIND", "miter, round or bevel, at corners; round by default"},
+                {"--miter-limit", "R", "miters longer than so many widths are bevelled; 4 by default"},
+                {"--tolerance", "T", "greatest error, a ten-thousandth of the size by default"}},
+    .lines = true,
+    .run = run_outline,
+};

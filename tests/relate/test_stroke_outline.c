@@ -1,0 +1,176 @@
+/* Outlines of strokes: areas of closed forms; membership against the distance to the curve; joins, caps, crossings; bad data. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <math.h>
+#include <cmocka.h>
+#include <batten/bezier.h>
+#include <batten/measure.h>
+#include <batten/nearest.h>
+#include <batten/relate.h>
+#include "support/random_curve.h"
+
+static const double CORNER = 0.02;
+static const double PI = 3.14159265358979323846;
+
+static bat_curve *polyline(int count, const double *points, bool closed) {
+    double knots[16];
+    bat_curve *curve;
+    for (int i = 0; i < 16; i++) knots[i] = i;
+    assert_int_equal(closed ? bat_curve_create(2, 1, true, (size_t)count, points, count + 1, knots, &curve)
+                            : bat_curve_create_clamped(2, 1, (size_t)count, points, &curve),
+                     BAT_OK);
+    return curve;
+}
+
+static double area_of(const bat_curve *curve, const bat_nib *nib, double tolerance) {
+    size_t count;
+    bat_curve **out;
+    double sum = 0, error;
+    assert_int_equal(bat_curve_outline(curve, nib, tolerance, CORNER, &count, &out, &error), BAT_OK);
+    assert_true(error <= 1.2 * tolerance);
+    for (size_t i = 0; i < count; i++) {
+        assert_true(bat_curve_is_closed(out[i]));
+        sum += bat_curve_area(out[i]);
+    }
+    bat_curves_free(count, out);
+    return sum;
+}
+
+static void areas_of_caps(void **state) {
+    (void)state;
+    bat_curve *line = polyline(2, (const double[]){0, 0, 10, 0}, false);
+    assert_true(fabs(area_of(line, &(bat_nib){2, BAT_CAP_BUTT, BAT_JOIN_ROUND, 4}, 1e-6) - 20) < 1e-5);
+    assert_true(fabs(area_of(line, &(bat_nib){2, BAT_CAP_SQUARE, BAT_JOIN_ROUND, 4}, 1e-6) - 24) < 1e-5);
+    assert_true(fabs(area_of(line, &(bat_nib){2, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4}, 1e-6) - 20 - PI) < 1e-5);
+    bat_curve_free(line);
+}
+
+/* A right angle with legs of 10, width 2: the corner adds a square, a triangle or a quarter of a disc. */
+static void areas_of_joins(void **state) {
+    (void)state;
+    bat_curve *angle = polyline(3, (const double[]){0, 0, 10, 0, 10, 10}, false);
+    static const struct {
+        bat_join join;
+        double limit, corner;
+    } cases[] = {{BAT_JOIN_MITER, 4, 1},
+                 {BAT_JOIN_MITER, 1.2, 0.5},
+                 {BAT_JOIN_BEVEL, 4, 0.5},
+                 {BAT_JOIN_ROUND, 4, 0.785398163397448310}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const bat_nib nib = {2, BAT_CAP_BUTT, cases[i].join, cases[i].limit};
+        assert_true(fabs(area_of(angle, &nib, 1e-6) - 39 - cases[i].corner) < 1e-5);
+    }
+    bat_curve_free(angle);
+    bat_curve *box = polyline(4, (const double[]){0, 0, 10, 0, 10, 10, 0, 10}, true);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const bat_nib nib = {2, BAT_CAP_BUTT, cases[i].join, cases[i].limit};
+        assert_true(fabs(area_of(box, &nib, 1e-6) - 76 - 4 * cases[i].corner) < 1e-5);
+        const bat_nib wide = {22, BAT_CAP_BUTT, cases[i].join, cases[i].limit}; /* nothing is left inside */
+        assert_true(fabs(area_of(box, &wide, 1e-6) - 100 - 440 - 121 * 4 * cases[i].corner) < 1e-3);
+    }
+    bat_curve_free(box);
+}
+
+/* Whether closed curves hold a point: chords, by the winding number. */
+static int winding(size_t count, bat_curve *const *curves, const double *x, double tolerance) {
+    int sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        size_t n;
+        double *points;
+        assert_int_equal(bat_curve_flatten(curves[i], tolerance, &n, &points, NULL), BAT_OK);
+        for (size_t k = 1; k < n; k++) {
+            const double *a = points + 2 * k - 2, *b = a + 2;
+            const double side = (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0]);
+            if (a[1] <= x[1] && b[1] > x[1] && side > 0) sum++;
+            if (a[1] > x[1] && b[1] <= x[1] && side < 0) sum--;
+        }
+        bat_free(points);
+    }
+    return sum;
+}
+
+/* Random curves, a good part of which cross themselves: with round caps and joins, inside is what is near. */
+static void inside_is_near(void **state) {
+    (void)state;
+    random_source r = {1601};
+    int inside = 0, outside = 0, refused = 0;
+    for (int round = 0; round < 40; round++) {
+        bat_curve *curve = random_curve(&r, random_int(&r, 1, 5), 2, random_int(&r, 0, 2),
+                                        random_int(&r, 0, 7));
+        const double size = bat_curve_size(curve), half = size * pow(10, -random_between(&r, 0.4, 1.8));
+        const bat_nib nib = {2 * half, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
+        size_t count;
+        bat_curve **out;
+        double low[2], high[2], error;
+        const bat_status status = bat_curve_outline(curve, &nib, 1e-4 * size, CORNER, &count, &out, &error);
+        if (status != BAT_OK) {
+            assert_int_equal(status, BAT_SINGULAR);
+            print_message("round %d closed %d degree %d points %zu half/size %g:", round,
+                          bat_curve_is_closed(curve), bat_curve_degree(curve), bat_curve_count(curve),
+                          half / size);
+            for (size_t i = 0; i < 2 * bat_curve_count(curve); i++)
+                print_message(" %g", bat_curve_points(curve)[i]);
+            print_message("\n");
+            refused++, bat_curve_free(curve);
+            continue;
+        }
+        assert_true(error <= 1.2e-4 * size);
+        bat_curve_bounds(curve, low, high);
+        for (int k = 0; k < 40; k++) {
+            double x[2];
+            for (int c = 0; c < 2; c++) x[c] = random_between(&r, low[c] - 1.5 * half, high[c] + 1.5 * half);
+            bat_near near;
+            assert_int_equal(bat_curve_nearest(curve, x, &near), BAT_OK);
+            if (fabs(near.distance - half) < 1e-3 * size)
+                continue; /* beside what chords and the tolerance can tell */
+            assert_int_equal(winding(count, out, x, 1e-4 * size), near.distance < half);
+            ++*(near.distance < half ? &inside : &outside);
+        }
+        bat_curves_free(count, out), bat_curve_free(curve);
+    }
+    print_message("%d refused\n", refused);
+    assert_true(inside > 300 && outside > 300 && refused == 0);
+}
+
+/* A loop whose end butts against its own stem: what the stem covers beyond the end is inside. */
+static void an_end_upon_the_stem(void **state) {
+    (void)state;
+    bat_curve *loop = polyline(5, (const double[]){0, 0, 20, 0, 20, 10, 10, 10, 10, 1}, false);
+    const double area = area_of(loop, &(bat_nib){4, BAT_CAP_BUTT, BAT_JOIN_MITER, 4}, 1e-6);
+    /* strips of 20, 10, 10, 9 by 4; at the three corners as much lies twice as the mitres add; 4 by 1 lies twice at the end */
+    assert_true(fabs(area - (49 * 4 - 4)) < 1e-4);
+    bat_curve_free(loop);
+}
+
+static void bad_data(void **state) {
+    (void)state;
+    bat_curve *line = polyline(2, (const double[]){0, 0, 10, 0}, false), **out;
+    size_t count;
+    const bat_nib good = {1, BAT_CAP_BUTT, BAT_JOIN_MITER, 4};
+    bat_nib nibs[] = {good, good, good, good, good};
+    nibs[0].width = 0, nibs[1].width = (double)NAN, nibs[2].miter_limit = 0.5, nibs[3].cap = (bat_cap)7,
+    nibs[4].width = 1e300;
+    for (size_t i = 0; i < sizeof nibs / sizeof *nibs; i++)
+        assert_int_equal(bat_curve_outline(line, &nibs[i], 1e-3, 0.1, &count, &out, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_outline(NULL, &good, 1e-3, 0.1, &count, &out, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_outline(line, &good, 0, 0.1, &count, &out, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_outline(line, &good, 1e-3, (double)NAN, &count, &out, NULL), BAT_ARGUMENT);
+    bat_curve_free(line);
+    bat_curve *dot = polyline(2, (const double[]){3, 3, 3, 3}, false);
+    assert_int_equal(bat_curve_outline(dot, &good, 1e-3, 0.1, &count, &out, NULL), BAT_OK);
+    assert_int_equal(count, 0);
+    bat_curves_free(count, out);
+    bat_curve_free(dot);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(areas_of_caps),  cmocka_unit_test(areas_of_joins),
+        cmocka_unit_test(inside_is_near), cmocka_unit_test(an_end_upon_the_stem),
+        cmocka_unit_test(bad_data),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
