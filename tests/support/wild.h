@@ -179,6 +179,7 @@ static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *
         bat_editor_add_picture(editor, head, size, NULL);
     } else if (what < 153) {
         bat_editor_compact(editor);
+        bat_editor_go(editor, session_byte(bytes) % 8);
     } else if (what < 154) {
         bat_editor_set_read_only(editor, session_byte(bytes) & 1);
     } else if (what < 162) {
