@@ -202,6 +202,9 @@ static bat_status opened(outline *o, const bat_nib *nib, int attempt) {
     return status;
 }
 
+/* Stretches too short for a curve do not fit together either. */
+static bat_status unfit(bat_status status) { return status == BAT_KNOTS ? BAT_SINGULAR : status; }
+
 bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
                              size_t *count, bat_curve ***out, double *max_error) {
     if (!curve || !nib || !count || !out || !(tolerance > 0) || !(corner >= 0) || !(nib->width > 0) ||
@@ -213,10 +216,10 @@ bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double 
     bat_status status = bat_finder_create(curve, &o.finder), made = BAT_SINGULAR;
     for (int i = 0; i < TRIES && status == BAT_OK && made == BAT_SINGULAR; i++) {
         forget(&o);
-        made = start(&o, nib);
+        made = unfit(start(&o, nib));
         if (made == BAT_SINGULAR && bat_curve_is_closed(curve)) {
             forget(&o);
-            made = opened(&o, nib, i);
+            made = unfit(opened(&o, nib, i));
         }
         o.tolerance *= FINER;
     }

@@ -9,8 +9,10 @@
 #include <batten/bezier.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
-#include <batten/relate.h>
+#include <batten/region.h>
 #include "support/random_curve.h"
+
+enum { REGIONS = 30 };
 
 static const double CORNER = 0.02;
 static const double PI = 3.14159265358979323846;
@@ -135,6 +137,52 @@ static void inside_is_near(void **state) {
     assert_true(inside > 300 && outside > 300 && refused == 0);
 }
 
+/* Random closed curves, most of which cross themselves: grown, what is inside or near; shrunk, what is inside and not near. */
+static void regions_grow_and_shrink(void **state) {
+    (void)state;
+    random_source r = {1602};
+    int inside = 0, outside = 0, refused = 0;
+    for (int round = 0; round < REGIONS; round++) {
+        bat_curve *curve = random_curve(&r, random_int(&r, 1, 4), 2, 2, random_int(&r, 1, 6));
+        if (!bat_curve_is_closed(curve)) {
+            bat_curve_free(curve);
+            continue;
+        }
+        const double size = bat_curve_size(curve), far = size * pow(10, -random_between(&r, 0.7, 1.8));
+        const double side = random_int(&r, 0, 1) ? 1 : -1;
+        const bat_region region = {1, (const bat_curve *const *)&curve, random_int(&r, 0, 1) == 1};
+        size_t count;
+        bat_curve **out;
+        double low[2], high[2];
+        const bat_status status = bat_region_offset(&region, side * far, BAT_JOIN_ROUND, 4, 1e-4 * size,
+                                                    CORNER, &count, &out);
+        if (status != BAT_OK) {
+            assert_int_equal(status, BAT_SINGULAR);
+            refused++, bat_curve_free(curve);
+            continue;
+        }
+        bat_curve_bounds(curve, low, high);
+        for (int k = 0; k < 40; k++) {
+            double x[2];
+            for (int c = 0; c < 2; c++) x[c] = random_between(&r, low[c] - 1.5 * far, high[c] + 1.5 * far);
+            bat_near near;
+            assert_int_equal(bat_curve_nearest(curve, x, &near), BAT_OK);
+            const int turns = winding(1, &curve, x, 1e-4 * size);
+            const bool in = region.even_odd ? turns & 1 : turns != 0;
+            /* a boundary with the region on both sides is none: only the outermost one is grown */
+            if (fabs(near.distance - far) < 1e-3 * size || near.distance < 1e-3 * size ||
+                (in && near.distance < far))
+                continue;
+            const bool expected = side > 0 ? in || near.distance < far : in && near.distance > far;
+            assert_int_equal(winding(count, out, x, 1e-4 * size), expected);
+            ++*(expected ? &inside : &outside);
+        }
+        bat_curves_free(count, out), bat_curve_free(curve);
+    }
+    print_message("%d refused, %d inside, %d outside\n", refused, inside, outside);
+    assert_true(inside > 100 && outside > 100 && refused == 0);
+}
+
 /* A loop whose end butts against its own stem: what the stem covers beyond the end is inside. */
 static void an_end_upon_the_stem(void **state) {
     (void)state;
@@ -170,7 +218,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(areas_of_caps),  cmocka_unit_test(areas_of_joins),
         cmocka_unit_test(inside_is_near), cmocka_unit_test(an_end_upon_the_stem),
-        cmocka_unit_test(bad_data),
+        cmocka_unit_test(bad_data),       cmocka_unit_test(regions_grow_and_shrink),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
