@@ -534,6 +534,13 @@ static bat_editor *straight(int n) {
     return editor;
 }
 
+static bat_editor *straight_among(int n) {
+    bat_editor *editor = straight(n);
+    bat_editor_command(editor, "select-all");
+    bat_editor_frame(editor);
+    return editor;
+}
+
 static bat_editor *turned(int n) {
     bat_editor *editor = lines(n);
     bat_editor_command(editor, "view-right");
@@ -678,6 +685,7 @@ const growth_scene growth_scenes[] = {
     {"a mesh of n vertices, bound to a wire, and a curve", bound_and_beside},
     {"two surfaces that cross, and n curves", crossing_sheets},
     {"a straight line beside n", straight},
+    {"a straight line among n, all chosen", straight_among},
     {"n/4 groups, isolated", isolated},
     {NULL, NULL},
 };
