@@ -31,4 +31,5 @@ add_custom_command(TARGET batten_module POST_BUILD VERBATIM
   COMMAND ${CMAKE_COMMAND} -DMODULE=$<TARGET_FILE:batten_module> -DMAP=batten.map -DLATER=${later}
     -DOPT=${WASM_OPT} -DSPLIT=${WASM_SPLIT} "-DFLAGS=${WASM_FEATURES}"
     -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake)
+add_subdirectory(bindings/js)
 add_subdirectory(tests/wasm)

@@ -15,7 +15,7 @@
 #endif
 
 /* For function bodies that become fast when degree and dimension are compile-time constants. */
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(BAT_NO_INLINE)
 #define BAT_INLINE static inline __attribute__((always_inline))
 #else
 #define BAT_INLINE static inline

@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""Reads calls.txt and the public headers, and writes what the packages are made from.
+
+Usage: generate.py ROOT OUT. In OUT: calls.json (the calls, structs and enums; offsets for wasm32), exports.txt (the C
+functions), layout.c (asserts that a compiler for wasm32 lays structs out as calls.json says).
+"""
+import json
+import pathlib
+import re
+import sys
+
+CLASSES = {"bat_curve": "Curve", "bat_finder": "Finder", "bat_frame_chain": "Chain", "bat_shape": "Shape",
+           "bat_shape_live": "LiveShape", "bat_sketch_live": "LiveSketch"}
+SCALARS = {"double": 8, "int": 4, "size_t": 4, "bool": 1}  # sizes on wasm32, which are the alignments too
+FREES = {"Curve": "bat_curve_free", "Finder": "bat_finder_free", "Chain": "bat_frame_chain_free", "Shape": "bat_shape_free",
+         "LiveShape": "bat_shape_live_cancel", "LiveSketch": "bat_sketch_live_cancel"}
+# Called by hand-written parts of the packages.
+ALSO = [*FREES.values(), "bat_free", "bat_version", "bat_status_message", "bat_meeting_free", "bat_frame_chain_many"]
+CONSTANTS = {"BAT_DIMENSION_MAX": 3}
+
+
+class Headers:
+    def __init__(self, root):
+        self.calls, self.header, self.structs, self.enums = {}, {}, {}, {}
+        for path in sorted((root / "include/batten").glob("*.h")):
+            text = re.sub(r"/\*.*?\*/", " ", path.read_text("utf-8"), flags=re.S)
+            for returns, name, parameters in re.findall(r"BAT_API\s+([^;()]*?)\b(bat_\w+)\(([^;]*?)\);", text):
+                self.calls[name] = (" ".join(returns.split()), self.split(parameters))
+                self.header[name] = path.name
+            for body, name in re.findall(r"typedef enum \w+ \{(.*?)\} (\w+);", text, re.S):
+                self.enums[name] = self.words(body)
+            for body, name in re.findall(r"typedef struct \w+ \{(.*?)\} (\w+);", text, re.S):
+                self.structs[name] = body
+
+    @staticmethod
+    def split(parameters):
+        found = []
+        for one in " ".join(parameters.split()).split(","):
+            match = re.fullmatch(r"(.*?)(\w+)((?:\[\w*\])*)", one.strip())
+            if match and match[1]:
+                found.append((match[1].strip() + (" *" if match[3] else ""), match[2]))
+        return found
+
+    @staticmethod
+    def words(body):
+        names, at, found = [], 0, {}
+        for one in body.split(","):
+            if one.strip():
+                name, _, value = (part.strip() for part in one.partition("="))
+                at = int(value) if value else at
+                names.append((name, at))
+                at += 1
+        names = [pair for pair in names if not pair[0].endswith("_COUNT") or pair[0] == "BAT_COUNT"]
+        stem = names[0][0]
+        while len(names) > 1 and not all(name.startswith(stem) for name, _ in names):
+            stem = stem[:-1]
+        stem = stem[:stem.rfind("_") + 1]
+        for name, value in names:
+            found[name[len(stem):].lower()] = value
+        return found
+
+    def fields(self, struct):
+        """(type, name, how many) of each field."""
+        return [field for line in self.structs[struct].split(";") if line.strip() for field in self.declared(line)]
+
+    @staticmethod
+    def declared(line):
+        first, *others = [part.strip() for part in " ".join(line.split()).split(",")]
+        type_, name, room = re.fullmatch(r"(.*?)(\w+)(?:\[(\w+)\])?", first).groups()
+        yield type_.strip(), name, room
+        for other in others:
+            star, name, room = re.fullmatch(r"(\**)(\w+)(?:\[(\w+)\])?", other).groups()
+            yield type_.strip().rstrip("* ").strip() + (" *" if star else ""), name, room
+
+    def place(self, type_):
+        """Size and alignment on wasm32."""
+        if type_.endswith("*"):
+            return 4, 4
+        if type_ in self.enums:
+            return 4, 4
+        if type_ in SCALARS:
+            return SCALARS[type_], SCALARS[type_]
+        layout = self.layout(type_)
+        return layout["size"], layout["align"]
+
+    def layout(self, name):
+        at, most, fields = 0, 1, []
+        for type_, field, room in self.fields(name):
+            size, align = self.place(type_)
+            many = int(CONSTANTS.get(room, room)) if room else 0
+            at = -(-at // align) * align
+            fields.append({"name": field, "type": type_, "room": many, "at": at})
+            at += size * (many or 1)
+            most = max(most, align)
+        return {"size": -(-at // most) * most, "align": most, "fields": fields}
+
+
+def rows(path):
+    """(C name or header, names or None, words or reason) of calls.txt."""
+    for line in path.read_text("utf-8").splitlines():
+        if line.strip() and not line.startswith("#"):
+            name, called, *words = line.split()
+            yield name, None if called == "-" else called, " ".join(words) if called == "-" else words
+
+
+def used(headers, type_, found):
+    """Adds the structs and enums that a type needs."""
+    bare = re.sub(r"\bconst\b|\*", "", type_).strip()
+    if bare in headers.structs and bare not in found and bare not in CLASSES:
+        found[bare] = headers.layout(bare)
+        for inner, _, _ in headers.fields(bare):
+            used(headers, inner, found)
+
+
+def main():
+    root, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    headers = Headers(root)
+    calls, structs = [], {}
+    for name, called, words in rows(root / "bindings/calls.txt"):
+        if called is None:
+            continue
+        returns, parameters = headers.calls[name]
+        given = [word for word in words if not word.startswith("<")]
+        if len(given) != len(parameters):
+            sys.exit(f"calls.txt: {name} has {len(parameters)} arguments, not {len(given)}")
+        for type_, _ in [*parameters, (returns, "")]:
+            used(headers, type_, structs)
+        calls.append({"c": name, "names": called.split(","), "returns": returns,
+                      "returned": next((word[2:-1] for word in words if word.startswith("<")), None),
+                      "args": [[word, type_] for word, (type_, _) in zip(given, parameters)]})
+    used(headers, "bat_frame_arrays", structs)
+    inits = {name: name + "_init" for name in structs if name + "_init" in headers.calls}
+    enums = {name: headers.enums[name] for name in headers.enums
+             if name == "bat_status" or any(name == field["type"] for s in structs.values() for field in s["fields"])
+             or any(name == type_ for call in calls for _, type_ in call["args"])}
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "calls.json").write_text(json.dumps({"calls": calls, "structs": structs, "enums": enums, "inits": inits,
+                                                "classes": CLASSES, "frees": FREES}, indent=None) + "\n")
+    exports = sorted({call["c"] for call in calls} | set(ALSO) | set(inits.values()))
+    (out / "exports.txt").write_text("\n".join(exports) + "\n")
+    lines = ["#include <batten/batten.h>", ""]
+    for name, layout in structs.items():
+        lines.append(f'_Static_assert(sizeof({name}) == {layout["size"]}, "{name}");')
+        lines += [f'_Static_assert(offsetof({name}, {field["name"]}) == {field["at"]}, "{name}.{field["name"]}");'
+                  for field in layout["fields"]]
+    (out / "layout.c").write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()

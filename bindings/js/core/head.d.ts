@@ -1,0 +1,82 @@
+/** Points: flat (x, y, x, y, ...), or each an array or an object. */
+export type Points = ArrayLike<number> | Numbers | readonly (ArrayLike<number> | { x: number; y: number; z?: number } | null)[];
+export type NumberList = ArrayLike<number> | Numbers;
+/** Samples of a pen: pressure from 0 to 1, time in milliseconds. */
+export interface Stroke { points: Points; pressure?: NumberList; time?: NumberList }
+/** Points, and a direction at each; null or zeros: none given. tension: two factors for each point. */
+export interface Spline { points: Points; tangents?: Points; tension?: NumberList; closed?: boolean }
+export type Region = Curve | Curve[] | { curves: Curve[]; evenOdd?: boolean };
+/** target: the smoothed stroke with its transitions, target[strokeFirst] to target[strokeLast] being the stroke. */
+export interface LiveInfo { target: Float64Array; strokeFirst: number; strokeLast: number }
+export type Status = 'memory' | 'argument' | 'number' | 'knots' | 'count' | 'degree' | 'dimension' | 'parameter' | 'tolerance'
+  | 'dot' | 'far' | 'syntax' | 'singular' | 'unsupported' | 'state';
+/** Columns of the frames, three numbers each. */
+export interface FrameArrays { point: Float64Array; t: Float64Array; s: Float64Array; r: Float64Array }
+export interface PathLike {
+  moveTo(x: number, y: number): void;
+  bezierCurveTo(a: number, b: number, c: number, d: number, x: number, y: number): void;
+  closePath(): void;
+}
+
+export class BattenError extends Error {
+  status: Status;
+  code: number;
+  /** With 'tolerance': the best result found. */
+  best?: unknown;
+}
+
+/** Numbers in the module's memory, which calls read and write without a copy. */
+export class Numbers {
+  private constructor();
+  readonly length: number;
+  /** A view, good until the next call: that may enlarge the memory, which leaves the view empty. */
+  readonly values: Float64Array;
+  free(): void;
+}
+
+/** What the module holds. It is freed when nobody holds it any more, or at once by free() or `using`. */
+declare class Handle {
+  protected constructor();
+  free(): void;
+}
+
+export class Curve extends Handle {
+  frames(n: number | ArrayLike<number>, options?: FrameOptions): { u: Float64Array } & FrameArrays;
+  finder(): Finder;
+  trace<P extends PathLike>(path: P, options?: { tolerance?: number }): P;
+  toPath2D(options?: { tolerance?: number }): any;
+  toSVG(options?: { tolerance?: number; decimals?: number }): string;
+  // Curve: the calls of C
+}
+
+export class Finder extends Handle {
+  // Finder: the calls of C
+}
+
+export class Chain extends Handle {
+  many(u: ArrayLike<number>): FrameArrays;
+  // Chain: the calls of C
+}
+
+export class Shape extends Handle {
+  // Shape: the calls of C
+}
+
+export class LiveShape extends Handle {
+  // LiveShape: the calls of C
+}
+
+export class LiveSketch extends Handle {
+  add(...place: number[]): this;
+  // LiveSketch: the calls of C
+}
+
+export class Batten {
+  private constructor();
+  readonly version: string;
+  array(length: number): Numbers;
+  // Batten: the calls of C
+}
+
+/** small: curves, fits and the sketch hand alone; wasm: where the module is, or the module, in place of the package's own. */
+export function load(options?: { small?: boolean; wasm?: string | URL | BufferSource | object }): Promise<Batten>;
