@@ -288,10 +288,12 @@ export class Call {
       const room = this.plan.parsed.find(({ kind }) => kind === 'room');
       if (room) {
         this.values.set('room', 0);
+        this.counting = true;
         const returned = this.#once();
         const counted = this.results.find(({ name }) => name === 'count');
         this.values.set('room', counted ? this.memory.readOne('size_t', counted.at) : returned);
         this.results = [];
+        this.counting = false;
       }
       return this.#once();
     });
@@ -305,7 +307,7 @@ export class Call {
     if (plan.parsed[0]?.ends) {
       this.self.gone();
     }
-    if (this.values.get('room') === 0 && plan.parsed.some(({ kind }) => kind === 'room')) {
+    if (this.counting) {
       return returned;
     }
     if (plan.returns !== 'bat_status') {

@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+"""calls.txt has every public function once: with a name that no other has, or with the reason why it has none; every name in it
+is there. Usage: check_calls.py ROOT
+"""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(root / "bindings"))
+from generate import CLASSES, Headers, rows  # noqa: E402
+
+headers = Headers(root)
+faults, seen, names, whole = [], {}, {}, set()
+for name, called, words in rows(root / "bindings/calls.txt"):
+    if name.endswith(".h"):
+        whole.add(name)
+        continue
+    seen.setdefault(name, []).append(called)
+    if called is None and not words:
+        faults.append(f"{name}: why has it no counterpart?")
+    for one in called.split(",") if called else []:
+        names.setdefault(one, []).append(name)
+        if one.split(".")[0] not in {"b", *CLASSES.values()}:
+            faults.append(f"{one}: of what class?")
+faults += [f"{name}: of {' and '.join(of)}" for name, of in names.items() if len(of) > 1]
+faults += [f"{name}: twice, without two names" for name, called in seen.items() if len(called) > 1 and None in called]
+faults += [f"{name}: is in no header" for name in seen if name not in headers.calls]
+faults += [f"{name}: no such header" for name in whole if not (root / "include/batten" / name).exists()]
+for name in headers.calls:
+    if (name in seen) == (headers.header[name] in whole):
+        faults.append(f"{name} ({headers.header[name]}): {'a line too many' if name in seen else 'not in calls.txt'}")
+text = "\n".join(path.read_text("utf-8") for path in sorted((root / "include/batten").glob("*.h")))
+public = set(re.findall(r"BAT_API[^;]*?\b(bat_\w+)\(", re.sub(r"/\*.*?\*/", " ", text, flags=re.S)))
+faults += [f"{name}: generate.py does not see it" for name in sorted(public - set(headers.calls))]
+print(*faults, sep="\n")
+print(f"{len(public)} public functions, {len(names)} names, {len(faults)} faults")
+sys.exit(bool(faults) or len(public) < 400 or len(names) < 100)

@@ -1,0 +1,70 @@
+// npm pack, then a fresh project without a network: Node, a bundle of esbuild, types.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { after, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+const project = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-npm-'));
+after(() => fs.rmSync(project, { recursive: true }));
+const run = (command, ...args) => execFileSync(command, args, { cwd: project, encoding: 'utf8', env: { ...process.env, npm_config_cache: path.join(project, 'cache'), npm_config_update_notifier: 'false' } });
+const write = (name, text) => fs.writeFileSync(path.join(project, name), text);
+
+const USE = `const b = await load(WHERE);
+const curve = b.fit([[0, 0], [10, 8], [20, 10], [30, 8], [40, 0]], { tolerance: 0.5 });
+const live = b.live({ tolerance: 1 });
+for (let x = 0; x < 60; x++) live.add(x, 9 * Math.sin(x / 9));
+console.log(curve.count, live.preview().count > 3, live.commit().toSVG().startsWith('M0 0C'));`;
+
+test('packed, installed into a fresh project and used', async (t) => {
+  run('npm', 'init', '-y');
+  const packed = run('npm', 'pack', '--silent', path.join(root, 'build/wasm/npm/batten-core')).trim();
+  run('npm', 'install', '--offline', '--no-audit', '--no-fund', path.join(project, packed));
+  const files = fs.readdirSync(path.join(project, 'node_modules/batten-core')).sort();
+
+  await t.test('everything is in it, nothing else', () => {
+    assert.deepEqual(files, ['LICENSE', 'README.md', 'adapters', 'batten-sketch.wasm', 'batten.wasm', 'call.js', 'calls.js', 'error.js',
+      'given.js', 'index.d.ts', 'index.js', 'memory.js', 'package.json', 'path.js']);
+    const told = JSON.parse(fs.readFileSync(path.join(project, 'node_modules/batten-core/package.json'), 'utf8'));
+    assert.equal(told.dependencies, undefined);
+    assert.ok(fs.readFileSync(path.join(root, 'include/batten/base.h'), 'utf8').includes(`"${told.version}"`));
+  });
+  await t.test('the sample of its README runs', () => {
+    const [sample] = /```js\n([^]*?)```/.exec(fs.readFileSync(path.join(project, 'node_modules/batten-core/README.md'), 'utf8')).slice(1);
+    write('readme.mjs', sample);
+    assert.match(run('node', 'readme.mjs'), /^\d+ 0\.\d+ M[-\d. ]+C/);
+  });
+  await t.test('from Node', () => {
+    write('use.mjs', `import { load } from 'batten-core';\n${USE.replace('WHERE', '')}`);
+    assert.match(run('node', 'use.mjs'), /^\d true true\n$/);
+    write('adapters.mjs', `import fitCurve from 'batten-core/fit-curve';\nimport getStroke from 'batten-core/freehand';
+console.log(fitCurve([[0, 0], [5, 5], [10, 0]], 1).length > 0, getStroke([[0, 0], [5, 5], [10, 0]]).length > 9);`);
+    assert.equal(run('node', 'adapters.mjs'), 'true true\n');
+  });
+  await t.test('through a bundle of esbuild, minified', () => {
+    write('bundle.mjs', `import address from 'batten-core/batten.wasm';\nimport { load } from 'batten-core';\n${USE.replace('WHERE', '{ wasm: new URL(address, import.meta.url) }')}`);
+    run('esbuild', 'bundle.mjs', '--bundle', '--minify', '--format=esm', '--platform=node', '--loader:.wasm=file', '--outfile=out/bundle.mjs');
+    assert.match(run('node', 'out/bundle.mjs'), /^\d true true\n$/);
+  });
+  await t.test('with types', () => {
+    write('use.mts', `import { load, BattenError, type Curve } from 'batten-core';
+import fitCurve from 'batten-core/fit-curve';
+const b = await load({ small: false });
+const curve: Curve = b.fit([[0, 0], [1, 2], [3, 4]], { tolerance: 0.5, holdEnds: true });
+const error: number = b.fit(new Float64Array(8)).report.maxError;
+const shape = curve.levels(2, { frame: 'rmf' }).drag(0, 0.5, [0, 1]);
+const [left, right] = curve.split(0.5);
+const path: string = left.join(right, { continuity: 1 }).toSVG();
+const pieces: number[][][] = fitCurve([[0, 0], [1, 1]], 1);
+try { curve.nearest([0, 0]).distance.toFixed(error); } catch (caught) { if (caught instanceof BattenError && caught.status === 'far') throw caught; }
+// @ts-expect-error: no such option
+b.fit([0, 0, 1, 1], { tolerence: 1 });
+// @ts-expect-error: no such word
+curve.levels(2, { frame: 'none' });
+export { shape, path, pieces };`);
+    run(path.join(root, 'tests/web/node_modules/.bin/tsc'), '--noEmit', '--strict', '--target', 'es2022', '--module', 'nodenext', '--lib', 'es2022,dom', 'use.mts');
+  });
+});
