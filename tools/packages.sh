@@ -63,6 +63,8 @@ need_to_test() {
     need fontforge-nox fontforge
     need python3-ezdxf '/usr/lib/python3/dist-packages/ezdxf'
     need python3-pil /usr/lib/python3/dist-packages/PIL
+    need python3-pip /usr/lib/python3/dist-packages/pip
+    need mypy mypy
     need python3-jsonschema /usr/lib/python3/dist-packages/jsonschema
     need librsvg2-bin rsvg-convert
     need poppler-utils pdftocairo

@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+"""The Python package, built by pip and installed into an empty folder: beside scipy, with views, types and errors; and the page
+docs/python.md, whose code is run. Usage: BATTEN_LIBRARY=libbatten.so test_python.py ROOT
+"""
+import doctest
+import gc
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from scipy import integrate, interpolate, optimize
+
+ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
+PLACE = tempfile.TemporaryDirectory()
+subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-index", "--no-deps", "--no-cache-dir", "--target", PLACE.name, ROOT],
+               check=True, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+sys.path.insert(0, PLACE.name)
+import batten  # noqa: E402
+
+X = np.linspace(0, 200, 201)
+WAVE = np.column_stack([X, 40 * np.sin(X / 20)])
+OVER = np.column_stack([X[50:110], 40 * np.sin(X[50:110] / 20) + 8 * np.sin(np.pi * np.arange(60) / 59)])
+PICTURE = ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="-5 -48 210 102" width="420" height="204" fill="none">'
+           '<rect x="-5" y="-48" width="210" height="102" fill="#fff"/>{}</svg>\n')
+
+
+def random_curve(random, degree, dimension):
+    count = int(random.integers(degree + 1, 14))
+    knots = np.r_[np.zeros(degree), np.linspace(0, 1, count - degree + 1), np.ones(degree)]
+    knots[degree + 1:count] = np.sort(random.uniform(0.05, 0.95, count - degree - 1))
+    points = random.normal(size=(count, dimension))
+    return batten.curve(points, knots, degree=degree), knots, points
+
+
+class BesideScipy(unittest.TestCase):
+    def test_values_and_derivatives(self):
+        random = np.random.default_rng(1)
+        for _ in range(30):
+            degree = int(random.integers(1, 6))
+            curve, knots, points = random_curve(random, degree, int(random.integers(2, 4)))
+            u = np.sort(random.uniform(0, 1, 40))
+            got = curve.at_many(u, order=2)
+            for order in range(min(degree, 2) + 1):
+                theirs = np.column_stack(interpolate.splev(u, (knots, list(points.T), degree), der=order))
+                np.testing.assert_allclose(got[:, order], theirs, atol=1e-9 * (1 + abs(theirs).max()))
+
+    def test_knots_in_and_degree_up_keep_the_curve(self):
+        random = np.random.default_rng(2)
+        curve, knots, points = random_curve(random, 3, 2)
+        finer = curve.insert_knot(0.5, times=2)
+        theirs = interpolate.insert(0.5, (knots, list(points.T), 3), m=2)
+        np.testing.assert_allclose(finer.points, np.column_stack(theirs[1])[:finer.count], atol=1e-12)
+        self.assertLess(curve.elevate(5).hausdorff(curve, 1e-9).distance, 1e-9)
+
+    def test_length_and_closest_point(self):
+        curve = batten.fit(WAVE, tolerance=0.01)
+        speed = lambda u: np.hypot(*curve.at(u, order=1)[1])  # noqa: E731
+        theirs = sum(integrate.quad(speed, a, b)[0] for a, b in zip(np.unique(curve.knots), np.unique(curve.knots)[1:]))
+        self.assertAlmostEqual(curve.length(), theirs, delta=1e-6)
+        for place in np.random.default_rng(3).uniform([0, -60], [200, 60], (10, 2)):
+            near = curve.nearest(place)
+            away = lambda u: np.hypot(*(curve.at(float(u)) - place))  # noqa: E731
+            step = (curve.domain[1] - curve.domain[0]) / 300
+            start = min(curve.spread(301), key=away)
+            theirs = optimize.minimize_scalar(away, bounds=(start - step, start + step), method="bounded", options={"xatol": 1e-10})
+            self.assertLessEqual(near.distance, theirs.fun + 1e-9)
+            self.assertAlmostEqual(near.distance, theirs.fun, delta=1e-6)
+
+    def test_fit_has_no_more_knots_than_splprep_for_the_same_error(self):
+        noisy = WAVE + np.random.default_rng(4).normal(scale=0.1, size=WAVE.shape)
+        for points in (WAVE, noisy):
+            ours = batten.fit(points, tolerance=0.5)
+            error = max(ours.nearest(point).distance for point in points)
+            self.assertLessEqual(error, 0.5)
+            spline, _ = interpolate.splprep(points.T, s=len(points) * (error / 2) ** 2)
+            self.assertLessEqual(ours.count, len(spline[1][0]) + 2)
+
+
+class Arrays(unittest.TestCase):
+    def test_forms(self):
+        curve = batten.fit(WAVE)
+        self.assertEqual(batten.fit(WAVE.tolist()), curve)
+        self.assertEqual(batten.fit(WAVE.ravel()), curve)
+        self.assertEqual(batten.fit(np.asfortranarray(WAVE)), curve)
+        space = np.column_stack([WAVE, X])
+        self.assertEqual(batten.fit(space), batten.fit(space.ravel(), dimension=3))
+
+    def test_numbers_are_not_copied(self):
+        from batten._library import doubles
+        self.assertTrue(np.shares_memory(doubles(WAVE, "x"), WAVE))
+        curve = batten.fit(WAVE)
+        points, expected = curve.points, curve.points.copy()
+        self.assertFalse(points.flags.owndata or points.flags.writeable)
+        self.assertEqual(points.ctypes.data, curve.points.ctypes.data)
+        del curve
+        gc.collect()
+        other = [batten.fit(WAVE * k) for k in range(1, 20)]
+        np.testing.assert_array_equal(points, expected)
+        self.assertEqual(len(other), 19)
+
+    def test_memory_is_given_back(self):
+        def rounds(count):
+            for _ in range(count):
+                one = batten.clamped([[0, 0], [1, 2], [3, 3], [4, 0]] * 50)
+                one.flatten(0.01)
+                one.split(1.0)
+                with self.assertRaises(batten.BattenError):
+                    one.elevate(99)
+            gc.collect()
+            return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        self.assertLess(rounds(600) - rounds(200), 3000)  # kB; 600 rounds that kept it would take 15,000
+
+
+class Hands(unittest.TestCase):
+    def test_sketch_live_is_the_same_as_at_once(self):
+        curve = batten.fit(WAVE)
+        drawn, live = curve.sketch(OVER), curve.live()
+        for place in OVER:
+            live.add(*place)
+        self.assertEqual(live.preview().report.target.shape[1], 2)
+        self.assertEqual(live.commit(), drawn)
+        self.assertLess(drawn.nearest(OVER[30]).distance, 1.0)
+        new, again = batten.sketch(OVER), batten.live()
+        again.add_many({"points": OVER, "pressure": np.full(60, 0.5)})
+        self.assertEqual(again.commit(), new)
+
+    def test_spline_frames_levels_regions(self):
+        spline = batten.spline([[0, 0], [10, 20], [30, 5]], tangents=[None, [1, 0], None])
+        near = spline.nearest([10, 20])
+        self.assertLess(near.distance, 1e-9)
+        self.assertAlmostEqual(spline.at(near.u, order=1)[1, 1], 0)
+        u, point, t, s, r = batten.fit(np.column_stack([np.cos(X / 9), np.sin(X / 9), X / 20]), tolerance=1e-3).frames(20)
+        np.testing.assert_allclose(np.cross(t, s), r, atol=1e-12)
+        self.assertEqual((u.shape, point.shape), ((20,), (20, 3)))
+        shape = batten.fit(WAVE, tolerance=0.05).levels(2)
+        before, middle = shape.flatten(), shape.curve(0).domain.mean()
+        target = shape.curve(0).at(middle) + [0, 5]
+        np.testing.assert_allclose(shape.drag(0, middle, [0, 5]).curve(0).at(middle), target, atol=1e-9)
+        self.assertGreater(shape.flatten().hausdorff(before, 0.01).distance, 1)
+        square = batten.clamped([[0, 0], [10, 0], [10, 10], [0, 10], [0, 0]], degree=1).close()
+        other = square.transform([1, 0, 5, 0, 1, 5])
+        self.assertAlmostEqual(batten.combine("difference", [square, [other]], 0.01)[0].area, 75, places=6)
+        self.assertEqual(len(square.intersect(other, 0.01).crossings), 2)
+
+    def test_counts_of_nothing(self):
+        line = batten.clamped([[0, 0], [9, 0]], degree=1)
+        self.assertEqual(line.inflections().size, 0)
+        self.assertEqual(line.nearest_all([4, 3], within=0.5), [])
+        self.assertEqual(len(line.nearest_all([4, 3], within=5)), 1)
+
+
+class Errors(unittest.TestCase):
+    def test_each_says_what_is_wrong(self):
+        curve = batten.fit(WAVE)
+        for status, call in {
+            "count": [lambda: batten.fit([]), lambda: batten.fit([[1, 2]]), lambda: batten.fit(np.zeros(7)), lambda: curve.transform([1]),
+                      lambda: curve.blossom(0.0, [1.0]), lambda: batten.sketch({"points": OVER, "pressure": [1]})],
+            "number": [lambda: batten.fit([[np.nan, 2], [3, 4]]), lambda: curve.insert_knot(np.inf)],
+            "argument": [lambda: batten.fit(None), lambda: batten.fit("x"), lambda: batten.fit([[1, 2], [3]]), lambda: curve.at("a"),
+                         lambda: curve.is_equal(3), lambda: curve.levels(1).gain(7), lambda: batten.combine("both", [], 0.1)],
+            "degree": [lambda: curve.elevate(99)], "far": [lambda: curve.sketch(OVER + 1e4)],
+            "dimension": [lambda: curve.join(curve.to_dimension(3))], "parameter": [lambda: curve.split(1e9)],
+        }.items():
+            for one in call:
+                with self.assertRaises(batten.BattenError) as caught:
+                    one()
+                self.assertIn(caught.exception.status, (status, "parameter") if status == "number" else (status,))
+        with self.assertRaises(TypeError):
+            batten.fit(WAVE, tolerence=1)
+        with self.assertRaises(TypeError):
+            batten.fit()
+        live = curve.live()
+        live.add_many(OVER)
+        live.commit()
+        with self.assertRaisesRegex(batten.BattenError, "committed"):
+            live.preview()
+
+
+class Types(unittest.TestCase):
+    def test_mypy(self):
+        sample = pathlib.Path(PLACE.name) / "sample.py"
+        sample.write_text("import batten\ncurve = batten.fit([[0, 0], [1, 1]], tolerance=0.5)\ncount: int = curve.count\n"
+                          "left, right = curve.split(0.5)\nlength: float = left.join(right).length()\n"
+                          "text: str = curve.at(0.5)\ncurve.levels(2, frame='none')\n")
+        told = subprocess.run(["mypy", "--no-incremental", "--cache-dir=/dev/null", "sample.py"], cwd=PLACE.name, capture_output=True, text=True).stdout
+        self.assertRegex(told, r'sample.py:6: error: Incompatible types')
+        self.assertRegex(told, r'sample.py:7: error: Argument "frame"')
+        self.assertIn("Found 2 errors", told)
+
+
+class Page(unittest.TestCase):
+    def test_its_code_prints_what_it_says(self):
+        names = {}
+        text = (ROOT / "docs/python.md").read_text("utf-8")
+        test = doctest.DocTestParser().get_doctest(text, names, "docs/python.md", "docs/python.md", 0)
+        self.assertGreater(len(test.examples), 20)
+        runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
+        runner.run(test, clear_globs=False)
+        self.assertEqual(runner.summarize(verbose=False).failed, 0)
+        line = '<path d="{}" stroke="{}" stroke-width="{}"/>'
+        made = PICTURE.format("".join(line.format(test.globs[name].to_svg(decimals=1), colour, width) for name, colour, width in
+                                      (("curve", "#9aa5b1", 1), ("drawn", "#2563eb", 1), ("pulled", "#d9480f", 1.5))))
+        picture = ROOT / "docs/pictures/python.svg"
+        if os.environ.get("BATTEN_WRITE_PICTURE"):
+            picture.write_text(made)
+        self.assertEqual(picture.read_text(), made)
+
+
+if __name__ == "__main__":
+    unittest.main()
