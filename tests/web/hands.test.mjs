@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, launch, open, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, launch, open, place, quiet, reveal, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const TABLET = { viewport: { width: 1024, height: 768 }, hasTouch: true };
@@ -188,8 +188,8 @@ for (const [screen, viewport] of [['tablet', { width: 1024, height: 768 }], ['na
     for (const hand of ['right', 'left']) {
       assert.deepEqual(await small(page), []);
       for (const sheet of ['style', 'layers', 'settings', 'menu']) {
-        await page.tap(`[data-name=${sheet}]`);
-        await page.waitForSelector(`#${sheet}:popover-open button, #${sheet}:popover-open input`);
+        await reveal(page, sheet);
+        await page.waitForSelector(`#${sheet} :is(button, input):visible`);
         await settle(page);
         assert.deepEqual(await small(page), [], sheet);
         const inside = await page.$eval(`#${sheet}`, (element) => {

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { bezier, launch, open, place, SCREENSHOTS, settle } from './page.mjs';
+import { bezier, launch, open, place, reveal, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -48,7 +48,7 @@ for (const colorScheme of ['light', 'dark']) {
       await shot('drawn');
       assert.deepEqual(await violations(page), []);
       for (const sheet of ['settings', 'menu']) {
-        await page.click(`[data-name=${sheet}]`);
+        await reveal(page, sheet);
         await settle(page);
         assert.deepEqual(await violations(page), [], sheet);
         await shot(sheet);
@@ -170,7 +170,7 @@ for (const width of [390, 620, 820]) {
     const box = (name) => page.locator(name).boundingBox();
     const bar = await box('#bar');
     for (const sheet of ['style', 'settings', 'layers']) {
-      await page.click(`[data-name=${sheet}]`);
+      await reveal(page, sheet);
       await settle(page);
       const { x, y, width: wide, height } = await box(`#${sheet}`);
       assert.ok(y >= bar.y + bar.height && y + height <= 844 && x >= 0 && x + wide <= width, sheet);
@@ -207,7 +207,7 @@ test('every command and every property of the engine is in the page', async () =
   await page.waitForSelector('#menu [data-command]');
   await page.keyboard.press('Escape');
   for (const sheet of ['style', 'layers', 'settings']) {
-    await page.click(`[data-name=${sheet}]`);
+    await reveal(page, sheet);
     await page.waitForSelector(`#${sheet} h2`);
     await page.keyboard.press('Escape');
   }

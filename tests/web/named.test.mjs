@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, quiet, SCREENSHOTS, state } from './page.mjs';
+import { launch, open, quiet, reveal, SCREENSHOTS, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const JUG = fs.readFileSync(path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples/jug.batten'));
@@ -24,16 +24,16 @@ for (const [locale, colorScheme, words] of [['en', 'light', /^Name \(/], ['ko-KR
     t.after(() => server.close());
     const { page } = await open(browser, server.address, { locale, colorScheme });
     await page.locator('#stage').focus();
-    await page.click('[data-name=layers]');
+    await reveal(page, 'layers');
     await page.waitForSelector('.layer-list li');
     assert.equal(await page.locator('#aids').isVisible(), false, 'nothing to name');
-    await page.click('[data-name=layers]');
+    await reveal(page, 'layers');
     await page.locator('#stage').focus();
     for (const key of ['Shift+Alt+ArrowUp', 'Shift+Alt+ArrowUp', 'Shift+Q', 'Shift+J']) {
       await page.keyboard.press(key);
     }
     await quiet(page);
-    await page.click('[data-name=layers]');
+    await reveal(page, 'layers');
     const fields = page.locator('#aids input');
     await fields.first().waitFor();
     assert.equal(await fields.count(), 2);
@@ -50,7 +50,7 @@ for (const [locale, colorScheme, words] of [['en', 'light', /^Name \(/], ['ko-KR
     await quiet(page);
     assert.equal((await objects(page, 'view'))[0].hidden, true);
     await page.screenshot({ path: path.join(SCREENSHOTS, `named-${locale}.png`) });
-    await page.click('[data-name=layers]');
+    await reveal(page, 'layers');
     await page.locator('#stage').focus();
     for (let i = 0; i < 3; i++) {
       await page.keyboard.press('Control+z');

@@ -144,12 +144,29 @@ export async function launchAt(profile) {
  * @param {import('playwright-core').BrowserContextOptions} [options]
  */
 export async function open(browser, address, options = {}) {
-  const context = await browser.newContext?.({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options }) ?? browser;
+  // Wide enough for the inspector and a drawing of 1,239 x 720.
+  const context = await browser.newContext?.({ viewport: { width: 1544, height: 800 }, acceptDownloads: true, ...options }) ?? browser;
   const page = await context.newPage();
   await page.goto(address);
   await ready(page);
   const client = await context.newCDPSession(page);
   return { context, page, client, hand: new Hand(page, client) };
+}
+
+/** Opens a section of the inspector, or a sheet, and waits until it is filled. @param {string} name */
+export async function reveal(page, name) {
+  if (!['numbers', 'style', 'layers'].includes(name)) {
+    await page.click(`[data-name=${name}]`);
+    return;
+  }
+  if (await page.locator('#inspector').isHidden()) {
+    await page.click('[data-name=inspector]');
+  }
+  await page.waitForSelector(`#${name} .part-head`);
+  if (await page.locator(`#${name}-body`).isHidden()) {
+    await page.click(`[data-name=${name}]`);
+  }
+  await settle(page);
 }
 
 export async function ready(page) {

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import axe from 'axe-core';
-import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, place, reveal, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -80,7 +80,7 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
     const fresh = await state(page);
     await page.focus('#stage');
     await page.keyboard.press('v');
-    await page.click('[data-name="numbers"]');
+    await reveal(page, 'numbers');
     await page.waitForSelector('#number-x', { state: 'attached' });
     assert.equal(await page.locator('#numbers .control:visible').count(), 0);
     const at = await place(page, 592, 103.5);
@@ -111,8 +111,8 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
     await page.keyboard.press('Control+z');
     await settle(page);
     assert.equal((await state(page)).digest, fresh.digest);
-    await page.click('[data-name="numbers"]');
-    assert.equal(await page.isVisible('#numbers'), false);
+    await page.click('[data-name=numbers]');
+    assert.equal(await page.isVisible('#numbers-body'), false);
     await page.click('[data-name="settings"]');
     await page.fill('#setting-grid-spacing', '1/4in');
     await page.keyboard.press('Tab');

@@ -57,14 +57,16 @@ test('what main.js stands on is fetched at once, not import by import', () => {
   assert.deepEqual(preloaded, [...whole].sort());
 });
 
-test('each sheet is fetched by itself, when it is first opened', async (t) => {
+test('the inspector is fetched when the page has been painted, each sheet when it is first opened', async (t) => {
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
   t.after(server.close);
   const { page, context } = await open(browser, server.address);
   const asked = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname.slice(3)));
   const already = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname));
-  const sheets = { numbers: 'numbers', style: 'style', layers: 'layers', settings: 'settings', menu: 'commands' };
+  const sheets = { settings: 'settings', menu: 'commands' };
+  await page.waitForSelector('#layers-body .layer-row');
+  assert.ok(!textOf('index.html').includes('sheets/inspector.js'), 'not with what the page starts with');
   for (const file of Object.values(sheets)) {
     assert.ok(!already.some((where) => where.endsWith(`/sheets/${file}.js`)), `${file} is not there yet`);
   }

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import axe from 'axe-core';
-import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, place, reveal, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -40,11 +40,11 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     await page.keyboard.press('Control+z');
     await settle(page);
     assert.equal((await state(page)).digest, fresh.digest);
-    await page.click('[data-name="style"]');
+    await reveal(page, 'style');
     await settle(page);
     await shot('style');
     await page.keyboard.press('Escape');
-    await page.click('[data-name="layers"]');
+    await reveal(page, 'layers');
     await page.click('#layers .layer-commands button >> nth=0');
     await settle(page);
     assert.equal(await page.locator('#layers .layer-row').count(), 2);
@@ -147,7 +147,7 @@ for (const colorScheme of ['light', 'dark']) {
     await settle(page);
     assert.equal(await page.isVisible('#actions'), false);
     // Three layers; the front one is dragged to the back by its grip, then moved up again with the keyboard.
-    await page.click('[data-name="layers"]');
+    await reveal(page, 'layers');
     for (let i = 0; i < 3; i++) {
       await page.click('#layers [data-text="command.layer-add"]');
     }
@@ -175,7 +175,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-layers-icons.png`) });
     // A new colour keeps the old opacity, which is set beside it.
     await page.keyboard.press('Escape');
-    await page.click('[data-name="style"]');
+    await reveal(page, 'style');
     await page.locator('#style input[type=range]').first().fill('128');
     assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour') & 255), 128);
     await page.locator('#setting-stroke-colour').fill('#ff0000');

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import zlib from 'node:zlib';
-import { expectFaults, inked, launch, open, SCREENSHOTS, settle, state } from './page.mjs';
+import { expectFaults, inked, launch, open, reveal, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -105,7 +105,7 @@ for (const colorScheme of ['light', 'dark']) {
     await give(page, 'drop', 'image/png', twoHalves(400, 200));
     await shownPictures(page, 1);
     const [x, y] = await middle(page);
-    await page.click('[data-name="layers"]');
+    await reveal(page, 'layers');
     await page.waitForSelector('#pictures'); // fetched when it is first opened
     await page.click('#pictures [data-text="command.tool-span"]');
     await page.keyboard.press('Escape');
@@ -153,7 +153,7 @@ for (const colorScheme of ['light', 'dark']) {
     const [x, y] = await middle(page);
     assert.ok((await colourAt(page, x - 100, y))[0] > 240);
     await page.evaluate(() => batten.engine.set('unit', 1));
-    await page.click('[data-name="layers"]');
+    await reveal(page, 'layers');
     await page.click('#pictures [data-text="command.tool-span"]');
     await page.keyboard.press('Escape');
     for (const at of [[x - 150, y], [x + 150, y]]) {

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { bezier, expectFaults, launch, open, place, quiet, ready, SCREENSHOTS, settle } from './page.mjs';
+import { bezier, expectFaults, launch, open, place, quiet, ready, reveal, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -47,7 +47,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.deepEqual(await foreign(page), []);
     await page.evaluate(AXE);
     for (const sheet of ['style', 'layers', 'settings', 'menu']) {
-      await page.click(`[data-name=${sheet}]`);
+      await reveal(page, sheet);
       await settle(page);
       assert.deepEqual(await foreign(page), [], sheet);
       const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }));
@@ -166,7 +166,7 @@ for (const [colorScheme, width] of [['light', 1280], ['dark', 1280], ['light', 8
     assert.equal(Math.round(rail.right), width);
     assert.deepEqual(await overlaps(page), []);
     for (const sheet of ['style', 'layers', 'settings', 'menu']) {
-      await page.click(`[data-name=${sheet}]`);
+      await reveal(page, sheet);
       await page.waitForSelector(`#${sheet} h2`);
       await settle(page);
       assert.deepEqual(await overlaps(page), [], sheet);

@@ -2,7 +2,7 @@
 // tab stop. Fetched once the page has loaded.
 
 /** In page order. */
-const REGIONS = ['#tools', '#rail', '#stage', '#mirror', '#actions', '.foot', '.sheet:popover-open', '#asked', '#pending', '.chips'];
+const REGIONS = ['#tools', '#rail', '#stage', '#mirror', '#actions', '#inspector', '.foot', '.sheet:popover-open', '#asked', '#pending', '.chips'];
 const STOPS = 'button, input, select, textarea, [tabindex]';
 
 /** @param {Element} element */

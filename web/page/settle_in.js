@@ -10,6 +10,9 @@ export async function settleIn(shell) {
   (globalThis.requestIdleCallback ?? setTimeout)(async () => {
     if (await shell.whole.complete()) {
       shell.panel.fetchChips();
+      if (!shell.panel.dock.box.hidden) {
+        void shell.panel.dock.fetch();
+      }
       const { Dial } = await want(import('../stage/dial.js'));
       shell.dial = new Dial(shell.engine, shell.stage, shell.wake);
       shell.wake();

@@ -6,7 +6,7 @@ import { tell } from '../page/words.js';
 /** @typedef {import('./buttons.js').Buttons} Buttons */
 /** @typedef {import('../engine/types.js').Tables} Tables */
 
-const SHEETS = ['numbers', 'style', 'layers', 'settings', 'menu'];
+const SHEETS = ['settings', 'menu'];
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -51,6 +51,8 @@ export function fillBar(tables, buttons) {
     groups.get(group).append(buttons.command(row.name, `command.${row.name}`));
   }
   const theme = buttons.plain('theme', 'shell.theme');
-  groupOf(bar, 'window').append(...SHEETS.map((sheet) => sheetButton(buttons, sheet)), theme);
+  const inspector = buttons.plain('inspector', 'shell.inspector');
+  inspector.setAttribute('aria-controls', 'inspector');
+  groupOf(bar, 'window').append(...SHEETS.map((sheet) => sheetButton(buttons, sheet)), theme, inspector);
   return theme;
 }

@@ -1,7 +1,7 @@
 // The layers sheet: the engine's list, front first, each layer with its name, an eye and a lock; below it the commands,
-// and below those the pictures to trace. Fetched when it is first opened.
+// and below those the pictures to trace: a section of the inspector.
 
-import { icon, loadIcons } from '../page/icons.js';
+import { icon } from '../page/icons.js';
 import { tell, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
@@ -35,21 +35,16 @@ class LayersSheet {
   /**
    * @param {Engine} engine
    * @param {() => void} wake
-   * @param {HTMLElement} sheet
    */
-  constructor(engine, wake, sheet) {
+  constructor(engine, wake) {
     this.engine = engine;
     this.wake = wake;
-    this.sheet = sheet;
     this.shown = '';
     this.list = document.createElement('ul');
     this.list.className = 'layer-list';
     this.aids = document.createElement('ul');
     this.aids.className = 'layer-list';
     this.aids.id = 'aids';
-    const fill = () => void loadIcons('arrange').then(() => this.#fill());
-    sheet.addEventListener('toggle', fill);
-    fill();
   }
 
   /** @param {Frame} frame */
@@ -57,9 +52,7 @@ class LayersSheet {
     const now = `${frame.revision} ${frame.layer}`;
     if (now !== this.shown) {
       this.shown = now;
-      if (this.sheet.matches(':popover-open')) {
-        this.#fill();
-      }
+      this.#fill();
     }
   }
 
@@ -233,7 +226,7 @@ class LayersSheet {
 /** @type {import('./panel.js').Filler['fill']} */
 export function fill({ engine, wake, tables, controls, buttons }, sheet) {
   /** @param {string} name */
-  const heading = (name) => tell(document.createElement('h2'), { text: `shell.${name}` });
+  const heading = (name) => tell(document.createElement('h3'), { text: `shell.${name}` });
   /** @param {(row: CommandRow) => boolean} chosen */
   const row = (chosen) => buttons.row(tables.commands.filter(chosen));
   const pictures = document.createElement('div');
@@ -242,9 +235,9 @@ export function fill({ engine, wake, tables, controls, buttons }, sheet) {
   pictures.append(heading('pictures'),
     ...tables.properties.filter(({ group }) => group === 'picture').map((property) => controls.control(property, 'setting')),
     row(({ name }) => name.startsWith('picture-') || name === 'tool-span'));
-  const layers = new LayersSheet(engine, wake, sheet);
+  const layers = new LayersSheet(engine, wake);
   const aids = document.createElement('div');
   aids.append(heading('aids'), layers.aids);
-  sheet.append(heading('layers'), layers.list, row(({ name }) => name.startsWith('layer-')), aids, pictures);
+  sheet.append(layers.list, row(({ name }) => name.startsWith('layer-')), aids, pictures);
   return layers;
 }

@@ -1,9 +1,12 @@
-// The numbers sheet: position, size and rotation of the selection, entered as text. The engine's table lists the
-// numbers; the engine formats and parses them. Fetched when it is first opened.
+// Position, size and rotation of the selection, entered as text: a section of the inspector. The engine's table lists the
+// numbers; the engine formats and parses them.
 
 import { tell } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
+
+/** Those that stand two in a row, and the signs that they have there. @type {Record<string, string>} */
+const SIGNS = { x: 'X', y: 'Y', width: 'W', height: 'H', turn: '∠' };
 
 class NumbersSheet {
   /**
@@ -16,13 +19,14 @@ class NumbersSheet {
     this.engine = engine;
     this.rows = names.map((name) => {
       const box = document.createElement('div');
-      box.className = 'control number';
+      box.className = name in SIGNS ? 'control number pair' : 'control number';
       const input = document.createElement('input');
       input.type = 'text';
       input.id = `number-${name}`;
       input.autocomplete = 'off';
       const label = tell(document.createElement('label'), { text: `number.${name}` });
       label.htmlFor = input.id;
+      label.dataset.sign = SIGNS[name] ?? '';
       input.addEventListener('change', () => {
         if (input.value === this.engine.number(name)) {
           return; // unchanged: the text is rounded, so entering it would move things
@@ -71,7 +75,6 @@ class NumbersSheet {
 
 /** @type {import('./panel.js').Filler['fill']} */
 export function fill({ engine, wake, tables }, sheet) {
-  sheet.append(tell(document.createElement('h2'), { text: 'shell.numbers' }));
   const numbers = new NumbersSheet(engine, wake, sheet, tables.numbers);
-  return { show: () => void (sheet.matches(':popover-open') && numbers.show()) };
+  return numbers;
 }

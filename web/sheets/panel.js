@@ -5,6 +5,7 @@ import { want } from '../page/build.js';
 import { fillBar } from './bar.js';
 import { Buttons } from './buttons.js';
 import { Controls, SHEET_OF } from './controls.js';
+import { Dock } from './dock.js';
 import { Foot } from './foot.js';
 import { tell } from '../page/words.js';
 
@@ -20,9 +21,6 @@ import { tell } from '../page/words.js';
 /** @type {Record<string, () => Promise<Filler>>} */
 const SHEETS = {
   settings: () => import('./settings.js'),
-  style: () => import('./style.js'),
-  layers: () => import('./layers.js'),
-  numbers: () => import('./numbers.js'),
 };
 
 /** @param {string} id */
@@ -58,6 +56,7 @@ export class Panel {
     /** @type {import('../stage/theme.js').Theme | undefined} */
     this.theme = undefined;
     this.themeButton = fillBar(this.tables, this.buttons);
+    this.dock = new Dock(this);
     this.foot = new Foot(engine, this.tables, this.buttons, this.controls);
     for (const name of Object.keys(SHEETS)) {
       part(name).addEventListener('beforetoggle', () => void this.#sheet(name));
@@ -105,9 +104,11 @@ export class Panel {
   /** Lets the user type a property's value. @param {string} property */
   async ask(property) {
     const group = this.tables.properties.find((row) => row.name === property)?.group ?? '';
-    const sheet = SHEET_OF[group] ?? 'settings';
-    await this.#sheet(sheet);
-    part(sheet).showPopover();
+    const section = SHEET_OF[group];
+    await (section ? this.dock.reveal(section) : this.#sheet('settings'));
+    if (!section) {
+      part('settings').showPopover();
+    }
     const input = /** @type {HTMLInputElement} */ (part(`setting-${property}`));
     input.focus();
     input.select();

@@ -1,8 +1,7 @@
-// The sheet of styles: how curves look, what is mixed in the selection, the colours of the drawing. Fetched when it is first
-// opened.
+// How curves look, what is mixed in the selection, the colours of the drawing: a section of the inspector.
 
 import { Swatches } from './swatches.js';
-import { tell, word } from '../page/words.js';
+import { word } from '../page/words.js';
 
 /** @type {import('./panel.js').Filler['fill']} */
 export function fill({ tables, controls, buttons, engine, wake }, sheet) {
@@ -19,13 +18,13 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
     box.append(mark);
     return row.type === 'colour' ? [box, swatches.make(row.name)] : [box];
   });
-  sheet.append(tell(document.createElement('h2'), { text: 'shell.style' }), ...rows.flat(),
+  sheet.append(...rows.flat(),
     buttons.row(tables.commands.filter(({ name }) => name.startsWith('style-') || name.startsWith('select-same-'))));
   let shown = '';
   return {
     show(frame) {
       const now = `${frame.selection} ${frame.revision}`;
-      if (now === shown || frame.busy || !sheet.matches(':popover-open')) {
+      if (now === shown || frame.busy) {
         return;
       }
       shown = now;
