@@ -116,6 +116,17 @@ for (const [name, hand, options] of [['desk', 0, {}], ['desk-left', 1, {}],
     await page.screenshot({ path: path.join(SCREENSHOTS, `select-actions-${name}.png`) });
     assert.ok(row.y >= stage.y + 22 && row.x >= stage.x + 22, JSON.stringify([row, stage]));
     assert.ok(row.x + row.width <= stage.x + stage.width, JSON.stringify([row, stage]));
+    // Off what is selected and its handles, which are seen in the live items.
+    const off = await page.evaluate(() => {
+      const { live, x, y, zoom, originX, originY } = glance();
+      const all = live.filter(({ role }) => role === 10 || role === 11); // selection, handle
+      const top = Math.min(...all.map((item) => (item.y0 + originY - y) * zoom));
+      const bottom = Math.max(...all.map((item) => (item.y1 + originY - y) * zoom));
+      const box = document.getElementById('actions').getBoundingClientRect();
+      const from = document.getElementById('stage').getBoundingClientRect().top;
+      return Math.max(top - (box.bottom - from), box.top - from - bottom);
+    });
+    assert.ok(Math.abs(off - 12) < 2, String(off));
     await context.close();
   });
 }
@@ -129,9 +140,10 @@ for (const colorScheme of ['light', 'dark']) {
     const at = await place(page, 592, 103.5);
     await hand.stroke([at, at], { pointerType: 'mouse' });
     await page.waitForSelector('#actions:not([hidden])');
+    assert.equal((await shown()).at(-1), 'delete');
+    await page.click('#actions [data-name=further]');
     const one = await shown();
     assert.ok(one.includes('order-front') && one.includes('curve-reverse') && !one.includes('group'), String(one));
-    assert.equal(one.at(-1), 'delete');
     await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-actions-one.png`) });
     await page.focus('#stage');
     await page.keyboard.press('Control+a');

@@ -18,6 +18,9 @@ export class Requests {
     this.commands = undefined;
     /** @type {import('./kept.js').KeptSheet | undefined} */
     this.keptSheet = undefined;
+    /** @type {Promise<import('./context.js').Context> | undefined} */
+    this.context = undefined;
+    shell.input.onpress = (x, y, there) => void this.#menu(x, y, there);
     part('unkept').addEventListener('click', () => void this.#losses());
     part('menu').addEventListener('beforetoggle', () => void this.#commandSheet());
   }
@@ -73,6 +76,15 @@ export class Requests {
     const { KeptSheet } = await want(import('./kept.js'));
     this.keptSheet ??= new KeptSheet(this.shell);
     await this.keptSheet.show();
+  }
+
+  /** @param {number} x @param {number} y @param {boolean} there */
+  async #menu(x, y, there) {
+    this.context ??= want(import('./context.js')).then(({ Context }) => Context.make(this.shell));
+    const context = await this.context;
+    if (await this.shell.whole.complete()) {
+      context.show(x, y, there);
+    }
   }
 
   /** The sheet of commands, made on demand. */

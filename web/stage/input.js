@@ -8,6 +8,8 @@ import { Device, Modifier, Phase } from '../engine/codes.js';
 const LINE = 16; // pixels per line of a wheel
 const TICK = 50; // milliseconds between checks of contacts that are down but silent
 const SILENT = 3000; // milliseconds after which a silent contact is no longer checked
+const LONG = 550; // milliseconds of a long press
+const STILL = 5; // pixels that a click or a long press may move
 
 /** @type {Record<string, number>} */
 const DEVICES = { mouse: Device.MOUSE, pen: Device.PEN, touch: Device.TOUCH };
@@ -58,6 +60,10 @@ export class Input {
     this.modifiers = 0; // as last passed on
     this.told = 0; // time of the last samples
     this.ticking = 0;
+    /** A press that has not moved. @type {{ event: PointerEvent, timer: number } | null} */
+    this.press = null;
+    /** Asks for the menu of what fits there. @type {(x: number, y: number, there: boolean) => void} */
+    this.onpress = () => {};
     /** @type {Set<string>} */
     this.held = new Set();
     /** Number of samples and time spent in the engine, for measurements. */
@@ -77,7 +83,7 @@ export class Input {
         this.#tell([this.#sample(event, Phase.LEAVE)]);
       }
     });
-    stage.addEventListener('contextmenu', (event) => event.preventDefault());
+    stage.addEventListener('contextmenu', (event) => this.#menu(event));
     stage.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
     // Safari and some touch screens start a gesture of their own unless touchstart is cancelled.
     stage.addEventListener('touchstart', (event) => event.preventDefault(), { passive: false });
@@ -146,6 +152,40 @@ export class Input {
     return was;
   }
 
+  /** The menu key; a right click is seen when it ends: it may become a drag. @param {MouseEvent} event */
+  #menu(event) {
+    event.preventDefault();
+    if (event.button !== 2 && !(/** @type {PointerEvent} */ (event).pointerType)) {
+      const box = this.stage.getBoundingClientRect();
+      this.onpress(box.left + box.width / 2, box.top + box.height / 3, false);
+    }
+  }
+
+  /** A press begins: of a finger or a pen it may become a long one. @param {PointerEvent} event */
+  #press(event) {
+    clearTimeout(this.press?.timer);
+    const alone = this.contacts.size === 0;
+    const long = event.pointerType !== 'mouse' && event.buttons === 1;
+    this.press = alone && (long || event.button === 2) ? { event, timer: long ? setTimeout(() => this.#pressed(event), LONG) : 0 } : null;
+  }
+
+  /** It was long: it is taken back as a stroke. @param {PointerEvent} event */
+  #pressed(event) {
+    this.press = null;
+    this.#drop(event);
+    this.#tell([this.#sample(event, Phase.CANCEL)]);
+    this.onpress(event.clientX, event.clientY, true);
+  }
+
+  /** A press goes on. @param {PointerEvent} event */
+  #pressing(event) {
+    const from = this.press?.event;
+    if (from && (from.pointerId !== event.pointerId || Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) > STILL)) {
+      clearTimeout(this.press?.timer);
+      this.press = null;
+    }
+  }
+
   /** @param {Pointer[]} samples */
   #tell(samples) {
     const before = performance.now();
@@ -168,6 +208,7 @@ export class Input {
     } catch {
       // The contact is already gone; its end follows as an event.
     }
+    this.#press(event);
     this.#keep(event);
     this.#tell([this.#sample(event, Phase.DOWN)]);
   }
@@ -178,6 +219,7 @@ export class Input {
     const whole = event.getCoalescedEvents?.() ?? [];
     const samples = (whole.length > 0 ? whole : [event]).map((part) => this.#sample(part, phase));
     if (phase === Phase.MOVE) {
+      this.#pressing(event);
       this.#keep(event);
       for (const guess of event.getPredictedEvents?.() ?? []) {
         samples.push(this.#sample(guess, phase, true));
@@ -191,8 +233,14 @@ export class Input {
    * @param {number} phase
    */
   #end(event, phase) {
+    const press = this.press;
+    clearTimeout(press?.timer);
+    this.press = null;
     if (this.#drop(event)) {
       this.#tell([this.#sample(event, phase)]);
+      if (phase === Phase.UP && press?.event.pointerId === event.pointerId && press.event.button === 2) {
+        this.onpress(event.clientX, event.clientY, true);
+      }
     }
   }
 

@@ -32,6 +32,7 @@ export class Loop {
     this.space = undefined;
     /** Number of objects chosen. */
     this.selected = 0;
+    this.tool = 0;
     /** Frames painted and the time taken, for tests and measurements. */
     this.cost = { frames: 0, engine: 0, paint: 0 };
   }
@@ -148,6 +149,7 @@ export class Loop {
     part('welcome').hidden = !empty || frame.live.some((item) => item.role < Role.GRID);
     const { ours } = drawings;
     this.selected = frame.selected;
+    this.tool = frame.tool;
     files.unsaved = frame.unsaved && ours;
     files.edited = files.unsaved || frame.canUndo;
     this.#tellLost(frame.lost);
