@@ -71,6 +71,7 @@ export class Shell {
       this.wake();
     };
     this.panel.theme = theme;
+    this.panel.painter = painter;
     this.panel.themeButton?.addEventListener('click', () => theme.toggle());
     this.words.onchange = (tables) => {
       this.panel.retold(tables);

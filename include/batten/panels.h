@@ -32,8 +32,9 @@ BAT_API const char *bat_editor_history(bat_editor *editor);
 /* Undoes or redoes steps until `done` of them are done. BAT_ARGUMENT: there are not so many; BAT_STATE: a drag is under way, or
  * the document is read-only. */
 BAT_API bat_status bat_editor_go(bat_editor *editor, int done);
-/* Moves a layer to the place of another one beside it: in front of it when it comes from behind, otherwise behind
- * it. This is a step of the history. BAT_ARGUMENT: the two are not layers with the same parent. */
+/* Moves an object to the place of another one: in front of it when it comes from behind, otherwise behind it; from
+ * another group, in front of it and into its group. This is a step of the history. BAT_ARGUMENT: the other is in it, or
+ * one of the two is a layer and they have different parents. */
 BAT_API bat_status bat_editor_place_layer(bat_editor *editor, bat_id id, bat_id target);
 /* The layer that new curves go into; 0: none. */
 BAT_API bat_status bat_editor_activate_layer(bat_editor *editor, bat_id id);
@@ -43,8 +44,8 @@ BAT_API bat_status bat_editor_set_state(bat_editor *editor, bat_id id, bool hidd
 /* The drawing for those who do not see it, in words. Owned by the editor, valid until the next call of either; NULL:
  * out of memory.
  * outline: objects first, first + 1 ... of the document, back to front, at most `count` and 500, as JSON {"total":
- * objects in all, "at": index of the first selected one or -1, "rows":[{"id","level" (1: in no group),"points",
- * "selected","words"}]}.
+ * objects in all, "at": index of the first selected one or -1, "rows":[{"id","state" (bits: 1 holds others, 2 hidden, 4
+ * locked),"name","level" (1: in no group),"points","selected","words"}]}.
  * outline_points: {"at": the chosen point or -1, "points":[words]}, at most 1,000: a spline's points, else the control
  * points of all its curves. */
 BAT_API const char *bat_editor_outline(bat_editor *editor, int first, int count);

@@ -103,7 +103,7 @@ static void of_panels(void **state) {
     REFUSED(BAT_ARGUMENT, bat_editor_activate_layer(editor, 99));
     REFUSED(BAT_ARGUMENT, bat_editor_activate_layer(editor, 1)); /* no layer */
     REFUSED(BAT_OK, bat_editor_activate_layer(editor, 0));
-    REFUSED(BAT_ARGUMENT, bat_editor_place_layer(editor, 1, 2));
+    REFUSED(BAT_ARGUMENT, bat_editor_place_layer(editor, 1, 99));
     pen p = pen_for(editor);
     bat_editor_command(editor, "tool-select");
     drag_to(&p, 500, 200, 520, 260); /* while a drag is under way, none of these changes anything */

@@ -111,7 +111,7 @@ for (const colorScheme of ['light', 'dark']) {
     await key('Control+Shift+z');
 
     // A fader: by keys, then by the pointer, with a preview and one step.
-    const fader = page.getByRole('slider', { name: 'Gain of level 3' });
+    const fader = page.getByRole('slider', { name: 'Strength of Finest detail' });
     await fader.focus();
     await fader.press('ArrowRight');
     await settle(page);
@@ -148,8 +148,9 @@ for (const colorScheme of ['light', 'dark']) {
     // Levels by keys; all of them shown, with their frames.
     await page.locator('#stage').focus();
     await key(']');
-    assert.ok(await page.getByRole('radio', { name: /^Level 1/ }).isChecked());
+    assert.ok(await page.getByRole('radio', { name: /^Detail 1/ }).isChecked());
     await key('[');
+    await page.click('.levels summary');
     await page.locator('#strip-show-levels').check();
     await page.locator('#strip-show-frames').check();
     await settle(page);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, quiet, SCREENSHOTS, state } from './page.mjs';
+import { launch, open, quiet, reveal, SCREENSHOTS, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400"><circle cx="180" cy="200" r="90" fill="none"
@@ -53,7 +53,7 @@ for (const [locale, colorScheme, size] of [['en', 'light', undefined], ['ko-KR',
     await page.locator('#stage').focus();
     await page.keyboard.press('Control+a');
     await quiet(page);
-    await page.evaluate(() => document.getElementById('style').showPopover());
+    await reveal(page, 'style');
     await page.waitForSelector('[data-mixed=stroke-colour]:not([hidden])');
     assert.equal(await page.locator('[data-mixed=stroke-join]').isHidden(), true);
     await shot('mixed');

@@ -155,7 +155,7 @@ export async function open(browser, address, options = {}) {
 
 /** Opens a section of the inspector, or a sheet, and waits until it is filled. @param {string} name */
 export async function reveal(page, name) {
-  if (!['numbers', 'style', 'layers'].includes(name)) {
+  if (!['numbers', 'style', 'objects', 'layers'].includes(name)) {
     await page.click(`[data-name=${name}]`);
     return;
   }

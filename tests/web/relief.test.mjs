@@ -69,7 +69,7 @@ for (const colorScheme of ['light', 'dark']) {
     await shot('bent');
 
     // The level of the scales: louder by its fader, by one step of a key; then muted.
-    const fader = page.getByRole('slider', { name: 'Gain of level 1' });
+    const fader = page.getByRole('slider', { name: /^Strength of (Detail 1|Finest detail)$/ });
     await fader.focus();
     await fader.press('ArrowRight');
     await changed();
@@ -103,6 +103,7 @@ for (const colorScheme of ['light', 'dark']) {
     const square = await relief(page, SCALES);
     await page.keyboard.press('l');
     await tap(480, 400);
+    await page.click('.levels summary');
     await page.getByRole('button', { name: strings['command.levels-copy'], exact: true }).click();
     await quiet(page);
     await tap(100, 130);

@@ -2,6 +2,7 @@
 // the page has been painted: inspector.js.
 
 import { want } from '../page/build.js';
+import { keep, kept } from '../page/kept.js';
 
 /** @typedef {import('./panel.js').Panel} Panel */
 
@@ -26,7 +27,7 @@ export class Dock {
 
   /** As it was last left on a wide window; shut on a narrow one. */
   #settle() {
-    this.open(ROOM.matches && localStorage.getItem(STORE) !== 'shut');
+    this.open(ROOM.matches && kept(STORE) !== 'shut');
   }
 
   /** @param {boolean} on @param {boolean} [asked] by the user, who finds it so again */
@@ -35,7 +36,7 @@ export class Dock {
     this.button.setAttribute('aria-expanded', String(on));
     if (asked) {
       if (ROOM.matches) {
-        localStorage.setItem(STORE, on ? 'open' : 'shut');
+        keep(STORE, on ? 'open' : 'shut');
       }
       void this.fetch();
     }

@@ -3,9 +3,11 @@
 
 import { dress } from '../page/build.js';
 import { loadIcons } from '../page/icons.js';
+import { keep, kept } from '../page/kept.js';
 import { tell } from '../page/words.js';
 import { fill as layers } from './layers.js';
 import { fill as numbers } from './numbers.js';
+import { fill as objects } from './objects.js';
 import { scrub } from './scrub.js';
 import { fill as style } from './style.js';
 
@@ -13,7 +15,7 @@ import { fill as style } from './style.js';
 /** @typedef {import('../engine/types.js').Frame} Frame */
 
 /** @type {[string, import('./panel.js').Filler['fill']][]} */
-const SECTIONS = [['numbers', numbers], ['style', style], ['layers', layers]];
+const SECTIONS = [['numbers', numbers], ['style', style], ['objects', objects], ['layers', layers]];
 const STORE = 'batten-sections'; // names of those that are shut
 const CALM = 80; // milliseconds between two looks while something moves
 const ONE = matchMedia('(max-width: 700px)'); // room for one section
@@ -35,7 +37,7 @@ export class Inspector {
     this.frame = undefined;
     /** @type {Map<string, { head: HTMLElement, body: HTMLElement, show(frame: Frame): void }>} */
     this.parts = new Map();
-    const shut = (localStorage.getItem(STORE) ?? '').split(' ');
+    const shut = kept(STORE).split(' ');
     for (const [name, fill] of SECTIONS) {
       this.#section(name, fill);
       this.open(name, ONE.matches ? name === 'style' : !shut.includes(name));
@@ -55,7 +57,7 @@ export class Inspector {
   /** @param {string} name @param {import('./panel.js').Filler['fill']} fill */
   #section(name, fill) {
     const section = /** @type {HTMLElement} */ (document.getElementById(name));
-    const head = tell(document.createElement('button'), { text: `shell.${name}` });
+    const head = tell(document.createElement('button'), { text: name === 'objects' ? 'shell.part-objects' : `shell.${name}` });
     head.type = 'button';
     head.className = 'part-head';
     head.dataset.name = name;
@@ -71,15 +73,15 @@ export class Inspector {
     this.parts.set(name, { head, body, show: (frame) => filled.show(frame) });
   }
 
-  /** @param {string} name @param {boolean} on @param {boolean} [kept] so the next time, too */
-  open(name, on, kept = false) {
+  /** @param {string} name @param {boolean} on @param {boolean} [asked] by the user, who finds it so again */
+  open(name, on, asked = false) {
     for (const [other, { head, body }] of this.parts) {
-      const open = other === name ? on || (ONE.matches && kept) : !body.hidden && !(ONE.matches && on);
+      const open = other === name ? on || (ONE.matches && asked) : !body.hidden && !(ONE.matches && on);
       body.hidden = !open;
       head.setAttribute('aria-expanded', String(open));
     }
-    if (kept && !ONE.matches) {
-      localStorage.setItem(STORE, [...this.parts].filter(([, { body }]) => body.hidden).map(([one]) => one).join(' '));
+    if (asked && !ONE.matches) {
+      keep(STORE, [...this.parts].filter(([, { body }]) => body.hidden).map(([one]) => one).join(' '));
     }
     this.#look();
   }

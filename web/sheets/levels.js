@@ -1,8 +1,9 @@
-// The level strip: one row per level of the selected curve, finest first, with a fader, mute and solo; below them the
-// commands for levels. Loaded when it is first shown, with its own style sheet. The engine holds all its state.
+// The level strip: one row per level of the selected curve, finest first, with a fader, an eye and what shows it alone; the
+// rest is under "More". Loaded when it is first shown, with its own style sheet. The engine holds all its state.
 
 import { Act } from '../engine/codes.js';
 import { dress } from '../page/build.js';
+import { icon, loadIcons } from '../page/icons.js';
 import { tell, word } from '../page/words.js';
 
 /** @typedef {import('./panel.js').Panel} Panel */
@@ -55,9 +56,12 @@ export class LevelStrip {
     for (const name of ['show-levels', 'show-frames', 'frame-rule', 'level-sketch']) {
       this.study.append(this.#property(name));
     }
-    this.tools.append(this.#commands(['take-apart']), this.more, this.study);
+    this.apartNow = this.#commands(['take-apart']);
+    this.further = document.createElement('details');
+    this.further.append(tell(document.createElement('summary'), { text: 'shell.further' }), this.more, this.study);
+    this.tools.append(this.apartNow, this.further);
     this.box.append(this.list, this.apart, this.tools);
-    void dress('styles/levels.css').then(() => stage.after(this.box)); // unstyled, the strip would push the stage aside
+    void Promise.all([dress('styles/levels.css'), loadIcons('arrange')]).then(() => stage.after(this.box)); // unstyled, the strip would push the stage aside
     // Escape takes back the fader's step, or returns to the drawing.
     this.box.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') {
@@ -110,6 +114,7 @@ export class LevelStrip {
     this.apart.hidden = apart === 0;
     this.tools.hidden = apart !== 0;
     this.study.hidden = rows.length === 0;
+
     for (const button of /** @type {NodeListOf<HTMLButtonElement>} */ (this.more.querySelectorAll('[data-text^="command.levels-"]'))) {
       button.hidden = rows.length === 0;
       if (button.dataset.text === 'command.levels-copy') {
@@ -123,7 +128,7 @@ export class LevelStrip {
       this.list.prepend(this.#row(this.list.children.length));
     }
     rows.forEach((level, index) => {
-      this.#fill(/** @type {HTMLElement} */ (this.list.children[rows.length - 1 - index]), level, index, apart !== 0);
+      this.#fill(/** @type {HTMLElement} */ (this.list.children[rows.length - 1 - index]), level, index, index === rows.length - 1, apart !== 0);
     });
     this.panel.controls.refresh();
   }
@@ -154,31 +159,37 @@ export class LevelStrip {
       if (index === 0 && act === Act.MUTE) {
         continue;
       }
-      const button = tell(make('button', `level-${name}`), { text: `levels.${name}-short` });
+      const button = make('button', `level-${name}`);
       button.type = 'button';
+      button.append(icon(name === 'mute' ? 'shown' : 'only') ?? '');
       button.addEventListener('click', () => this.#act(act, index, Number(button.ariaPressed !== 'true')));
       row.append(button);
     }
     return row;
   }
 
-  /** @param {HTMLElement} row @param {Level} level @param {number} index @param {boolean} still */
-  #fill(row, level, index, still) {
+  /** @param {HTMLElement} row @param {Level} level @param {number} index @param {boolean} finest @param {boolean} still */
+  #fill(row, level, index, finest, still) {
     const [choose, fader] = row.querySelectorAll('input');
     const [name, points] = row.querySelectorAll('span, small');
     row.toggleAttribute('data-muted', level.muted !== 0);
     choose.checked = level.active !== 0;
-    name.textContent = index ? word('levels.level', index) : word('levels.base');
+    const called = index === 0 ? word('levels.base') : finest && index > 1 ? word('levels.finest') : word('levels.level', index);
+    name.textContent = called;
     points.textContent = word('levels.points', level.points);
     if (fader) {
       fader.value = String(level.gain);
-      fader.setAttribute('aria-label', word('levels.gain', index));
+      fader.setAttribute('aria-label', word('levels.gain', called));
       /** @type {HTMLElement} */ (row.querySelector('output')).textContent = level.gain.toFixed(2);
     }
     for (const [part, on] of /** @type {[string, number][]} */ ([['mute', level.muted], ['solo', level.solo]])) {
       const button = row.querySelector(`.level-${part}`);
       button?.setAttribute('aria-pressed', String(on !== 0));
-      button?.setAttribute('aria-label', word(`levels.${part}`, index));
+      if (part === 'mute') {
+        button?.querySelector('use')?.setAttribute('href', `#icon-${on ? 'hidden' : 'shown'}`);
+      }
+      button?.setAttribute('aria-label', word(`levels.${part}`, called));
+      button?.setAttribute('title', word(`levels.${part}`, called));
     }
     for (const control of /** @type {NodeListOf<HTMLInputElement>} */ (row.querySelectorAll('input, button'))) {
       control.disabled = still;

@@ -10,7 +10,7 @@ import { tell } from '../page/words.js';
 /** @typedef {import('../engine/types.js').Frame} Frame */
 
 /** What stands in the row as long as there is room. */
-const FIRST = [/^(un)?group$/, /^region-/, /^(combine|release)$/, /^(curve-(close|open|join|split)|to-page)$/, /^(surface|wire)-/,
+const FIRST = [/^(un)?group$/, /^region-/, /^(combine|release)$/, /^(curve-(close|open|join|split|offset|outline)|to-page)$/, /^(surface|wire)-/,
   /^(camera-along|body-path)$/];
 const REST = [/^curve-(reverse|simplify)$/, /^mirror-/, /^order-/, /^align-/, /^distribute-/];
 const AWAY = 12; // pixels between the selection's box and the row

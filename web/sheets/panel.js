@@ -55,6 +55,8 @@ export class Panel {
     });
     /** @type {import('../stage/theme.js').Theme | undefined} */
     this.theme = undefined;
+    /** @type {import('../stage/paint.js').Painter | undefined} */
+    this.painter = undefined;
     this.themeButton = fillBar(this.tables, this.buttons);
     this.dock = new Dock(this);
     this.foot = new Foot(engine, this.tables, this.buttons, this.controls);

@@ -194,16 +194,38 @@ bat_status bat_layer_rename(bat_context *c, bat_id id, const char *name) {
     return replace(c, at, after, status, BAT_STRING_STEP_RENAME);
 }
 
+/* Moves it in front of `to`, which is in another group, and into that group. */
+static bat_status move_over(bat_context *c, int at, int to) {
+    const bat_document *document = c->session->document;
+    const int end = bat_document_end(document, at), place = bat_document_end(document, to);
+    const bat_object *object = bat_document_at(document, at);
+    if (at <= to && to < end) return BAT_ARGUMENT; /* it would be in itself */
+    bat_object *placed = NULL;
+    bat_status status = bat_object_with_parent(object, bat_object_parent(bat_document_at(document, to)),
+                                               &placed);
+    if (status != BAT_OK) return status;
+    bat_listing listing = {0};
+    bat_listing_range(&listing, document, 0, at < place ? at : place);
+    if (at < place) bat_listing_range(&listing, document, end, place);
+    bat_listing_take(&listing, placed);
+    bat_listing_range(&listing, document, at + 1, end);
+    if (at >= place) bat_listing_range(&listing, document, place, at);
+    bat_listing_range(&listing, document, at < place ? place : end, bat_document_count(document));
+    return apply(c, &listing);
+}
+
 bat_status bat_layer_place(bat_context *c, bat_id id, bat_id target) {
     const bat_document *document = c->session->document;
     int at = bat_document_find(document, id), to = bat_document_find(document, target), steps = 0;
-    const bat_object *layer = bat_document_at(document, at), *other = bat_document_at(document, to);
-    if (!layer || !other || !bat_object_is(layer, BAT_LAYER) || !bat_object_is(other, BAT_LAYER) ||
-        bat_object_parent(layer) != bat_object_parent(other))
-        return BAT_ARGUMENT;
+    const bat_object *object = bat_document_at(document, at), *other = bat_document_at(document, to);
+    if (!object || !other) return BAT_ARGUMENT;
+    const bool beside = bat_object_parent(object) == bat_object_parent(other);
+    const bool layers = bat_object_is(object, BAT_LAYER) || bat_object_is(other, BAT_LAYER);
+    if (!beside && layers) return BAT_ARGUMENT;
     if (bat_toolbox_busy(c) || at == to) return BAT_STATE;
-    for (int i = at < to ? at : to; i < (at < to ? to : at); i = bat_document_end(document, i)) steps++;
-    bat_status status = shift(c, at, at < to ? steps : -steps);
+    for (int i = at < to ? at : to; beside && i < (at < to ? to : at); i = bat_document_end(document, i))
+        steps++;
+    bat_status status = beside ? shift(c, at, at < to ? steps : -steps) : move_over(c, at, to);
     if (status == BAT_MEMORY) bat_notice_failure(c, status);
     return status;
 }

@@ -177,6 +177,15 @@ static void member(bat_text *json, const char *name, int64_t value) {
     bat_text_integer(json, (uint64_t)(value < 0 ? -value : value));
 }
 
+/* What a list of objects shows besides: bit 0: it holds others, bit 1: hidden, bit 2: locked. */
+static void state_of(const bat_object *object, bat_text *json) {
+    const int state = (bat_object_is_group(object) ? 1 : 0) | (bat_object_is_hidden(object) ? 2 : 0) |
+                      (bat_object_is_locked(object) ? 4 : 0);
+    member(json, ",\"state\":", state);
+    bat_text_string(json, ",\"name\":");
+    bat_text_json_string(json, bat_object_name(object));
+}
+
 const char *bat_panel_outline(bat_context *c, int first, int count) {
     const bat_document *document = c->session->document;
     const bat_selection *selection = &c->choice->selection;
@@ -195,6 +204,7 @@ const char *bat_panel_outline(bat_context *c, int first, int count) {
         bat_text words = {0};
         bat_id id = bat_object_id(object);
         member(&json, made++ ? ",{\"id\":" : "{\"id\":", (int64_t)id);
+        state_of(object, &json);
         member(&json, ",\"level\":", nesting.depth + !bat_object_is_group(object));
         member(&json, ",\"points\":", points_of(object));
         bat_text_string(&json, bat_selection_has(selection, id) ? ",\"selected\":true,\"words\":"

@@ -118,6 +118,51 @@ static void layers_are_placed(void **state) {
     bat_editor_free(editor);
 }
 
+/* Any object to the place of any other: into the group of that one and next to it, with all that it holds; refused where
+ * it would be in itself, and layers stay where layers are. Undo brings the old order back. */
+static void objects_are_placed(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    const bat_document *document = editor->session.document;
+    pen p = pen_for(editor);
+    bat_editor_command(editor, "select-all");
+    bat_editor_command(editor, "group");
+    pen_line(&p, 300, 700, 600, 705, 10);
+    bat_editor_command(editor, "layer-add");
+    pen_line(&p, 300, 500, 600, 505, 10);
+    pen_line(&p, 300, 600, 600, 605, 10);
+    const uint64_t before = digest(editor);
+    const int count = bat_document_count(document);
+    bat_id ids[16];
+    int moved = 0, refused = 0;
+    assert_in_range(count, 6, 16);
+    for (int i = 0; i < count; i++) ids[i] = bat_object_id(bat_document_at(document, i));
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < count; k++) {
+            const int at = bat_document_find(document, ids[i]), to = bat_document_find(document, ids[k]);
+            const int size = bat_document_end(document, at) - at;
+            const bat_id parent = bat_object_parent(bat_document_at(document, to));
+            const bat_status status = bat_editor_place_layer(editor, ids[i], ids[k]);
+            assert_null(bat_editor_check(editor));
+            assert_int_equal(bat_document_count(document), count);
+            if (status != BAT_OK) {
+                assert_int_equal(status, i == k ? BAT_STATE : BAT_ARGUMENT);
+                assert_true(digest(editor) == before);
+                refused++;
+                continue;
+            }
+            const int now = bat_document_find(document, ids[i]), other = bat_document_find(document, ids[k]);
+            assert_true(bat_object_parent(bat_document_at(document, now)) == parent);
+            assert_int_equal(bat_document_end(document, now) - now, size);
+            assert_true(now == bat_document_end(document, other) || other == bat_document_end(document, now));
+            bat_editor_command(editor, "undo");
+            assert_true(digest(editor) == before);
+            moved++;
+        }
+    assert_true(moved > count && refused > count);
+    bat_editor_free(editor);
+}
+
 /* Planes, saved views and cameras are listed, and are named and hidden as layers are. */
 static void what_is_in_no_picture_has_a_name(void **state) {
     (void)state;
@@ -142,6 +187,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(layers_hold_hide_and_lock),
         cmocka_unit_test(layers_are_placed),
+        cmocka_unit_test(objects_are_placed),
         cmocka_unit_test(what_is_in_no_picture_has_a_name),
     };
     return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
