@@ -1,11 +1,13 @@
 /* Selectors of style sheets (Selectors 4): compounds of types, classes, ids, attributes, :not(), :root, :first-child and
- * :last-child, within each other (A B) or directly so (A > B). A rule with any other selector is left out. */
+ * :last-child, within each other (A B) or directly so (A > B), behind each other (A ~ B) or directly so (A + B). A rule with any
+ * other selector is left out. */
 #include "format/svg/style.h"
 
 #include <string.h>
 
-enum { COMPOUNDS_MAX = 16, NAME_MAX_SIZE = 64 };
+enum { COMPOUNDS_MAX = 16, NAME_MAX_SIZE = 64, STEPS_MAX = 4096 };
 
+static bool is_joint(char c) { return c == '>' || c == '+' || c == '~'; }
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
 bool bat_svg_is_name(char c) {
@@ -85,30 +87,31 @@ static const char *read_simple(const char *s, const char *end, bool first, simpl
 static const char *compound_end(const char *s, const char *end) {
     const char *from = s;
     simple part;
-    while (s && s < end && !is_space(*s) && *s != '>') s = read_simple(s, end, s == from, &part);
+    while (s && s < end && !is_space(*s) && !is_joint(*s)) s = read_simple(s, end, s == from, &part);
     return s == from ? NULL : s;
 }
 
 typedef struct compound {
     const char *from, *to;
-    bool child; /* directly within the one before it */
+    char
+        joint; /* where it stands: ' ' within the one before it, '>' directly so, '~' behind it, '+' directly so */
 } compound;
 
 /* How many compounds the selector has; 0: it is none that is known. */
 static int split(const char *s, const char *end, compound *list) {
     int count = 0;
-    bool child = false;
+    char joint = ' ';
     while (s < end) {
         const char *to = compound_end(s, end);
         if (!to || count == COMPOUNDS_MAX) return 0;
-        list[count++] = (compound){s, to, child};
-        child = false;
-        for (s = to; s < end && (is_space(*s) || *s == '>'); s++) {
-            if (*s == '>' && child) return 0;
-            child = child || *s == '>';
+        list[count++] = (compound){s, to, joint};
+        joint = ' ';
+        for (s = to; s < end && (is_space(*s) || is_joint(*s)); s++) {
+            if (is_joint(*s) && joint != ' ') return 0;
+            if (is_joint(*s)) joint = *s;
         }
     }
-    return child ? 0 : count;
+    return joint == ' ' ? count : 0;
 }
 
 /* Adds to the counts of ids, classes and types; false: :not() holds something that is not known. */
@@ -237,34 +240,56 @@ static bool compound_matches(const compound *c, const bat_svg_tree *tree, uint32
     return true;
 }
 
-/* Whether the compounds first to last, each directly within the one before it, match the element and those around it; the
- * outermost of these, or 0. */
-static uint32_t chain_at(const compound *list, int first, int last, const bat_svg_tree *tree,
-                         uint32_t element) {
-    for (int i = last; element; i--, element = tree->elements[element].parent) {
-        if (!compound_matches(&list[i], tree, element)) return 0;
-        if (i == first) return element;
-    }
-    return 0;
+/* How far a failure reaches: another place may still match, no sibling's may, none may. So no place is tried twice. */
+typedef enum outcome { MATCHES, FAILS_HERE, FAILS_SIBLINGS, FAILS } outcome;
+
+typedef struct search {
+    const compound *list;
+    const bat_svg_tree *tree;
+    int left; /* steps; beyond them nothing matches */
+} search;
+
+/* 0: it is the first one. */
+static uint32_t sibling_before(const bat_svg_tree *tree, uint32_t element) {
+    const uint32_t parent = tree->elements[element].parent;
+    uint32_t at = element - 1;
+    if (!parent || at == parent) return 0;
+    while (tree->elements[at].parent != parent) at = tree->elements[at].parent;
+    return at;
 }
 
-/* From the last chain of compounds to the first, each as near as it can be: what is further out stays possible. */
+/* The compounds up to the last, that one at the element. */
+static outcome match(search *s, int last, uint32_t element) {
+    const bat_svg_element *elements = s->tree->elements;
+    const char joint = s->list[last].joint;
+    outcome found = FAILS_HERE;
+    if (--s->left < 0) return FAILS;
+    if (!compound_matches(&s->list[last], s->tree, element)) return FAILS_HERE;
+    if (last == 0) return MATCHES;
+    if (joint == '>') {
+        if (elements[element].parent) found = match(s, last - 1, elements[element].parent);
+        return found == MATCHES || found == FAILS ? found : FAILS_SIBLINGS;
+    }
+    if (joint == '+') {
+        const uint32_t before = sibling_before(s->tree, element);
+        return before ? match(s, last - 1, before) : FAILS_HERE;
+    }
+    if (joint == '~') {
+        for (uint32_t at = sibling_before(s->tree, element); at; at = sibling_before(s->tree, at))
+            if ((found = match(s, last - 1, at)) != FAILS_HERE) return found;
+        return FAILS_SIBLINGS;
+    }
+    for (uint32_t at = elements[element].parent; at; at = elements[at].parent)
+        if ((found = match(s, last - 1, at)) == MATCHES || found == FAILS) return found;
+    return FAILS;
+}
+
 bool bat_svg_rule_matches(const bat_svg_sheet *sheet, const bat_svg_rule *rule, const bat_svg_tree *tree,
-                          uint32_t element) {
+                          uint32_t element, long *steps) {
     compound list[COMPOUNDS_MAX];
     const char *text = sheet->text + rule->selector;
-    int last = split(text, text + rule->selector_size, list) - 1;
-    for (bool within = false; last >= 0; within = true) {
-        int first = last;
-        while (first > 0 && list[first].child) first--;
-        uint32_t top = chain_at(list, first, last, tree, element);
-        while (!top && within && (element = tree->elements[element].parent))
-            top = chain_at(list, first, last, tree, element);
-        if (!top) return false;
-        if (first == 0) return true;
-        element = tree->elements[top].parent;
-        if (!element) return false;
-        last = first - 1;
-    }
-    return false;
+    search s = {list, tree, STEPS_MAX};
+    const bool good = match(&s, split(text, text + rule->selector_size, list) - 1, element) == MATCHES;
+    *steps += STEPS_MAX - s.left;
+    return good;
 }

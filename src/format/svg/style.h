@@ -112,8 +112,9 @@ bool bat_svg_is_name(char c);
 uint32_t bat_svg_selector_weigh(const char *selector, size_t size, uint32_t *subject);
 /* The key of that compound; `rule` is not set. */
 bat_svg_key bat_svg_selector_key(const char *compound, const char *end);
-/* In time that grows with the depth of the element, when the selector has more than one compound. */
+/* Adds to *steps, by at most some thousands, how many elements were looked at: of those around and before the element, when the
+ * selector has more than one compound. What is further away matches nothing. */
 bool bat_svg_rule_matches(const bat_svg_sheet *sheet, const bat_svg_rule *rule, const bat_svg_tree *tree,
-                          uint32_t element);
+                          uint32_t element, long *steps);
 
 #endif

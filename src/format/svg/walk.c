@@ -88,8 +88,7 @@ static void match_rules(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     size_t i = 0;
     while ((i = bat_svg_sheet_next(w->sheet, type, id, classes, i)) < w->sheet->count) {
         const bat_svg_rule *rule = &w->sheet->rules[i++];
-        w->tried += rule->subject ? 64 : 1; /* it may depend on all that is around the element */
-        if (bat_svg_rule_matches(w->sheet, rule, w->tree, element))
+        if (bat_svg_rule_matches(w->sheet, rule, w->tree, element, &w->tried))
             declare(outer, w->sheet->text + rule->body, rule->body_size, what, style);
     }
     w->tried++;

@@ -85,30 +85,40 @@ static bool compound_is(const bat_svg_tree *tree, uint32_t element, const char *
     return true;
 }
 
-/* By trying every ancestor: compounds 0 to last of the selector, the last at the element. */
+static uint32_t sibling_before(const bat_svg_tree *tree, uint32_t element) {
+    uint32_t at = tree->elements[tree->elements[element].parent].first;
+    if (at == element || element == 1) return 0;
+    while (tree->elements[at].next != element) at = tree->elements[at].next;
+    return at;
+}
+
+/* By trying every ancestor and sibling: compounds 0 to last of the selector, the last at the element. */
 static bool matches_by_trying(const bat_svg_tree *tree, uint32_t element, const char *const *parts,
                               const char *joints, int last) {
     if (!element || !compound_is(tree, element, parts[last], strlen(parts[last]))) return false;
     if (last == 0) return true;
-    for (uint32_t at = tree->elements[element].parent; at; at = tree->elements[at].parent) {
+    const bool beside = joints[last] == '~' || joints[last] == '+';
+    for (uint32_t at = element;;) {
+        at = beside ? sibling_before(tree, at) : tree->elements[at].parent;
+        if (!at) return false;
         if (matches_by_trying(tree, at, parts, joints, last - 1)) return true;
-        if (joints[last] == '>') return false;
+        if (joints[last] == '>' || joints[last] == '+') return false;
     }
-    return false;
 }
 
 static void all_rules_that_match_are_found(void **unused) {
     (void)unused;
     unsigned state = 5;
+    long steps = 0;
     for (int round = 0; round < 300; round++) {
         char text[2000] = "";
         bat_svg_sheet sheet;
         bat_svg_tree tree;
         for (unsigned i = next_random(&state) % 30; i > 0; i--) {
-            static const char *const joints[] = {" ", ">", " > "};
+            static const char *const joints[] = {" ", ">", " > ", "~", " + "};
             for (unsigned more = next_random(&state) % 3; more > 0; more--) {
                 add_selector(text, sizeof text, &state);
-                strcat(text, joints[next_random(&state) % 3]);
+                strcat(text, joints[next_random(&state) % 5]);
             }
             add_selector(text, sizeof text, &state);
             strcat(text, i % 3 ? "{fill:red}" : ",");
@@ -122,22 +132,23 @@ static void all_rules_that_match_are_found(void **unused) {
             const char *given = bat_svg_tree_attribute(&tree, element, "class");
             size_t at = 0;
             for (size_t i = 0; i < sheet.count; i++) {
-                if (!bat_svg_rule_matches(&sheet, &sheet.rules[i], &tree, element)) continue;
+                if (!bat_svg_rule_matches(&sheet, &sheet.rules[i], &tree, element, &steps)) continue;
                 do at = bat_svg_sheet_next(&sheet, type, id, given, at);
                 while (at < i && ++at);
                 assert_int_equal(at++, i);
             }
             while ((at = bat_svg_sheet_next(&sheet, type, id, given, at)) < sheet.count)
-                assert_false(bat_svg_rule_matches(&sheet, &sheet.rules[at++], &tree, element));
+                assert_false(bat_svg_rule_matches(&sheet, &sheet.rules[at++], &tree, element, &steps));
         }
         bat_svg_tree_free(&tree);
         bat_svg_sheet_free(&sheet);
     }
 }
 
-static void ancestors_are_found_as_by_trying_all(void **unused) {
+static void elements_are_found_as_by_trying_all(void **unused) {
     (void)unused;
     unsigned state = 9;
+    long steps = 0;
     int found = 0, tried = 0;
     for (int round = 0; round < 400; round++) {
         char text[300] = "", pieces[4][60], joints[4];
@@ -151,7 +162,7 @@ static void ancestors_are_found_as_by_trying_all(void **unused) {
                 strcpy(pieces[i], "*");
             else
                 snprintf(pieces[i], sizeof pieces[i], ".%s", words[next_random(&state) % WORDS]);
-            joints[i] = next_random(&state) % 2 ? '>' : ' ';
+            joints[i] = " >~+"[next_random(&state) % 4];
             if (i > 0) strncat(text, &joints[i], 1);
             strcat(text, pieces[i]);
             parts[i] = pieces[i];
@@ -161,7 +172,7 @@ static void ancestors_are_found_as_by_trying_all(void **unused) {
         assert_int_equal(sheet.count, 1);
         make_tree(&tree, &state);
         for (uint32_t element = 1; element < tree.count; element++, tried++) {
-            const bool now = bat_svg_rule_matches(&sheet, sheet.rules, &tree, element);
+            const bool now = bat_svg_rule_matches(&sheet, sheet.rules, &tree, element, &steps);
             if (now != matches_by_trying(&tree, element, parts, joints, count - 1))
                 fail_msg("%s at element %u: %d", text, (unsigned)element, now);
             found += now;
@@ -219,7 +230,14 @@ static void styles_apply_as_css_says(void **unused) {
         {"[data-k*='e t']{fill:#f00}", WITHIN, 0xff0000ff},
         {"[data-k='a,b'],rect{fill:#f00}", WITHIN, 0xff0000ff}, /* the comma in quotes ends nothing */
         {"g:first-child>rect:last-child{fill:#f00}", WITHIN, 0xff0000ff},
-        {"rect+rect{fill:#f00}", BOX "/>" BOX "/>", 0x000000ff}, /* not supported: left out */
+        {"rect+rect{fill:#f00}", BOX "/>" BOX "/>", 0xff0000ff},
+        {"rect+rect{fill:#f00}", BOX "/>", 0x000000ff},
+        {"circle+rect{fill:#f00}", "<circle r='1'/><path d='M0 0h1'/>" BOX "/>", 0x000000ff},
+        {"circle ~ rect{fill:#f00}", "<circle r='1'/><path d='M0 0h1'/>" BOX "/>", 0xff0000ff},
+        {"circle~rect{fill:#f00}", "<g><circle r='1'/></g>" BOX "/>", 0x000000ff},
+        {"g>circle+path ~ .b{fill:#f00}",
+         "<g><circle r='1'/><path d='M0 0h1'/><path d='M0 0h1'/>" BOX "/></g>", 0xff0000ff},
+        {"svg + rect,rect++rect,rect~+rect,rect+{fill:#f00}", BOX "/>" BOX "/>", 0x000000ff},
         {"rect>{fill:#f00}>rect{fill:#f00}", WITHIN, 0x000000ff},
         {"@media screen{rect{fill:#f00}}", WITHIN, 0xff0000ff},
         {"@media print, screen{rect{fill:#f00}}", WITHIN, 0xff0000ff},
@@ -276,7 +294,7 @@ static void memory_may_run_out(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(all_rules_that_match_are_found),
-                                       cmocka_unit_test(ancestors_are_found_as_by_trying_all),
+                                       cmocka_unit_test(elements_are_found_as_by_trying_all),
                                        cmocka_unit_test(styles_apply_as_css_says),
                                        cmocka_unit_test(memory_may_run_out)};
     return cmocka_run_group_tests(tests, NULL, NULL);
