@@ -1,7 +1,9 @@
 /* Picking by area: fills under a point, drawings within a box. Works on the scene's float paths, flattened. */
 #include "base/real.h"
+#include "document/nesting.h"
 #include "editor/pick/pick.h"
 #include <math.h>
+#include <stdlib.h>
 
 enum { PIECES = 12 }; /* lines per cubic */
 
@@ -9,8 +11,8 @@ typedef bool line_function(void *user, const double a[2], const double b[2]); /*
 
 /* Calls `take` with every line of the path, relative to the origin; with `closing`, open subpaths are closed, as for
  * fills. */
-static bool each_line(const bat_scene_entry *entry, bool closing, line_function *take, void *user) {
-    const float *at = entry->path, *end = at ? at + entry->item.path_count : NULL;
+static bool each_line(const float *path, uint32_t count, bool closing, line_function *take, void *user) {
+    const float *at = path, *end = at ? at + count : NULL;
     double start[2] = {0, 0}, now[2] = {0, 0}, next[2];
     while (at < end) {
         int kind = (int)*at++;
@@ -57,13 +59,50 @@ static bool count_turns(void *user, const double a[2], const double b[2]) {
     return false;
 }
 
+static bool is_within(const float *path, uint32_t count, bool even_odd, const double origin[2],
+                      const double point[2]) {
+    winding w = {{point[0] - origin[0], point[1] - origin[1]}, 0};
+    each_line(path, count, true, count_turns, &w);
+    return even_odd ? w.turns & 1 : w.turns != 0;
+}
+
 /* point: document units. */
 static bool fills(const bat_scene *scene, const bat_scene_entry *entry, const double point[2]) {
     const bat_style *style = bat_object_style(entry->object);
     if (!style->filled || !entry->path || scene->outline) return false;
-    winding w = {{point[0] - scene->origin[0], point[1] - scene->origin[1]}, 0};
-    each_line(entry, true, count_turns, &w);
-    return style->even_odd ? w.turns & 1 : w.turns != 0;
+    return is_within(entry->path, entry->item.path_count, style->even_odd, scene->origin, point);
+}
+
+/* ---- what clips leave ---- */
+
+/* The group around each entry, or -1. NULL: nothing is clipped as it is shown now, or memory ran out. The caller frees it. */
+static int *find_groups(const bat_scene *scene) {
+    int open[BAT_NESTING_MAX], depth = 0;
+    bool clipped = false;
+    for (int i = 0; i < scene->count && !clipped; i++) clipped = scene->entries[i].regions != NULL;
+    int *above = clipped && !scene->tilted && !scene->outline ? malloc((size_t)scene->count * sizeof *above)
+                                                              : NULL;
+    for (int i = 0; i < scene->count && above; i++) {
+        const bat_object *object = scene->entries[i].object;
+        const bat_id parent = bat_object_parent(object);
+        while (depth > 0 && bat_object_id(scene->entries[open[depth - 1]].object) != parent) depth--;
+        above[i] = depth > 0 ? open[depth - 1] : -1;
+        if (bat_object_is_group(object) && depth < BAT_NESTING_MAX) open[depth++] = i;
+    }
+    return above;
+}
+
+/* Whether the clips of an entry and of the groups around it leave the point. */
+static bool is_left(const bat_scene *scene, const int *above, int index, const double point[2]) {
+    for (; above && index >= 0; index = above[index]) {
+        const bat_scene_region *regions = scene->entries[index].regions;
+        const int count = regions ? bat_clip_count(bat_object_clip(scene->entries[index].object)) : 0;
+        for (int k = 0; k < count; k++)
+            if (!is_within(regions[k].path, regions[k].count, regions[k].flags & BAT_ITEM_EVEN_ODD,
+                           scene->origin, point))
+                return false;
+    }
+    return true;
 }
 
 static bool apart(const double box[4], const double other[4], double within) {
@@ -71,9 +110,27 @@ static bool apart(const double box[4], const double other[4], double within) {
            other[3] < box[1] - within;
 }
 
+/* How far the point is from what is painted of the entry's lines, INFINITY: out of reach. What is cut away counts as far. */
+static double line_away(bat_scene *scene, const int *above, int index, const double point[2], double within) {
+    const bat_object *object = scene->entries[index].object;
+    const bat_style *style = bat_object_style(object);
+    const double half = style->stroked ? style->width / 2 : 0;
+    double best = INFINITY;
+    for (int j = 0; j < bat_object_curve_count(object); j++) {
+        const bat_finder *finder = bat_scene_finder(scene, index, j);
+        bat_near near;
+        if (!finder) continue;
+        bat_finder_nearest(finder, point, &near);
+        if (near.distance > fmax(within, half) || fmax(near.distance - half, 0) >= best) continue;
+        if (is_left(scene, above, index, near.point) || is_left(scene, above, index, point))
+            best = fmax(near.distance - half, 0);
+    }
+    return best;
+}
+
 int bat_pick_object(bat_scene *scene, const double point[2], double within) {
     double best = INFINITY;
-    int found = -1;
+    int found = -1, *above = find_groups(scene);
     for (int i = scene->count - 1; i >= 0; i--) {
         const bat_scene_entry *entry = &scene->entries[i];
         if (entry->hidden || entry->locked || bat_object_is_group(entry->object)) continue;
@@ -81,20 +138,18 @@ int bat_pick_object(bat_scene *scene, const double point[2], double within) {
         double half = style->stroked ? style->width / 2 : 0;
         double near_box[4] = {point[0], point[1], point[0], point[1]};
         if (apart(entry->box, near_box, fmax(within, half))) continue;
-        for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
-            const bat_finder *finder = bat_scene_finder(scene, i, j);
-            bat_near near;
-            if (!finder) continue;
-            bat_finder_nearest(finder, point, &near);
-            double away = fmax(near.distance - half, 0);
-            if (near.distance <= fmax(within, half) && away < best) {
-                best = away;
-                found = i;
-            }
+        const double away = line_away(scene, above, i, point, within);
+        if (away < best) {
+            best = away;
+            found = i;
         }
         /* What lies behind a fill is not picked, unless a line has been found within reach already. */
-        if (fills(scene, entry, point)) return found >= 0 ? found : i;
+        if (fills(scene, entry, point) && is_left(scene, above, i, point)) {
+            found = found >= 0 ? found : i;
+            break;
+        }
     }
+    free(above);
     return found;
 }
 
@@ -142,7 +197,7 @@ bool bat_pick_touches(const bat_scene *scene, int index, const bat_stage *stage,
     around(stage, box, reach);
     if (apart(entry->box, reach, 0)) return false;
     area in_view = {stage, scene->origin, box};
-    if (each_line(entry, false, crosses, &in_view)) return true;
+    if (each_line(entry->path, entry->item.path_count, false, crosses, &in_view)) return true;
     bat_stage_seen(stage, box, corner);
     return fills(scene, entry, corner);
 }

@@ -24,7 +24,7 @@ bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, ba
                       int but_curve);
 
 /* The index of what a click at the point picks; -1: nothing. It is the nearest line within reach (or whose width
- * covers the point), unless a fill in front of it covers the point. */
+ * covers the point), unless a fill in front of it covers the point. What clips cut away is not there. */
 int bat_pick_object(bat_scene *scene, const double point[2], double within);
 /* Whether part of the entry's outline or fill lies in the box of the view (pixels: low x, low y, high x, high y);
  * tested on the flattened path. Never when it is hidden or locked. */

@@ -6,6 +6,9 @@
 #include <cmocka.h>
 #include "editor/pick/pick.h"
 #include "support/pen.h"
+#include "support/xml.h"
+#include <batten/format.h>
+#include <string.h>
 
 enum { CURVES = 60, SAMPLES = 2000 };
 
@@ -75,6 +78,48 @@ static void front_and_ends(void **state) {
     bat_document_free(document);
 }
 
+/* What a click finds is what is seen there: by the names of the things, in a file whose clips say which they are. */
+static void what_is_cut_away_is_not_picked(void **state) {
+    (void)state;
+    static const char file[] =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>"
+        "<clipPath id='left'><rect width='50' height='100'/></clipPath>"
+        "<clipPath id='ring'><path clip-rule='evenodd' d='M0 0H100V100H0zM20 20H80V80H20z'/></clipPath>"
+        "<rect id='ground' width='100' height='100'/>"
+        "<g id='a' clip-path='url(#left)'><g id='b' clip-path='url(#ring)'>"
+        "<rect id='top' width='100' height='100'/><path id='line' d='M0 60H100' stroke='red' "
+        "stroke-width='9'/></g>"
+        "<circle id='dot' cx='45' cy='90' r='9'/></g></svg>";
+    static const struct {
+        double x, y, within;
+        const char *name, *outlined; /* in outline mode nothing is cut away, and nothing filled */
+    } cases[] = {{10, 10, 1, "top", ""},       {75, 10, 1, "ground", ""},     {30, 30, 1, "ground", ""},
+                 {10, 60, 1, "line", "line"},  {30, 60, 1, "ground", "line"}, {90, 60, 1, "ground", "line"},
+                 {45, 90, 1, "dot", ""},       {52, 90, 1, "ground", ""},     {17, 66, 9, "line", "line"},
+                 {54, 90, 1, "ground", "dot"}, {10, 10, 30, "top", "top"}};
+    bat_document *document = NULL;
+    bat_svg_report report;
+    bat_problem problem;
+    bat_scene scene;
+    const bat_isolation all = {0};
+    assert_int_equal(xml_read(file, NULL, &document, &report, &problem), BAT_OK);
+    bat_scene_init(&scene);
+    for (int outline = 0; outline < 2; outline++) {
+        bat_scene_look(&scene, outline, &all);
+        assert_int_equal(bat_scene_sync(&scene, document, (uint64_t)outline + 1), BAT_OK);
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+            const double point[2] = {cases[i].x, cases[i].y};
+            const int found = bat_pick_object(&scene, point, cases[i].within);
+            const char *name = found < 0 ? "" : bat_object_name(bat_document_at(document, found));
+            const char *expected = outline ? cases[i].outlined : cases[i].name;
+            if (strcmp(name, expected) != 0)
+                fail_msg("%g %g: %s, expected %s", cases[i].x, cases[i].y, name, expected);
+        }
+    }
+    bat_scene_free(&scene);
+    bat_document_free(document);
+}
+
 /* A change rebuilds what it changes: other items keep their versions, and the dirty box covers it. */
 static void scene_keeps_what_stays(void **state) {
     (void)state;
@@ -110,6 +155,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(against_brute_force),
         cmocka_unit_test(front_and_ends),
+        cmocka_unit_test(what_is_cut_away_is_not_picked),
         cmocka_unit_test(scene_keeps_what_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
