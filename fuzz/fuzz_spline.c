@@ -42,9 +42,9 @@ static void check_base(const bat_spline *spline) {
 }
 
 static void check_spline(const bat_spline *spline) {
-    for (int choice = 0; choice < 6; choice++) {
-        bat_tangents_options options = {sizeof options, (bat_tangents_mode)(choice % 2),
-                                        (bat_tangents_default)(choice / 2)};
+    for (int choice = 0; choice < 9; choice++) {
+        bat_tangents_options options = {sizeof options, (bat_tangents_mode)(choice % 3),
+                                        (bat_tangents_default)(choice / 3)};
         bat_joint *joints = malloc((spline->count + 1) * sizeof *joints);
         double *bezier = NULL;
         int segments = 0, size = spline->dimension;

@@ -40,10 +40,11 @@ static int print(const bat_curve *curve, const bat_joint *joints, int count, con
 }
 
 static int run(const cli_arguments *arguments) {
-    static const char *const modes[] = {"faithful", "paper"}, *const defaults[] = {"centripetal", "uniform",
-                                                                                   "chordal"};
+    static const char *const modes[] = {"faithful", "paper", "even"}, *const defaults[] = {"centripetal",
+                                                                                           "uniform",
+                                                                                           "chordal"};
     int mode = 0, missing = 0;
-    int failed = arguments_choice(arguments, "--mode", modes, 2, &mode);
+    int failed = arguments_choice(arguments, "--mode", modes, 3, &mode);
     if (!failed) failed = arguments_choice(arguments, "--default", defaults, 3, &missing);
     char *data;
     size_t size;
@@ -79,14 +80,18 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_tangents = {
     .name = "tangents",
-    .usage = "SPLINE [--mode faithful|paper] [--default centripetal|uniform|chordal]",
-    .summary = "A G1 spline through points, in the directions given at them.",
-    .details = "SPLINE is {\"points\", \"tangents\", \"closed\", \"tension\"}, all but points optional. The "
-               "result is a\n"
-               "CURVE with \"k\" (null where the formula does not apply) and \"bezier\", the cubic segments.",
+    .usage = "SPLINE [--mode faithful|paper|even] [--default centripetal|uniform|chordal]",
+    .summary = "A spline through points: G1 in the directions given at them, or of even curvature.",
+    .details =
+        "SPLINE is {\"points\", \"tangents\", \"closed\", \"tension\"}, all but points optional. The "
+        "result is a\n"
+        "CURVE with \"k\" (null where the formula does not apply) and \"bezier\", the cubic segments.\n"
+        "Of even curvature it is quadratic, one segment around each point but the ends.",
     .example = "batten tangents spline.json --default chordal > curve.json",
     .operands = 1,
-    .options = {{"--mode", "MODE", "faithful (the default): any direction; paper: within the wedge"},
+    .options = {{"--mode", "MODE",
+                 "faithful (the default): any direction; paper: within the wedge; even: curvature "
+                 "that is greatest at the points"},
                 {"--default", "RULE", "where no direction is given: centripetal, uniform or chordal"}},
     .run = run,
 };

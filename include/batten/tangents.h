@@ -13,7 +13,9 @@ extern "C" {
 
 typedef enum bat_tangents_mode {
     BAT_TANGENTS_FAITHFUL, /* any direction is honoured exactly */
-    BAT_TANGENTS_PAPER /* directions are clamped to the wedge that the formula reaches, k to [0.02, 0.98] */
+    BAT_TANGENTS_PAPER, /* directions are clamped to the wedge that the formula reaches, k to [0.02, 0.98] */
+    BAT_TANGENTS_EVEN /* even curvature: directions and tension stay unused; curvature is continuous but for its sign,
+                       * and is greatest at the points. Source: kappa-Curves, Yan et al. 2017; math 1.5 */
 } bat_tangents_mode;
 
 /* What stands in for a direction that the user did not give. */
@@ -69,6 +71,10 @@ BAT_API double bat_tangents_k(int dimension, const double *c0, const double *c1,
  * (out may be NULL): the same as one B-spline (math 1.3), cubic, with knots of multiplicity 4 at the ends, 2 inside,
  * and 3 where C1 is out of reach (width ratio above 1e5, or the seam of a loop whose widths do not close). BAT_COUNT:
  * fewer than two distinct points. Cost O(count).
+ * EVEN: each piece between two joints is a quadratic that passes through one of the points (of open curves through one
+ * of the inner points; two points are a line), so *segments is count - 2, or count when closed, k is NaN, and *out is
+ * quadratic, with single knots inside, double where C1 is out of reach. Cost O(count) a step, some 40 steps, at most
+ * 1,000; the points are met to rounding however many are taken. Two points, closed, are the oval of FAITHFUL.
  */
 BAT_API bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *options,
                                 bat_joint *joints, int *segments, double **bezier, bat_curve **out);
@@ -76,8 +82,9 @@ BAT_API bat_status bat_tangents(const bat_spline *spline, const bat_tangents_opt
 /*
  * Puts a point on the curve: on cubic segment `segment` (as bat_tangents numbers them) at t, 0 < t < 1. The points
  * beside it are given the directions that the curve has there and tensions that keep the shape; in FAITHFUL mode it
- * is kept to rounding. *out: the new spline, all its arrays in *block (bat_free); *index: the new point. *deviation
- * (may be NULL): a bound on how far the curve has moved. BAT_ARGUMENT: no such segment or t.
+ * is kept to rounding; in EVEN mode a point more is a place more of greatest curvature, and the curve moves. *out: the
+ * new spline, all its arrays in *block (bat_free); *index: the new point. *deviation (may be NULL): a bound on how far
+ * the curve has moved; EVEN: how far, to 1e-6 of its size. BAT_ARGUMENT: no such segment or t.
  */
 BAT_API bat_status bat_tangents_insert(const bat_spline *spline, int segment, double t,
                                        const bat_tangents_options *options, bat_spline *out, void **block,

@@ -7,6 +7,7 @@
 #include "format/json/spline.h"
 #include "format/json/style.h"
 #include "kinds/kinds.h"
+#include "kinds/spline.h"
 #include <batten/bezier.h>
 
 #include <math.h>
@@ -101,6 +102,14 @@ bat_status bat_object_create_spline(bat_id id, const char *name, const bat_style
 bat_status bat_object_with_spline(const bat_object *object, const bat_spline *spline, bat_object **out) {
     const void *own = object ? bat_object_own(object, &bat_kind_of_spline) : NULL;
     return own ? make(object, 0, NULL, NULL, spline, &kept_of(own)->options, out) : BAT_ARGUMENT;
+}
+
+bat_status bat_object_with_spline_mode(const bat_object *object, bat_tangents_mode mode, bat_object **out) {
+    const void *own = object ? bat_object_own(object, &bat_kind_of_spline) : NULL;
+    if (!own) return BAT_ARGUMENT;
+    bat_tangents_options options = kept_of(own)->options;
+    options.mode = mode;
+    return make(object, 0, NULL, NULL, &kept_of(own)->spline, &options, out);
 }
 
 const bat_spline *bat_object_spline(const bat_object *object) {

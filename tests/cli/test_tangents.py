@@ -48,6 +48,33 @@ class Tangents(ProgramTest):
                 self.assertLess(numpy.abs(curve(low + t * (high - low)) - cubic(b, t)).max(), 1e-11 * 1000)
         return bezier
 
+    def test_even_curvature(self):
+        """Through every point; the curvature of each quadratic is greatest at its point, and equal where two meet."""
+        rng = random.Random(16)
+        for closed in (False, True):
+            angles = numpy.linspace(0, 2 * math.pi, 12, endpoint=False)
+            points = [[rng.uniform(50, 100) * math.cos(a), rng.uniform(50, 100) * math.sin(a)] for a in angles]
+            result = self.spline({"points": points, "closed": closed}, "--mode", "even")
+            self.assertEqual(result["degree"], 2)
+            self.assertEqual(result["k"], [None] * 12)
+            bezier = numpy.array(result["bezier"])
+            self.assertEqual(len(bezier), 12 if closed else 10)
+            ends = []
+            for b, point in zip(bezier, points if closed else points[1:-1]):
+                middle = (3 * b[1] - b[0]) / 2
+                a, c = b[0] - middle, b[0] - 2 * middle + b[3]
+                t = min(max(a @ c / (c @ c), 0), 1)  # where the speed is least
+                self.assertLess(numpy.linalg.norm(cubic(b, t) - point), 1e-2)
+                sharp = []
+                for u in (0, t, 1):
+                    d, dd = 2 * ((1 - u) * (middle - b[0]) + u * (b[3] - middle)), 2 * c
+                    sharp.append(abs(d[0] * dd[1] - d[1] * dd[0]) / numpy.linalg.norm(d) ** 3)
+                self.assertGreaterEqual(sharp[1], max(sharp) * (1 - 1e-12))
+                ends.append(sharp)
+            for i in range(len(ends) if closed else len(ends) - 1):
+                after = ends[(i + 1) % len(ends)][0]
+                self.assertAlmostEqual(ends[i][2] / after, 1, delta=1e-6)
+
     def test_random_splines(self):
         source = random.Random(4)
         for turn in range(40):

@@ -7,6 +7,7 @@
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/levels/state.h"
+#include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/edit/style.h"
 #include <math.h>
@@ -31,6 +32,7 @@ bat_status bat_property_set(bat_context *c, const char *property, double value) 
     if (id == BAT_PROPERTY_FIRST_HINTS) c->settings->followed = 0;
     c->settings->values[id] = value;
     if (id == BAT_PROPERTY_PERSPECTIVE) bat_perspective_follow(c);
+    if (id == BAT_PROPERTY_SPLINE_MODE) return bat_splining_set_mode(c, value);
     return bat_property_at(id)->group == BAT_GROUP_LEVELS ? bat_leveling_set(c, id, value) : BAT_OK;
 }
 
@@ -45,6 +47,7 @@ bat_status bat_property_get(const bat_context *c, const char *property, double *
     const bat_object *styled = bat_property_at(id)->group == BAT_GROUP_STYLE ? bat_styling_selected(c, id)
                                                                              : NULL;
     *value = styled                               ? bat_styling_of(styled, id)
+             : id == BAT_PROPERTY_SPLINE_MODE     ? (double)bat_splining_options(c).mode
              : id == BAT_PROPERTY_PICTURE_SPAN    ? bat_span_value(c)
              : id == BAT_PROPERTY_PICTURE_OPACITY ? bat_tracing_opacity(c)
                                                   : c->settings->values[id];

@@ -7,6 +7,7 @@
 #include <batten/tangents.h>
 
 #include "base/vec.h"
+#include "hands/tangents/even.h"
 #include "hands/tangents/spline.h"
 
 #include <math.h>
@@ -164,6 +165,11 @@ bat_status bat_tangents_insert(const bat_spline *spline, int segment, double t,
                                double *deviation) {
     if (!spline || !out || !block || !index || !(t > 0 && t < 1) || segment < 0) return BAT_ARGUMENT;
     if (spline->count < 2 || spline->count > BAT_POINTS_MAX / 4) return BAT_COUNT;
+    bat_tangents_options chosen;
+    bat_status known = bat_tangents_options_read(options, &chosen);
+    if (known != BAT_OK) return known;
+    if (chosen.mode == BAT_TANGENTS_EVEN)
+        return bat_even_insert(spline, segment, t, &chosen, out, block, index, deviation);
     bat_joint *joints = malloc(spline->count * sizeof *joints);
     double *before = NULL, *after = NULL, *room = NULL;
     int segments = 0, more = 0, at = 0, size = spline->dimension;

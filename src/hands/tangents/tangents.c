@@ -7,6 +7,7 @@
 
 #include "curve/curve.h"
 #include "base/options.h"
+#include "hands/tangents/even.h"
 #include "hands/tangents/spline.h"
 #include "base/vec.h"
 
@@ -325,7 +326,7 @@ bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *op
     bat_tangents_options chosen;
     bat_status status = bat_tangents_options_read(options, &chosen);
     if (status != BAT_OK) return status;
-    if ((unsigned)chosen.mode > BAT_TANGENTS_PAPER || (unsigned)chosen.missing > BAT_TANGENTS_CHORDAL)
+    if ((unsigned)chosen.mode > BAT_TANGENTS_EVEN || (unsigned)chosen.missing > BAT_TANGENTS_CHORDAL)
         return BAT_ARGUMENT;
     status = check(spline);
     if (status != BAT_OK) return status;
@@ -339,15 +340,17 @@ bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *op
     status = keep && solved && breaks && cubics ? BAT_OK : BAT_MEMORY;
     if (status == BAT_OK) {
         int n = distinct(spline, keep);
-        count = spline->closed ? n : n - 1;
-        if (n < 2) status = BAT_COUNT;
-        if (status == BAT_OK) {
+        bool even = bat_even_applies(&chosen, spline->closed, n);
+        count = even ? bat_even_pieces(spline->closed, n) : spline->closed ? n : n - 1;
+        if (n < 2) {
+            status = BAT_COUNT;
+        } else if (even) {
+            status = bat_even(spline, keep, n, solved, cubics, out ? &curve : NULL);
+        } else {
             solve(spline, &chosen, keep, n, solved);
             make_segments(spline, keep, n, solved, cubics);
-        }
-        if (status == BAT_OK && out) {
             plan_knots(spline, keep, n, solved, breaks, times);
-            status = assemble(spline, count, cubics, breaks, times, &curve);
+            if (out) status = assemble(spline, count, cubics, breaks, times, &curve);
         }
     }
     if (status == BAT_OK) {

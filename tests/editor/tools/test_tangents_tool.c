@@ -495,6 +495,7 @@ static void wild_sessions(void **state) {
         uint8_t data[4000];
         bat_editor *editor;
         pen p = begin(&editor);
+        bat_editor_set(editor, "spline-mode", round % 3);
         if (round % 2) four_points(&p);
         session_bytes bytes = session_random(data, sizeof data, &seed);
         double time = 1e6;
@@ -512,6 +513,71 @@ static void wild_sessions(void **state) {
         replays(editor, 0);
         bat_editor_free(editor);
     }
+}
+
+/* Even curvature: chosen for the spline at hand in one step, for the next one as well; no directions are shown or
+ * taken; points are dragged, added and taken away as ever, and the file and the journal keep it. */
+static void curvature_is_even(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    tap(&p, 350, 500); /* its second point is chosen */
+    assert_non_null(pen_live(show(editor), BAT_ROLE_PROMPT));
+    double value = -1;
+    const uint64_t before = digest(editor);
+    assert_int_equal(bat_editor_set(editor, "spline-mode", 2), BAT_OK);
+    const uint64_t even = digest(editor);
+    assert_true(before != even);
+    assert_int_equal(bat_object_spline_options(newest(editor))->mode, BAT_TANGENTS_EVEN);
+    const bat_curve *curve = bat_object_curve(newest(editor), 0);
+    assert_int_equal(bat_curve_degree(curve), 2);
+    assert_int_equal(bat_curve_count(curve), 4); /* one control point a point */
+    assert_null(pen_live(show(editor), BAT_ROLE_PROMPT));
+    assert_int_equal(bat_editor_get(editor, "spline-mode", &value), BAT_OK);
+    assert_true(value == 2);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK); /* the setting stays for the next */
+    assert_true(digest(editor) == before);
+    assert_int_equal(bat_editor_command(editor, "redo"), BAT_OK);
+    assert_true(digest(editor) == even);
+
+    pen_event(&p, BAT_POINTER_DOWN, 350, 500); /* a drag shows at once, is one step, and stays even */
+    pen_event(&p, BAT_POINTER_MOVE, 360, 480);
+    pen_event(&p, BAT_POINTER_MOVE, 380, 450);
+    show(editor);
+    assert_true(spline_of(editor)->points[2] == 380);
+    pen_event(&p, BAT_POINTER_UP, 380, 450);
+    show(editor);
+    assert_int_equal(bat_object_spline_options(newest(editor))->mode, BAT_TANGENTS_EVEN);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == even);
+
+    for (int i = 0; i < 4; i++) { /* a point more behind each, and off again */
+        tap(&p, 200 + 150 * i, i % 2 ? 500 : 320);
+        assert_int_equal(bat_editor_command(editor, "point-default"), BAT_STATE);
+        assert_int_equal(bat_editor_command(editor, "point-add"), BAT_OK);
+        show(editor);
+        const double *at = spline_of(editor)->points + 2 * (i < 3 ? i + 1 : 3);
+        const double first = i < 3 ? 200 + 150 * i : 500;
+        assert_true(at[0] > first && at[0] < first + 150);
+        assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+        assert_true(digest(editor) == even);
+    }
+
+    assert_int_equal(bat_editor_command(editor, "cancel"),
+                     BAT_OK); /* the next one is even, too, drawn with the pen down */
+    tap(&p, 200, 600);
+    pen_event(&p, BAT_POINTER_DOWN, 300, 700);
+    pen_event(&p, BAT_POINTER_MOVE, 320, 720);
+    pen_event(&p, BAT_POINTER_MOVE, 340, 740);
+    show(editor);
+    pen_event(&p, BAT_POINTER_UP, 340, 740);
+    tap(&p, 500, 600);
+    assert_true(key(editor, "Enter", 0));
+    assert_int_equal(bat_object_spline_options(newest(editor))->mode, BAT_TANGENTS_EVEN);
+    assert_true(spline_of(editor)->points[2] == 340 && spline_of(editor)->points[3] == 740);
+    replays(editor, 0);
+    bat_editor_free(editor);
 }
 
 int main(void) {
@@ -533,6 +599,7 @@ int main(void) {
         cmocka_unit_test(other_tools_say_so_too),
         cmocka_unit_test(another_tap_chooses),
         cmocka_unit_test(two_equal_points_are_no_curve),
+        cmocka_unit_test(curvature_is_even),
         cmocka_unit_test(wild_sessions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

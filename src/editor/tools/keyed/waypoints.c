@@ -8,6 +8,7 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/show/overlay.h"
+#include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
@@ -282,7 +283,9 @@ static void show_spline(const bat_context *c, const bat_waypoints *w, bat_overla
     double tangents[2 * BAT_WAYPOINTS_MAX];
     bat_spline spline = spline_of(c, w, tangents);
     bat_curve *curve = NULL;
-    if (bat_tangents(&spline, NULL, NULL, NULL, NULL, &curve) != BAT_OK) return;
+    bat_tangents_options options = bat_tangents_defaults();
+    options.mode = (bat_tangents_mode)c->settings->values[BAT_PROPERTY_SPLINE_MODE];
+    if (bat_tangents(&spline, &options, NULL, NULL, NULL, &curve) != BAT_OK) return;
     bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
     bat_path_curve(&list->path, curve);
     bat_curve_free(curve);

@@ -1,4 +1,5 @@
 /* The tangents tool: its changes to the document, each an undo step. */
+#include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/style.h"
 #include "editor/session/context.h"
@@ -11,6 +12,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
+#include "kinds/spline.h"
 #include <batten/bezier.h>
 #include <math.h>
 #include <stdio.h>
@@ -48,14 +50,15 @@ bat_status bat_splining_commit(bat_context *c, bat_string step) {
 
 bat_status bat_splining_make(bat_context *c, const bat_spline *spline) {
     bat_style style = bat_styling_new(c);
+    const bat_tangents_options options = bat_splining_next_options(c);
     bat_object *object = NULL;
     /* Check first that it is valid: an id once taken is not returned. */
-    bat_status status = bat_object_create_spline(1, NULL, &style, spline, NULL, &object);
+    bat_status status = bat_object_create_spline(1, NULL, &style, spline, &options, &object);
     bat_object_release(object);
     if (status != BAT_OK) return status;
     object = NULL;
     bat_id id = bat_document_new_id(c->session->document);
-    status = bat_object_create_spline(id, NULL, &style, spline, NULL, &object);
+    status = bat_object_create_spline(id, NULL, &style, spline, &options, &object);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         status = bat_arrange_insert(c, object);
@@ -99,7 +102,7 @@ bat_status bat_splining_remove_point(bat_context *c, int point) {
 
 bat_status bat_splining_default(bat_context *c, int point) {
     bat_splining *s = bat_splining_of(c);
-    bat_status status = bat_splining_load(c);
+    bat_status status = bat_splining_is_even(c) ? BAT_STATE : bat_splining_load(c);
     if (status != BAT_OK) return status;
     for (int k = 0; k < s->draft.dimension; k++) s->draft.tangents[s->draft.dimension * point + k] = 0;
     for (int k = 0; k < 2; k++) s->draft.tension[2 * point + k] = 1;
@@ -148,6 +151,21 @@ bat_status bat_splining_close(bat_context *c) {
     if (status == BAT_OK) status = bat_splining_commit(c, BAT_STRING_STEP_CLOSE);
     bat_splining_tell(c, status, BAT_STRING_NOTICE_CLOSED);
     if (status == BAT_OK) s->placing = false, s->point = 0;
+    return status;
+}
+
+bat_status bat_splining_set_mode(bat_context *c, double mode) {
+    bat_splining *s = bat_splining_of(c);
+    const bool chosen = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES;
+    if (!chosen || c->session->busy || c->session->transaction.open || !bat_splining_spline(c) ||
+        bat_splining_options(c).mode == (bat_tangents_mode)mode)
+        return BAT_OK;
+    bat_object *after = NULL;
+    bat_status status = bat_object_with_spline_mode(bat_splining_object(c), (bat_tangents_mode)mode, &after);
+    if (status == BAT_OK) status = put(c, BAT_STRING_STEP_SPLINE_MODE, s->object, after);
+    bat_object_release(after);
+    s->hover_changed = true;
+    if (status == BAT_OK) s->on_direction = false;
     return status;
 }
 

@@ -88,7 +88,8 @@ static bat_spline_hit find_placing(const place *p, const bat_spline *s, const ba
     if (from_point(p, s, 0) <= POINT_REACH * p->reach) return (bat_spline_hit){.part = BAT_PART_FIRST};
     if (from_point(p, s, last) <= POINT_REACH * p->reach)
         return (bat_spline_hit){.part = BAT_PART_POINT, .point = last};
-    if (on_arrow(p, s, joints, last)) return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = last};
+    if (!bat_splining_is_even(p->c) && on_arrow(p, s, joints, last))
+        return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = last};
     return (bat_spline_hit){0};
 }
 
@@ -100,8 +101,9 @@ bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_devi
     s->near = -1;
     if (s->placing) return spline && joints ? find_placing(&p, spline, joints) : (bat_spline_hit){0};
     if (spline && joints) {
-        int i = nearest_point(&p, spline, POINT_REACH * p.reach), chosen = s->point;
-        s->near = nearest_point(&p, spline, BAT_PROMPT_RADIUS + RING_REACH * p.reach);
+        const bool even = bat_splining_is_even(c);
+        int i = nearest_point(&p, spline, POINT_REACH * p.reach), chosen = even ? -1 : s->point;
+        s->near = even ? -1 : nearest_point(&p, spline, BAT_PROMPT_RADIUS + RING_REACH * p.reach);
         if (i >= 0) return (bat_spline_hit){.part = BAT_PART_POINT, .point = i};
         if (chosen >= 0) {
             bat_spline_hit hit = {.point = chosen};

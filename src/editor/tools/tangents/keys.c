@@ -77,11 +77,13 @@ static bat_status step_point(bat_context *c, int step) {
         spline = bat_splining_spline(c);
     }
     if (!spline) return BAT_STATE;
+    const bool even = bat_splining_is_even(c); /* it has no directions to stop at */
     int slot = s->point < 0 ? (step > 0 ? 0 : 2 * bat_spline_count(spline) - 1)
+               : even       ? 2 * (s->point + step)
                             : 2 * s->point + s->on_direction + step;
     if (slot < 0 || slot >= 2 * bat_spline_count(spline)) return BAT_STATE;
     s->point = slot / 2;
-    s->on_direction = slot % 2 != 0;
+    s->on_direction = !even && slot % 2 != 0;
     s->placing = false;
     return BAT_OK;
 }
@@ -106,6 +108,21 @@ static bat_status take_back(bat_context *c) {
     return status;
 }
 
+/* The same on pieces that have their point inside: beyond it, halfway to the next piece; on this side of it after the
+ * first point of an open curve. kept: how many points count; at: which of them. */
+static bat_status add_behind_even(bat_context *c, const bat_spline *spline, const bat_joint *joints, int at,
+                                  int kept) {
+    const int pieces = spline->closed ? kept : kept - 2, wanted = spline->closed ? at : at - 1;
+    const int piece = wanted < 0 ? 0 : wanted < pieces ? wanted : pieces - 1;
+    int seen = -1, of = 0;
+    for (int i = 0; i < bat_spline_count(spline); i++)
+        if (!joints[i].dropped && ++seen == (spline->closed ? piece : piece + 1)) of = i;
+    const double left = vec_norm(vec_load(joints[of].left, 3)),
+                 right = vec_norm(vec_load(joints[of].right, 3));
+    const double t = left + right > 0 ? left / (left + right) : 0.5;
+    return bat_splining_insert(c, piece, wanted < 0 ? t / 2 : (1 + t) / 2);
+}
+
 /* Adds a point in the middle of the segment after the point; for the last point, of the segment before it. */
 static bat_status add_behind(bat_context *c) {
     bat_splining *s = bat_splining_of(c);
@@ -117,6 +134,7 @@ static bat_status add_behind(bat_context *c) {
         if (!joints[i].dropped) kept++;
         if (i <= s->point && !joints[i].dropped) segment++;
     }
+    if (bat_splining_is_even(c) && kept > 2) return add_behind_even(c, spline, joints, segment, kept);
     if (!spline->closed && segment > kept - 2) segment = kept - 2;
     if (segment >= kept) segment = kept - 1;
     return bat_splining_insert(c, segment < 0 ? 0 : segment, 0.5);

@@ -100,9 +100,10 @@ static void beside(bat_overlay *list, const bat_draft *draft, int point,
     int segments = 0;
     if (joints && bat_tangents(&spline, options, joints, &segments, &bezier, NULL) == BAT_OK &&
         !joints[point].dropped) {
+        const bool all = options->mode == BAT_TANGENTS_EVEN; /* every piece feels every point */
         int after = -1;
         for (int i = 0; i <= point; i++) after += !joints[i].dropped;
-        for (int which = after - 1; which <= after; which++) {
+        for (int which = all ? 0 : after - 1; which <= (all ? segments - 1 : after); which++) {
             int segment = spline.closed ? (which + segments) % segments : which;
             if (segment < 0 || segment >= segments) continue;
             const double *b = bezier + 4 * spline.dimension * segment;
@@ -228,11 +229,12 @@ static void first_point(bat_context *c, bat_overlay *list) {
         if (bat_draft_insert(draft, 0, s->first) == BAT_OK && bat_draft_insert(draft, 1, next) == BAT_OK) {
             memcpy(draft->tangents, s->first_direction, (size_t)s->dimension * sizeof(double));
             bat_overlay_item(list, BAT_ROLE_GHOST, BAT_ITEM_STROKED, 1.5F);
-            beside(list, draft, 1, NULL);
+            const bat_tangents_options options = bat_splining_options(c);
+            beside(list, draft, 1, &options);
         }
     }
     bat_splining_seen(c, first, at);
-    circle(list, at, BAT_PROMPT_RADIUS * pixel);
+    if (!bat_splining_is_even(c)) circle(list, at, BAT_PROMPT_RADIUS * pixel);
     bat_splining_seen_way(c, first, direction, way);
     if (vec_norm(direction) > 0) arrow(list, at, way, BAT_PROMPT_RADIUS * pixel, ARROW_HEAD * pixel, false);
     dot(list, BAT_ROLE_CHOSEN, at, CHOSEN_RADIUS * pixel);
@@ -335,7 +337,8 @@ void bat_splining_overlay(bat_context *c, bat_overlay *list) {
     const bat_tangents_options *options = bat_object_spline_options(object);
     double pixel = bat_stage_pixel(c->stage);
     int point = dragging ? s->press.point : s->point;
-    bool turning = point >= 0 &&
+    const bool even = options->mode == BAT_TANGENTS_EVEN;
+    bool turning = point >= 0 && !even &&
                    (dragging ? s->press.part != BAT_PART_POINT : s->on_direction && !s->placing);
     if (turning) zones(c, list, spline, joints, point, BAT_PROMPT_RADIUS * pixel);
     if (!dragging) {
@@ -346,8 +349,9 @@ void bat_splining_overlay(bat_context *c, bat_overlay *list) {
         ghosts(list, &s->draft, point, bat_splining_normal(c, spline, joints, point), options);
     if (s->placing && !dragging) next_point(c, list, spline, options);
     if (dragging && s->snapped) guide(c, list, bat_splining_point(spline, point));
-    if (point >= 0 && !s->placing) handles(c, list, bat_splining_point(spline, point), &joints[point], pixel);
-    if (point >= 0) prompt(c, list, spline, joints, point);
+    if (point >= 0 && !s->placing && !even)
+        handles(c, list, bat_splining_point(spline, point), &joints[point], pixel);
+    if (point >= 0 && !even) prompt(c, list, spline, joints, point);
     if (!dragging && !s->placing && s->hovering && s->near >= 0 && s->near < bat_spline_count(spline) &&
         s->near != point)
         prompt(c, list, spline, joints, s->near);

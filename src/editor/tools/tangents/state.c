@@ -3,6 +3,7 @@
 #include "base/real.h"
 #include "editor/scene/seen.h"
 #include "editor/session/session.h"
+#include "editor/tables/settings.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/curve_ground.h"
 #include "editor/view/stage.h"
@@ -45,6 +46,23 @@ const bat_object *bat_splining_object(const bat_context *c) {
     return bat_document_at(c->session->document,
                            bat_document_find(c->session->document, bat_splining_of(c)->object));
 }
+
+bat_tangents_options bat_splining_next_options(const bat_context *c) {
+    bat_tangents_options options = bat_tangents_defaults();
+    options.mode = (bat_tangents_mode)c->settings->values[BAT_PROPERTY_SPLINE_MODE];
+    return options;
+}
+
+bat_tangents_options bat_splining_options(const bat_context *c) {
+    const int at = bat_splining_of(c)->object
+                       ? bat_document_find(c->session->document, bat_splining_of(c)->object)
+                       : -1;
+    const bat_object *object = at >= 0 ? bat_document_at(c->session->document, at) : NULL;
+    const bat_tangents_options *own = object ? bat_object_spline_options(object) : NULL;
+    return own ? *own : bat_splining_next_options(c);
+}
+
+bool bat_splining_is_even(const bat_context *c) { return bat_splining_options(c).mode == BAT_TANGENTS_EVEN; }
 
 const bat_joint *bat_splining_joints(bat_context *c) {
     bat_splining *s = bat_splining_of(c);

@@ -78,6 +78,11 @@ typedef struct bat_splining {
 void bat_splining_free(bat_splining *s); /* resets everything */
 /* The chosen spline, or NULL; deselects one that is gone. */
 const bat_spline *bat_splining_spline(bat_context *c);
+/* How the next spline is made; how the chosen one is, or without one the next. */
+bat_tangents_options bat_splining_next_options(const bat_context *c);
+bat_tangents_options bat_splining_options(const bat_context *c);
+/* Whether it is of even curvature: there are no directions then. */
+bool bat_splining_is_even(const bat_context *c);
 /* Its object. */
 const bat_object *bat_splining_object(const bat_context *c);
 /* Its joints; NULL: no spline, or out of memory. */
@@ -118,6 +123,8 @@ bat_status bat_splining_close(bat_context *c);
 /* Makes a new object and chooses it; without a notice. */
 bat_status bat_splining_make(bat_context *c, const bat_spline *spline);
 bat_status bat_splining_give_free(bat_context *c);
+/* The mode of the chosen spline changes, in one step; without one only that of the next. */
+bat_status bat_splining_set_mode(bat_context *c, double mode);
 
 /* tangents.c: stops placing points; false: none were being placed. keys.c: commands of the tool. */
 bool bat_splining_stop(bat_context *c);

@@ -142,6 +142,7 @@ static bool drag_point(bat_context *c, bat_splining *s) {
     const bool rise = c->modifiers & BAT_ALT && s->draft.dimension == 3;
     double *own = s->draft.points + s->draft.dimension * s->press.point, way[3], point[2], start[2];
     c->snap->kind = BAT_SNAP_NONE;
+    if (s->travelled <= TAP) return false; /* it was placed just now */
     if (s->draft.dimension == 3 || bat_stage_tilted(c->stage)) {
         if (!bat_stage_way_in(c->stage, s->draft.dimension, rise ? s->rise : s->plane, s->base, s->start,
                               s->at, rise, way))
@@ -176,7 +177,8 @@ static bool drag_direction(bat_context *c, bat_splining *s) {
 /* The very first point has only a direction. */
 static void drag_first(bat_context *c, bat_splining *s) {
     double way[3] = {0};
-    if (s->travelled <= TAP || !bat_stage_aim(c->stage, s->dimension, s->plane, s->first, s->at, way))
+    if (s->travelled <= TAP || bat_splining_is_even(c) ||
+        !bat_stage_aim(c->stage, s->dimension, s->plane, s->first, s->at, way))
         vec_store((vec){0, 0, 0}, way);
     vec_store(unit(vec_load(way, 3)), s->first_direction);
 }
@@ -277,15 +279,16 @@ static bat_status add_point(bat_context *c, const double *point) {
     if (status != BAT_OK) return status;
     bat_spline spline = bat_draft_spline(&s->draft);
     bat_style style = bat_styling_new(c);
+    const bat_tangents_options options = bat_splining_options(c);
     if (id) {
         status = bat_object_with_spline(bat_splining_object(c), &spline, &object);
     } else {
-        status = bat_object_create_spline(1, NULL, &style, &spline, NULL, &object); /* is it valid? */
+        status = bat_object_create_spline(1, NULL, &style, &spline, &options, &object); /* is it valid? */
         bat_object_release(object);
         object = NULL;
         if (status != BAT_OK) return status;
         id = bat_document_new_id(c->session->document);
-        status = bat_object_create_spline(id, NULL, &style, &spline, NULL, &object);
+        status = bat_object_create_spline(id, NULL, &style, &spline, &options, &object);
     }
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
@@ -297,7 +300,7 @@ static bat_status add_point(bat_context *c, const double *point) {
     if (status != BAT_OK) return status;
     s->step = s->object ? BAT_STRING_STEP_POINT : BAT_STRING_STEP_SPLINE;
     s->object = id;
-    hold(c, BAT_PART_DIRECTION, s->draft.count - 1);
+    hold(c, options.mode == BAT_TANGENTS_EVEN ? BAT_PART_POINT : BAT_PART_DIRECTION, s->draft.count - 1);
     s->due = false;
     return BAT_OK;
 }
@@ -530,7 +533,7 @@ static bat_string hint(const bat_context *c, const void *state) {
         [BAT_PART_CURVE] = BAT_STRING_HINT_INSERT, [BAT_PART_FIRST] = BAT_STRING_HINT_PLACE_CLOSE,
         [BAT_PART_OTHER] = BAT_STRING_HINT_CHOOSE};
     if (s->state == BAT_SPLINING_DRAGGING) {
-        if (s->press.part == BAT_PART_POINT) return BAT_STRING_HINT_MOVING;
+        if (s->press.part == BAT_PART_POINT || bat_splining_is_even(c)) return BAT_STRING_HINT_MOVING;
         if (s->press.part != BAT_PART_DIRECTION) return BAT_STRING_HINT_TENSING;
         bool known = s->object && s->joints && s->joints_object == s->object &&
                      s->joints_revision == c->session->revision;
@@ -539,6 +542,7 @@ static bat_string hint(const bat_context *c, const void *state) {
         return beyond ? BAT_STRING_HINT_BEYOND : BAT_STRING_HINT_TURNING;
     }
     if (s->over.part != BAT_PART_NOTHING) return over[s->over.part];
+    if (s->placing && bat_splining_is_even(c)) return BAT_STRING_HINT_EVEN_PLACE;
     return s->placing ? BAT_STRING_HINT_PLACE_NEXT : BAT_STRING_HINT_PLACE;
 }
 
