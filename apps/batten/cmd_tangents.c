@@ -90,8 +90,7 @@ const cli_command command_tangents = {
     .example = "batten tangents spline.json --default chordal > curve.json",
     .operands = 1,
     .options = {{"--mode", "MODE",
-                 "faithful (the default): any direction; paper: within the wedge; even: curvature "
-                 "that is greatest at the points"},
+                 "faithful (any direction, the default), paper (within the wedge) or even (curvature)"},
                 {"--default", "RULE", "where no direction is given: centripetal, uniform or chordal"}},
     .run = run,
 };

@@ -12,9 +12,5 @@ int bat_even_pieces(bool closed, int count);
  * quadratic B-spline. */
 bat_status bat_even(const bat_spline *spline, const int *keep, int count, bat_joint *joints, double *bezier,
                     bat_curve **out);
-/* bat_tangents_insert for it. */
-bat_status bat_even_insert(const bat_spline *spline, int segment, double t,
-                           const bat_tangents_options *options, bat_spline *out, void **block, int *index,
-                           double *deviation);
 
 #endif

@@ -7,7 +7,7 @@
 #include <batten/tangents.h>
 
 #include "base/vec.h"
-#include "hands/tangents/even.h"
+#include "hands/tangents/even_insert.h"
 #include "hands/tangents/spline.h"
 
 #include <math.h>
