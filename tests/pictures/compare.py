@@ -30,6 +30,8 @@ def unfilter(kind, line, above, size):
     """A row of a PNG; size: bytes of a pixel."""
     if kind == 0:
         return line
+    if kind == 1:
+        return numpy.cumsum(line.reshape(-1, size), 0, numpy.uint8).ravel()
     if kind == 2:
         return line + above
     out = bytearray(len(line))
@@ -39,7 +41,7 @@ def unfilter(kind, line, above, size):
         corner = int(above[i - size]) if i >= size else 0
         guess = left + up - corner
         near = min((abs(guess - left), 0, left), (abs(guess - up), 1, up), (abs(guess - corner), 2, corner))[2]
-        out[i] = value + (left if kind == 1 else (left + up) // 2 if kind == 3 else near) & 255
+        out[i] = value + ((left + up) // 2 if kind == 3 else near) & 255
     return numpy.frombuffer(bytes(out), numpy.uint8)
 
 
