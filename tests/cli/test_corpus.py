@@ -21,8 +21,8 @@ from compare import files  # noqa: E402
 
 # A folder, how many of its files are tried, and how many of these may differ in their picture; in what is kept none may.
 # d3's axes ask for crisp edges, which cairo does not draw.
-CORPORA = [(PICTURES / "programs", 7, 1), (pathlib.Path("/usr/share/icons/Tango/scalable"), 30, 1),
-           (pathlib.Path("/usr/share/icons/Adwaita/scalable"), 23, 1)]
+CORPORA = [(PICTURES / "programs", 7, 1), (pathlib.Path("/usr/share/icons/Tango/scalable"), 30, 0),
+           (pathlib.Path("/usr/share/icons/Adwaita/scalable"), 23, 0)]
 
 
 def spread(paths, count):
