@@ -45,8 +45,17 @@ need_to_build() {
     need esbuild esbuild
 }
 
+# For the target site.
+need_to_publish() {
+    need python3 python3
+    need python3-pil /usr/lib/python3/dist-packages/PIL
+    need npm npm
+    need pandoc pandoc
+}
+
 need_to_test() {
     need_to_build
+    need_to_publish
     need g++ g++
     need clang clang
     need llvm llvm-cov
@@ -57,12 +66,10 @@ need_to_test() {
     need git git
     need curl curl
     need jq jq
-    need python3 python3
     need python3-scipy '/usr/lib/python3/dist-packages/scipy'
     need python3-shapely '/usr/lib/python3/dist-packages/shapely'
     need fontforge-nox fontforge
     need python3-ezdxf '/usr/lib/python3/dist-packages/ezdxf'
-    need python3-pil /usr/lib/python3/dist-packages/PIL
     need python3-pip /usr/lib/python3/dist-packages/pip
     need mypy mypy
     need python3-jsonschema /usr/lib/python3/dist-packages/jsonschema
@@ -75,7 +82,6 @@ need_to_test() {
     need fish fish
     need groff-base groff
     need nodejs node
-    need npm npm
     need chromium chromium
     need dpkg-dev dpkg-buildflags
     need adwaita-icon-theme /usr/share/icons/Adwaita/scalable

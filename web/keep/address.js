@@ -1,32 +1,84 @@
-// ?open=ADDRESS: opens a file of the page's own server. Fetched when the page's address asks for it.
+// What the page's address asks for, after "?" or "#": open=ADDRESS, a file of the page's own server; journal=ADDRESS, a
+// journal, which is replayed into a drawing of its own; play=ADDRESS, the drawing that a journal begins with. Fetched when
+// an address asks.
 
 import { bytesOf } from './gzip.js';
 import { word } from '../page/words.js';
 
+/** @typedef {import('./drawings.js').Drawings} Drawings */
+
+/** What a journal does before the first event of a pen. @param {string} journal @returns {string[]} its lines */
+export function headOf(journal) {
+  const lines = journal.split('\n');
+  const first = lines.findIndex((line) => line.startsWith('{"pointer"'));
+  return lines.slice(0, first < 0 ? undefined : first);
+}
+
+/** The drawing that a journal begins with and its tool; not its window, nor its settings. @param {Uint8Array} journal */
+const startOf = (journal) => new TextEncoder().encode(headOf(new TextDecoder().decode(journal))
+  .filter((line) => !/^\{"(resize|set)"/.test(line)).join('\n'));
+
 /**
- * @param {import('./drawings.js').Drawings} drawings @param {string} asked relative to the page
- * @returns {Promise<boolean>} whether it is open now; if not, the user was told why
+ * The file at an address, of the page's own server only.
+ * @param {string} asked relative to the page @returns {Promise<{ bytes: Uint8Array, name: string }>}
  */
-export async function openAt(drawings, asked) {
-  const { files, notices } = drawings;
+async function fetched(asked) {
+  const address = new URL(asked, location.href);
+  if (address.origin !== location.origin) {
+    throw new Error(word('shell.other-origin'));
+  }
+  const response = await fetch(address);
+  if (!response.ok) {
+    throw new Error(word('shell.answered', `${response.status} ${response.statusText}`));
+  }
+  return { bytes: await bytesOf(await response.blob()), name: decodeURIComponent(address.pathname.split('/').pop() ?? '') };
+}
+
+/** @param {Drawings} drawings @param {string} asked @returns {Promise<boolean>} */
+async function openFile(drawings, asked) {
+  const { bytes, name } = await fetched(asked);
+  const file = name || 'drawing.svg';
+  const kept = await drawings.admit(file);
+  if (!drawings.files.open(bytes, file)) {
+    return false;
+  }
+  drawings.files.given = true;
+  drawings.resume(kept);
+  return true;
+}
+
+/** @param {Drawings} drawings @param {string} asked @param {boolean} whole or only what it begins with */
+async function openJournal(drawings, asked, whole) {
+  const { bytes, name } = await fetched(asked);
+  const journal = whole ? bytes : startOf(bytes);
+  const { engine, files } = drawings;
+  await drawings.whole.complete();
+  await drawings.openNew(name.replace(/\.[a-z]+$/i, '') || undefined);
+  const [width, height, ratio] = engine.size;
+  const done = engine.replay(journal);
+  engine.resize(width, height, ratio); // the journal's window had another
+  engine.command('view-fit');
+  files.given = !whole;
+  drawings.wake();
+  if (!done) {
+    drawings.notices.say(`${word('shell.not-opened', asked)} ${word('shell.damaged')}`);
+  }
+  return true; // what could be replayed is there, in a drawing of its own
+}
+
+/**
+ * @param {Drawings} drawings @param {string} words of the address
+ * @returns {Promise<boolean>} whether something that it asks for is open now; if not, the user was told why
+ */
+export async function openAsked(drawings, words) {
+  const asked = new URLSearchParams(words.replace(/[?#]/g, '&'));
+  const [kind] = ['open', 'journal', 'play'].filter((word) => asked.get(word));
+  const address = asked.get(kind) ?? '';
   try {
-    const address = new URL(asked, location.href);
-    if (address.origin !== location.origin) {
-      throw new Error(word('shell.other-origin'));
-    }
-    const response = await fetch(address);
-    if (!response.ok) {
-      throw new Error(word('shell.answered', `${response.status} ${response.statusText}`));
-    }
-    const name = decodeURIComponent(address.pathname.split('/').pop() ?? '') || 'drawing.svg';
-    const kept = await drawings.admit(name);
-    if (!files.open(await bytesOf(await response.blob()), name)) {
-      return false;
-    }
-    drawings.resume(kept);
-    return true;
+    return kind !== undefined && await (kind === 'open' ? openFile(drawings, address) :
+      openJournal(drawings, address, kind === 'journal'));
   } catch (error) {
-    notices.say(`${word('shell.not-opened', asked)} ${error instanceof Error ? error.message : ''}`);
+    drawings.notices.say(`${word('shell.not-opened', address)} ${error instanceof Error ? error.message : ''}`);
     return false;
   }
 }

@@ -88,14 +88,18 @@ export class Drawings {
     this.resume(await this.admit(this.files.name));
   }
 
-  /** Without a file: opens what the page's address asks for, else the last drawing kept that no other page has, else an empty one. */
+  /** What an address asks for. @param {string} asked @returns {Promise<boolean>} whether it is open now */
+  async #openAsked(asked) {
+    return asked !== '' && (await want(import('./address.js'))).openAsked(this, asked);
+  }
+
+  /**
+   * Without a file: opens what the page's address asks for, else the last drawing kept that no other page has, else what
+   * the page names to begin with, else an empty one.
+   */
   async openLast() {
-    const asked = new URLSearchParams(location.search).get('open');
-    if (asked) {
-      const { openAt } = await want(import('./address.js'));
-      if (await openAt(this, asked)) {
-        return;
-      }
+    if (await this.#openAsked(location.search + location.hash)) {
+      return;
     }
     for (const { name } of await this.keeper.list()) {
       const kept = await this.admit(name);
@@ -108,16 +112,19 @@ export class Drawings {
         }
       }
     }
-    await this.openNew();
+    const first = document.querySelector('meta[name=batten-first]')?.getAttribute('content') ?? '';
+    if (!await this.#openAsked(first)) {
+      await this.openNew();
+    }
   }
 
-  /** Opens an empty drawing; the previous one stays kept. */
-  async openNew() {
+  /** Opens an empty drawing; the previous one stays kept. @param {string} [stem] of its name */
+  async openNew(stem = 'drawing') {
     const taken = (await this.keeper.list()).map((kept) => kept.name);
     this.#leave();
-    let name = 'drawing.svg';
+    let name = `${stem}.svg`;
     for (let number = 2; taken.includes(name) || !(await this.tabs.claim(name)); number++) {
-      name = `drawing ${number}.svg`;
+      name = `${stem} ${number}.svg`;
     }
     this.#become(name);
     await this.files.reopen();
@@ -151,7 +158,7 @@ export class Drawings {
   /** Makes it a drawing without a file. @param {string} name */
   #become(name) {
     this.files.name = name;
-    this.files.bound = false;
+    this.files.bound = this.files.given = false;
     this.files.place = this.files.server;
     this.files.opened = new Uint8Array(0);
   }

@@ -89,6 +89,8 @@ export class Files {
     /** The document is the file of its place, and is saved there. */
     this.bound = false;
     this.unsaved = false;
+    /** The page brought the drawing itself: it is worth keeping once it has been edited. */
+    this.given = false;
     /** Something was drawn or changed since the drawing was opened. */
     this.edited = false;
     /** The page is being reloaded and will restore what is not saved. */
@@ -188,7 +190,7 @@ export class Files {
       }
       this.name = name;
       this.opened = bytes;
-      this.asked = false;
+      this.asked = this.given = false;
       return true;
     } catch (error) {
       this.refuse(name, error);

@@ -153,8 +153,9 @@ export class Loop {
     files.unsaved = frame.unsaved && ours;
     files.edited = files.unsaved || frame.canUndo;
     this.#tellLost(frame.lost);
+    files.given &&= !files.edited;
     if (ours) {
-      keeper.note(files.name, engine.session, engine.journal, frame.unsaved, !files.bound && !empty);
+      keeper.note(files.name, engine.session, engine.journal, frame.unsaved, !files.bound && !files.given && !empty);
     }
     if (frame.noticeVersion !== this.noticeVersion) {
       if (frame.notice) {

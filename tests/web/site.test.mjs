@@ -1,0 +1,146 @@
+// The site: the editor as a static host serves it, from Python's file server under a sub-path. No request leaves its
+// folder; its policy, which no header sends, is obeyed (page.mjs counts what it refuses as errors); it opens offline.
+// The ghost pen leaves nothing in the drawing. The race fetches its two libraries, and no other page does.
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import zlib from 'node:zlib';
+import { bezier, expectFaults, Hand, launch, place, quiet, ready, SCREENSHOTS, state } from './page.mjs';
+import { buildSite, serveSite } from './static.mjs';
+
+let browser;
+let site;
+before(async () => {
+  buildSite();
+  [browser, site] = await Promise.all([launch(), serveSite()]);
+});
+after(async () => {
+  await browser.close();
+  await site.close();
+});
+
+/** A page of the site; every request of it is noted, and must stay in the folder. */
+async function visit(address = '', options = {}, host = site) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const asked = [];
+  context.on('request', (request) => asked.push(request.url()));
+  const page = await context.newPage();
+  const open = async (where) => {
+    await page.goto(host.address + where);
+    await ready(page);
+    await page.waitForFunction(() => globalThis.race ?? batten.painter.painted);
+  };
+  await open(address);
+  const stays = () => assert.deepEqual(asked.filter((url) => !/^(data|blob):/.test(url) && !url.startsWith(host.address)), []);
+  return { context, page, asked, open, stays, hand: new Hand(page, await context.newCDPSession(page)) };
+}
+
+const turn = (page) => page.waitForSelector('html[data-turn=yes]');
+const lines = (page) => page.evaluate(() => new TextDecoder().decode(batten.engine.journal).trim().split('\n').length);
+const on = (page, points) => Promise.all(points.map(([x, y]) => place(page, x, y)));
+const ROOF = bezier([388, 176], [460, 90], [700, 60], [842, 169]);
+const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `site-${name}.png`) });
+
+test('the editor is the front page; a touch stops the ghost, which leaves nothing; it opens offline', async (t) => {
+  const own = await serveSite();
+  t.after(() => own.close());
+  const { page, asked, open, stays, hand } = await visit('', {}, own);
+  assert.equal(await page.textContent('#name'), 'car.svg');
+  assert.match(await page.getAttribute('meta[http-equiv=Content-Security-Policy]', 'content'), /default-src 'none'/);
+  await page.waitForSelector('.ghost-pen.down', { state: 'attached' });
+  const before = await state(page);
+  await shot(page, 'ghost');
+  // The touch that stops it draws at once: the visitor's stroke, and only that, is in the history.
+  await hand.stroke(await on(page, ROOF));
+  assert.equal(await page.locator('.ghost').count(), 0);
+  assert.match(await page.textContent('.front p'), /Your turn: draw a new roof/);
+  assert.notEqual((await state(page)).digest, before.digest);
+  await page.keyboard.press('Control+Z');
+  assert.equal((await state(page)).digest, before.digest);
+  assert.equal(await page.evaluate(() => glance().canUndo), false);
+  assert.equal(await lines(page), 3, 'the drawing, the stroke, undo');
+  await page.keyboard.press('Control+Shift+Z');
+  const drawn = (await state(page)).digest;
+  await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
+  await page.evaluate(() => batten.pack());
+  stays();
+  assert.deepEqual(asked.filter((url) => url.includes('/peers/')), []);
+
+  // Without its server: the drawing as it was left, then the drawings to begin with.
+  expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/);
+  await own.close();
+  await open('');
+  assert.equal((await state(page)).digest, drawn, 'kept as today');
+  await page.evaluate(() => batten.pack());
+  await open('race.html');
+  assert.equal(await page.locator('tbody tr').count(), 1);
+  assert.equal(await page.isVisible('#missing'), true);
+});
+
+test('what the page loads first is small', async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  const answers = new Map();
+  page.on('response', (response) => answers.set(response.url(), response));
+  await page.addInitScript(() => new MutationObserver(() => performance.mark('ready'))
+    .observe(document, { subtree: true, attributeFilter: ['data-ready'] }));
+  await page.goto(site.address);
+  await ready(page);
+  const early = await page.evaluate(() => performance.getEntriesByType('resource')
+    .filter((entry) => entry.startTime < performance.getEntriesByName('ready')[0].startTime).map((entry) => entry.name));
+  const sizes = await Promise.all([site.address, ...early].map(async (url) =>
+    zlib.gzipSync(await answers.get(url).body(), { level: 9 }).length));
+  const total = sizes.reduce((sum, size) => sum + size, 0);
+  console.log(`first load of the site: ${total} bytes gzip, ${sizes.length} files`);
+  assert.ok(sizes.length > 20 && total < 200000, `${total}`);
+});
+
+test('less motion: it waits to be asked; a ghost drags the crocodile and gives it back', async () => {
+  const { page, stays } = await visit('#play=demos/crocodile.journal', { reducedMotion: 'reduce', viewport: { width: 390, height: 844 } });
+  await turn(page);
+  assert.equal(await page.locator('.ghost').count(), 0);
+  const before = (await state(page)).digest;
+  await page.click('.front .told button');
+  await page.waitForSelector('.ghost-pen.down', { state: 'attached' });
+  assert.notEqual(await page.evaluate(() => front.ghost.engine.digest()), undefined);
+  await page.evaluate(() => { front.ghost.length = 0; });
+  await page.waitForFunction(() => !document.querySelector('.ghost'));
+  assert.equal((await state(page)).digest, before);
+  assert.match(await page.textContent('.front p'), /pull the back or the tail/);
+  await shot(page, 'crocodile');
+  stays();
+});
+
+test('#open= and #journal=, of this server alone', async () => {
+  const { page, stays } = await visit('#journal=demos/car.journal');
+  assert.equal(await page.evaluate(() => batten.engine.digest()), await page.evaluate(async () => {
+    const bytes = new Uint8Array(await (await fetch('demos/car.journal')).arrayBuffer());
+    batten.engine.replay(bytes);
+    return batten.engine.digest();
+  }));
+  assert.equal(await page.evaluate(() => glance().canUndo), true);
+  await page.evaluate(() => { location.hash = '#open=demos/car.svg'; });
+  await page.waitForFunction(() => globalThis.batten?.files.name === 'car.svg' && document.documentElement.dataset.ready === 'yes');
+  await page.evaluate(() => { location.hash = '#open=https://example.org/car.svg'; });
+  await page.waitForFunction(() => /example\.org/.test(document.getElementById('notice-text')?.textContent ?? ''));
+  stays();
+});
+
+test('the race counts three fits of a stroke', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    const { page, hand, stays, asked } = await visit('race.html', { colorScheme });
+    await page.waitForFunction(() => document.querySelectorAll('tbody tr').length === 3);
+    assert.equal(asked.filter((url) => /\/peers\/[\w.-]+\.js$/.test(url)).length, 2);
+    const box = await page.locator('#canvas').boundingBox();
+    await hand.stroke(bezier([box.x + 60, box.y + 250], [box.x + 200, box.y - 40], [box.x + 420, box.y + 460], [box.x + 700, box.y + 60]), { pointerType: 'mouse' });
+    await quiet(page);
+    const rows = await page.$$eval('tbody tr', (all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+    assert.deepEqual(rows.map(([name]) => name), ['Batten', 'fit-curve', 'paper.js']);
+    for (const [, pieces, points, error] of rows) {
+      assert.ok(Number(pieces) >= 1 && Number(pieces) < 40 && Number(points) > Number(pieces), `${rows}`);
+      assert.ok(Number(error) > 0 && Number(error) < 4, `${rows}`);
+    }
+    await shot(page, `race-${colorScheme}`);
+    stays();
+  }
+});

@@ -1,0 +1,115 @@
+// The front page of a static host: under the editor a card says what to try and leads on, and a ghost pen shows it once.
+
+import { want } from '../page/build.js';
+import { say } from './words.js';
+
+/** @typedef {import('./ghost.js').Ghost} Ghost */
+/** @typedef {import('../main.js').Shell} Shell */
+
+const SECONDS = 6;
+const LINKS = [['hairs', '#play=demos/hairs.journal'], ['crocodile', '#play=demos/crocodile.journal'],
+  ['race', 'race.html'], ['manual', 'manual/']];
+
+/** What is played: the journal that the address names, else the one of the car. */
+function playOf() {
+  const asked = new URLSearchParams(location.hash.slice(1));
+  const address = asked.get('play') ?? (asked.has('open') || asked.has('journal') ? '' : 'demos/car.journal');
+  const name = /(\w+)\.journal$/.exec(address)?.[1] ?? '';
+  return { address, name: say(`${name}.turn`) ? name : '' };
+}
+
+/** @param {string} tag @param {Record<string, string>} attributes @param {string} [text] */
+function make(tag, attributes, text = '') {
+  const element = document.createElement(tag);
+  Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, value));
+  element.textContent = text;
+  return element;
+}
+
+class Front {
+  /** @param {Shell} shell */
+  constructor(shell) {
+    this.shell = shell;
+    this.play = playOf();
+    /** @type {Ghost | null} */
+    this.ghost = null;
+    this.text = make('p', { role: 'status' });
+    this.again = make('button', { type: 'button' });
+    this.again.hidden = true;
+    this.again.addEventListener('click', () => this.#start());
+    this.card = make('section', { class: 'front', 'aria-label': say('links') });
+    const close = make('button', { type: 'button', 'aria-label': say('close'), class: 'close' }, '×');
+    close.addEventListener('click', () => {
+      this.stop();
+      this.card.remove();
+    });
+    const links = make('nav', { 'aria-label': say('links') });
+    links.append(...LINKS.map(([key, href]) => make('a', { href }, say(key))));
+    const told = make('div', { class: 'told' });
+    told.append(this.text, this.again);
+    this.card.append(told, links, close);
+    document.querySelector('.notices')?.append(this.card);
+  }
+
+  /** Shows the ghost at once, or offers to where motion is to be reduced. */
+  async begin() {
+    if (!this.play.name || !this.shell.files.given) {
+      return; // the visitor's own drawing is open
+    }
+    const { Ghost } = await want(import('./ghost.js'));
+    if (!await this.shell.whole.complete()) {
+      return;
+    }
+    const ghost = await want(Ghost.make(this.shell, this.play.address, SECONDS * 1000));
+    this.ghost = ghost;
+    ghost.onstop = () => this.#ended();
+    // The first touch of anything stops it, and does what it does without the ghost.
+    for (const event of ['pointerdown', 'wheel', 'keydown']) {
+      addEventListener(event, ({ target }) => target !== this.again && this.stop(), { capture: true, passive: true });
+    }
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches || this.shell.files.edited) {
+      this.#ended();
+      this.again.textContent = say('show');
+    } else {
+      this.#start();
+    }
+  }
+
+  #start() {
+    this.again.hidden = true;
+    this.text.textContent = say(`${this.play.name}.ghost`);
+    this.ghost?.start();
+  }
+
+  stop() {
+    this.ghost?.stop();
+  }
+
+  #ended() {
+    this.text.textContent = say(`${this.play.name}.turn`);
+    this.again.textContent = say('again');
+    this.again.hidden = false;
+    document.documentElement.dataset.turn = 'yes';
+  }
+}
+
+/** Waits until the editor is there. @returns {Promise<Shell>} */
+function ready() {
+  const root = document.documentElement;
+  return new Promise((resolve) => {
+    const look = () => root.dataset.ready === 'yes' && resolve(/** @type {any} */ (globalThis).batten);
+    new MutationObserver(look).observe(root, { attributeFilter: ['data-ready'] });
+    look();
+  });
+}
+
+const shell = await ready();
+// A link to another drawing: what is open is kept by the browser first.
+addEventListener('hashchange', async () => {
+  await shell.pack();
+  location.reload();
+});
+const front = new Front(shell);
+Object.assign(globalThis, { front }); // for tests
+await front.begin();
+
