@@ -141,6 +141,11 @@ test('the race counts three fits of a stroke', async () => {
       assert.ok(Number(error) > 0 && Number(error) < 4, `${rows}`);
     }
     await shot(page, `race-${colorScheme}`);
+    const ring = Array.from({ length: 60 }, (_, i) => [box.x + 440 + 260 * Math.cos(i / 9.4), box.y + 180 + 130 * Math.sin(i / 9.4)]);
+    await hand.stroke(ring, { pointerType: 'mouse' });
+    await quiet(page);
+    const [[pieces, , error]] = await page.$$eval('tbody tr', (all) => all.map((row) => [...row.children].slice(1).map((cell) => Number(cell.textContent))));
+    assert.ok(pieces >= 2 && error > 0 && error < 4, `a closed stroke: ${pieces} pieces, ${error} px`);
     stays();
   }
 });

@@ -7,30 +7,50 @@ import { addressOf } from '../page/build.js';
 /** @typedef {[number, number]} Place */
 /** @typedef {{ segments: Segment[], points: number, joints: string }} Fit */
 
-/** The curve of a native document in Bézier form: every inner knot is inserted until it has the degree's multiplicity. */
-function segmentsOf(/** @type {{ degree: number, knots: number[], points: number[][] }} */ curve) {
+/** @typedef {{ degree: number, closed?: boolean, knots: number[], points: number[][] }} Curve as docs/format.md says */
+
+/** One period of a closed curve, as an open one. @param {Curve} curve @returns {Curve} */
+function unrolled({ degree, closed, knots, points }) {
+  if (!closed) {
+    return { degree, knots, points };
+  }
+  const count = points.length;
+  const period = knots[count] - knots[0];
+  const around = (/** @type {number} */ i) => ((i % count) + count) % count;
+  return {
+    degree,
+    knots: Array.from({ length: count + 2 * degree + 1 }, (_, i) => knots[around(i - degree)] + Math.floor((i - degree) / count) * period),
+    points: Array.from({ length: count + degree }, (_, i) => points[around(i - degree)]),
+  };
+}
+
+/** A curve with one more knot (Boehm 1980). @param {Curve} curve @param {number} u @returns {Curve} */
+function withKnot({ degree, knots, points }, u) {
+  const k = knots.lastIndexOf(u);
+  const place = (/** @type {number} */ j) => {
+    const width = knots[j + degree] - knots[j];
+    const share = width > 0 ? (u - knots[j]) / width : 0;
+    return share === 0 ? points[j - 1] : points[j].map((value, axis) => share * value + (1 - share) * points[j - 1][axis]);
+  };
+  return {
+    degree,
+    knots: [...knots.slice(0, k + 1), u, ...knots.slice(k + 1)],
+    points: Array.from({ length: points.length + 1 }, (_, j) => (j <= k - degree ? points[j] : j > k ? points[j - 1] : place(j))),
+  };
+}
+
+/** The pieces of a curve of degree 3. @param {Curve} given @returns {Segment[]} */
+function segmentsOf(given) {
+  let curve = unrolled(given);
   const { degree } = curve;
-  let [knots, points] = [curve.knots, curve.points];
-  for (let i = degree + 1; i < knots.length - degree - 1; i++) {
-    const u = knots[i];
-    while (knots.filter((knot) => knot === u).length < degree) {
-      const k = knots.lastIndexOf(u);
-      const old = points;
-      points = Array.from({ length: old.length + 1 }, (_, j) => {
-        if (j <= k - degree) {
-          return old[j];
-        }
-        if (j > k) {
-          return old[j - 1];
-        }
-        const width = knots[j + degree] - knots[j];
-        const share = width > 0 ? (u - knots[j]) / width : 0;
-        return old[j].map((value, axis) => share * value + (1 - share) * old[j - 1][axis]);
-      });
-      knots = [...knots.slice(0, k + 1), u, ...knots.slice(k + 1)];
+  const joints = [...new Set(curve.knots.slice(degree, curve.knots.length - degree))];
+  for (const u of joints) {
+    while (curve.knots.filter((knot) => knot === u).length < degree) {
+      curve = withKnot(curve, u);
     }
   }
-  return Array.from({ length: (points.length - 1) / degree }, (_, i) => points.slice(3 * i, 3 * i + 4).flat());
+  const first = curve.knots.lastIndexOf(joints[0]) - degree;
+  return joints.slice(1).map((_, i) => curve.points.slice(first + degree * i, first + degree * (i + 1) + 1).flat());
 }
 
 /**
@@ -52,11 +72,6 @@ export function ours(engine, stroke, tolerance) {
     return null;
   }
   const seen = curve.points.map((/** @type {number[]} */ [x, y]) => [(x - view.x) * view.zoom, (y - view.y) * view.zoom]);
-  // A closed curve repeats its first points after a period.
-  const closed = curve.closed === true;
-  if (closed) {
-    return null;
-  }
   return { segments: segmentsOf({ ...curve, points: seen }), points: seen.length, joints: 'C2' };
 }
 
