@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """The browser shell contains no texts itself: all come from src/editor/tables/strings.def. index.html has no text
 except the name and the message for a failed load; the scripts have no sentence and set no literal text on an element.
-Every key that the shell uses is in the table.
+Every key that the shell uses is in the table. The front page of a static host has a table of its own, web/site/words.json, in
+both languages, too.
 
 Usage: check_words.py ROOT
 """
 import html.parser
+import json
 import pathlib
 import re
 import sys
@@ -68,6 +70,12 @@ for path in files:
         names = re.findall(r"'([a-z]+)'", text) + re.findall(r'data-group="(\w+)"', sprite.lower())
         asked |= {f"shell.{name}" for name in names} & keys
 
+site = json.loads((root / "web/site/words.json").read_text("utf-8"))
+faults += [f"web/site/words.json: {key}" for key, both in site.items() if len(both) != 2 or not all(both)]
+for path in files:
+    if path.parent.name == "site":
+        told = re.findall(r"\bsay\('([a-z.-]+)'\)", path.read_text("utf-8"))
+        faults += [f"{path.relative_to(root)}: {key} is not in words.json" for key in told if key not in site]
 faults += [f"{key}: not in strings.def" for key in sorted(asked - keys)]
 print("\n".join(faults))
 print(f"{len(files)} scripts and the page read, {len(faults)} faults")

@@ -1,7 +1,7 @@
 // The front page of a static host: under the editor a card says what to try and leads on, and a ghost pen shows it once.
 
 import { want } from '../page/build.js';
-import { say } from './words.js';
+import { learn, say } from './words.js';
 
 /** @typedef {import('./ghost.js').Ghost} Ghost */
 /** @typedef {import('../main.js').Shell} Shell */
@@ -103,7 +103,7 @@ function ready() {
   });
 }
 
-const shell = await ready();
+const [shell] = await Promise.all([ready(), learn()]);
 // A link to another drawing: what is open is kept by the browser first.
 addEventListener('hashchange', async () => {
   await shell.pack();

@@ -3,7 +3,7 @@
 import { Engine } from '../engine/engine.js';
 import { Module } from '../engine/module.js';
 import { errorOf, fitCurveOf, ours, paperOf, peers } from './fits.js';
-import { say } from './words.js';
+import { learn, say } from './words.js';
 
 /** @typedef {import('./fits.js').Fit} Fit */
 /** @typedef {import('./fits.js').Place} Place */
@@ -168,10 +168,10 @@ class Race {
 }
 
 async function start() {
+  await learn();
   document.documentElement.lang = navigator.language.startsWith('ko') ? 'ko' : 'en';
-  for (const [id, key] of [['back', 'race.back'], ['title', 'race.title'], ['draw', 'race.draw'],
-    ['tolerance-label', 'race.tolerance'], ['clear', 'race.clear'], ['note', 'race.note'], ['missing', 'race.missing']]) {
-    part(id).textContent = say(key);
+  for (const id of ['back', 'heading', 'draw', 'tolerance-label', 'clear', 'note', 'missing']) {
+    part(id).textContent = say(`race.${id}`);
   }
   const heads = document.createElement('tr');
   heads.append(document.createElement('td'), ...COLUMNS.map((key) => Object.assign(document.createElement('th'), { textContent: say(key) })));
