@@ -106,6 +106,9 @@ async function start() {
   try {
     const keeper = new Keeper();
     const [module] = await Promise.all([Module.load(), loadIcons(), keeper.start()]);
+    if (Settings.any) {
+      await module.complete().catch(() => {}); // offline only this way of fetching reaches what is cached
+    }
     const engine = new Engine(module);
     const settings = new Settings(engine);
     const words = new Words(engine);

@@ -62,6 +62,9 @@ test('the editor is the front page; a touch stops the ghost, which leaves nothin
   await page.keyboard.press('Control+Shift+Z');
   const drawn = (await state(page)).digest;
   await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
+  await page.evaluate(() => batten.engine.set('tolerance', 2));
+  await page.evaluate(() => batten.wake());
+  await page.waitForFunction(() => JSON.parse(localStorage.getItem('batten-settings') ?? '{}').values?.tolerance === 2);
   await page.evaluate(() => batten.pack());
   stays();
   assert.deepEqual(asked.filter((url) => url.includes('/peers/')), []);
@@ -71,6 +74,7 @@ test('the editor is the front page; a touch stops the ghost, which leaves nothin
   await own.close();
   await open('');
   assert.equal((await state(page)).digest, drawn, 'kept as today');
+  assert.equal(await page.evaluate(() => batten.engine.get('tolerance')), 2, 'settings, too');
   await page.evaluate(() => batten.pack());
   await open('race.html');
   assert.equal(await page.locator('tbody tr').count(), 1);

@@ -9,6 +9,11 @@ const SOON = 300; // milliseconds after a frame
 /** @typedef {{ values: Record<string, number>, keys: Record<string, string> }} Kept */
 
 export class Settings {
+  /** Whether there are any to restore, for which the module's second part is needed. */
+  static get any() {
+    return /:[{]"/.test(localStorage.getItem(STORE) ?? '');
+  }
+
   /** @param {Engine} engine */
   constructor(engine) {
     this.engine = engine;
