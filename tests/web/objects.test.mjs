@@ -25,6 +25,9 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
   test(`objects are listed with pictures, chosen, renamed, hidden, locked and moved, ${colorScheme}, ${locale}`, async () => {
     const { page, context } = await open(browser, server.address, { colorScheme, locale, viewport: { width: 1544, height: 1400 } });
     await reveal(page, 'objects');
+    for (const other of ['numbers', 'style']) { // so that all rows are in the window
+      await page.click(`[data-name=${other}]`);
+    }
     const fresh = await state(page);
     const before = await names(page);
     const all = await saved(page);

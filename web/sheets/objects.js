@@ -208,7 +208,6 @@ class ObjectTree {
 
   /** A row dragged over another one goes to its place. @param {HTMLElement} line @param {number} id */
   #drags(line, id) {
-    let from = NaN;
     const mark = (/** @type {Element | null} */ over) => {
       for (const row of this.list.children) {
         row.classList.toggle('target', row === over && over !== line);
@@ -216,27 +215,30 @@ class ObjectTree {
     };
     const under = (/** @type {PointerEvent} */ { clientY }) => [...this.list.children].find((row) =>
       clientY < row.getBoundingClientRect().bottom) ?? this.list.lastElementChild;
-    line.addEventListener('pointerdown', (event) => {
-      from = event.button === 0 && event.target instanceof Element && event.target.closest('.object-name') ? event.clientY : NaN;
-    });
-    line.addEventListener('pointermove', (event) => {
-      if (Math.abs(event.clientY - from) > SLACK && event.pointerType !== 'touch') {
-        line.setPointerCapture(event.pointerId);
-        line.classList.add('dragged');
-        mark(under(event));
+    line.addEventListener('pointerdown', (press) => {
+      if (press.button !== 0 || press.pointerType === 'touch' || !(press.target instanceof Element && press.target.closest('.object-name'))) {
+        return; // a finger scrolls
       }
+      const done = new AbortController();
+      const { signal } = done;
+      const end = (/** @type {PointerEvent | null} */ event) => {
+        const dragged = line.classList.contains('dragged');
+        done.abort();
+        line.classList.remove('dragged');
+        mark(null);
+        if (dragged && event) {
+          this.#place(id, Number(/** @type {HTMLElement} */ (under(event)).dataset.id));
+        }
+      };
+      addEventListener('pointermove', (event) => { // the pointer may have left the row at once
+        if (Math.abs(event.clientY - press.clientY) > SLACK) {
+          line.classList.add('dragged');
+          mark(under(event) ?? null);
+        }
+      }, { signal });
+      addEventListener('pointerup', end, { signal });
+      addEventListener('pointercancel', () => end(null), { signal });
     });
-    const end = (/** @type {PointerEvent} */ event, /** @type {boolean} */ done) => {
-      const dragged = line.classList.contains('dragged');
-      from = NaN;
-      line.classList.remove('dragged');
-      mark(null);
-      if (dragged && done) {
-        this.#place(id, Number(/** @type {HTMLElement} */ (under(event)).dataset.id));
-      }
-    };
-    line.addEventListener('pointerup', (event) => end(event, true));
-    line.addEventListener('pointercancel', (event) => end(event, false));
   }
 }
 
