@@ -116,13 +116,16 @@ def plain(text):
 
 
 def faults(folder):
-    """Links and pictures of the pages that lead nowhere."""
+    """Links and pictures of the pages that lead nowhere, and what else must not be in them."""
     folder = pathlib.Path(folder)
     marks, found, count = {}, [], 0
     for file in folder.rglob("*.html"):
         marks[file] = set(re.findall(r'\bid="([^"]+)"', file.read_text(encoding="utf-8")))
-    for file, _ in marks.items():
-        for target in re.findall(r'(?:href|src)="([^"]*)"', file.read_text(encoding="utf-8")):
+    for file in marks:
+        text = file.read_text(encoding="utf-8")
+        if "$$" in text or re.search(r'<(script|style)>|<[a-z][^>]*\sstyle="', text):
+            found.append(f"{file.relative_to(folder)}: a formula that was not understood, or what the policy forbids")
+        for target in re.findall(r'(?:href|src)="([^"]*)"', text):
             if re.match(r"[a-z]+:", target):
                 continue
             count += 1
