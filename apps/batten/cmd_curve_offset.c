@@ -27,7 +27,7 @@ static int offset(const cli_arguments *arguments, const bat_curve *a, const bat_
                          "expected 2 numbers, for a curve in the plane, found 3");
     if (!(tolerance > 0)) tolerance = fmax(TOLERANCE_SHARE * fabs(distance), 1e-12); /* a point */
     const bat_status status = bat_curve_offset(a, distance, tolerance, CORNER, &count, &all, &error);
-    if (status != BAT_OK) return fail_curve(arguments, status);
+    if (status != BAT_OK) return fail_near(arguments, status);
     bat_text report = {0};
     bat_text_string(&report, "{\"max_error\":");
     bat_text_number(&report, error);

@@ -14,7 +14,7 @@ static int flatten(const cli_arguments *arguments, const bat_curve *a, const bat
     int failed = required_tolerance(arguments, "--tolerance", &tolerance);
     if (failed) return failed;
     const bat_status status = bat_curve_flatten(a, tolerance, &count, &points, NULL);
-    if (status != BAT_OK) return fail_curve(arguments, status);
+    if (status != BAT_OK) return fail_near(arguments, status);
     const int size = bat_curve_dimension(a);
     bat_text text = {0};
     bat_text_string(&text, "{\"points\":");
@@ -50,7 +50,7 @@ static int arcs(const cli_arguments *arguments, const bat_curve *a, const bat_cu
         return fail_data(arguments->operands[0], "points[0]",
                          "expected 2 numbers, for a curve in the plane, found 3");
     const bat_status status = bat_curve_arcs(a, tolerance, CORNER, &count, &all, &error);
-    if (status != BAT_OK) return fail_curve(arguments, status);
+    if (status != BAT_OK) return fail_near(arguments, status);
     bat_text text = {0};
     bat_text_string(&text, "{\"arcs\":[");
     for (size_t i = 0; i < count; i++) {

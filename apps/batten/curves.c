@@ -22,6 +22,17 @@ int fail_curve(const cli_arguments *arguments, bat_status status) {
     return fail_data(arguments->operands[0], NULL, "%s", bat_status_message(status));
 }
 
+int fail_near(const cli_arguments *arguments, bat_status status) {
+    if (status == BAT_TOLERANCE)
+        return fail_data(arguments->operands[0], "--tolerance",
+                         "expected one that rounding does not hide at these coordinates, found too small a "
+                         "one");
+    if (status == BAT_COUNT)
+        return fail_data(arguments->operands[0], "--tolerance",
+                         "expected one for which 16777216 pieces are enough, found too small a one");
+    return fail_curve(arguments, status);
+}
+
 int write_made(const cli_arguments *arguments, bat_status status, bat_curve *curve) {
     if (status != BAT_OK) return fail_curve(arguments, status);
     const int failed = write_curve(curve);

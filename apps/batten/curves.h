@@ -17,6 +17,8 @@ int with_curves(const cli_arguments *arguments, curve_work *work);
 int write_made(const cli_arguments *arguments, bat_status status, bat_curve *curve);
 /* Bad data that a status stands for. */
 int fail_curve(const cli_arguments *arguments, bat_status status);
+/* The same for what is made within --tolerance. */
+int fail_near(const cli_arguments *arguments, bat_status status);
 /* A required option: a number above 0, in document units. */
 int required_tolerance(const cli_arguments *arguments, const char *name, double *out);
 /* Sides of the sum of both boxes: what relative bounds of two curves refer to; b may be NULL. */

@@ -84,7 +84,8 @@ typedef struct bat_arc {
  * units, > 0); they meet on one tangent wherever the curve does, and its corners (tangents that turn by more than
  * `corner` radians) stay. As few pairs of arcs as reach from point to point of the curve, each as far as it can
  * (biarcs; docs/math/relate.md 3). *max_error (may be NULL): a bound on the distance. *arcs is the caller's (bat_free).
- * BAT_DIMENSION: a space curve; BAT_COUNT: more than BAT_POINTS_MAX arcs.
+ * BAT_DIMENSION: a space curve; BAT_COUNT: more than BAT_POINTS_MAX arcs; BAT_TOLERANCE: a tolerance below 64 times what
+ * rounding may do to the greatest coordinate.
  */
 BAT_API bat_status bat_curve_arcs(const bat_curve *curve, double tolerance, double corner, size_t *count,
                                   bat_arc **arcs, double *max_error);
@@ -96,7 +97,8 @@ BAT_API bat_status bat_curve_arcs(const bat_curve *curve, double tolerance, doub
  * loops at tight bends, is cut off. So there may be several curves, or none: *count of them, in order along the curve,
  * in an array that the caller frees (bat_curves_free). *max_error (may be NULL): how far points of the result are from
  * being at the distance, measured at 16 places a span. Distance 0: a copy. BAT_DIMENSION: a space curve; BAT_NUMBER: a
- * distance that is not finite or too large; BAT_COUNT: more than 2^18 cubics. docs/math/relate.md 5.
+ * distance that is not finite or too large; BAT_COUNT: more than 2^18 cubics; BAT_TOLERANCE: a tolerance below 1e-12 of
+ * the greatest coordinate and the distance, which rounding hides. docs/math/relate.md 5.
  */
 BAT_API bat_status bat_curve_offset(const bat_curve *curve, double distance, double tolerance, double corner,
                                     size_t *count, bat_curve ***out, double *max_error);

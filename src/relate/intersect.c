@@ -11,13 +11,7 @@
 enum { PAIRS_MAX = 2 * 1000 * 1000 };
 
 /* The gap below which rounding hides whether points of these curves are the same. */
-static double hidden(const bat_curve *curve) {
-    const size_t count = bat_curve_count(curve) * (size_t)bat_curve_dimension(curve);
-    const double *points = bat_curve_points(curve);
-    double most = 0;
-    for (size_t i = 0; i < count; i++) most = fmax(most, fabs(points[i]));
-    return 64 * DBL_EPSILON * most;
-}
+static double hidden(const bat_curve *curve) { return 64 * DBL_EPSILON * bat_segments_reach_of(curve); }
 
 static bat_status meet(bat_encounter *m, bat_meeting *out) {
     bat_segment *a = NULL, *b = NULL;

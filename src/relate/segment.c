@@ -11,6 +11,14 @@
 
 enum { NUMBERS = (BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX, AXES_MAX = 8 };
 
+double bat_segments_reach_of(const bat_curve *curve) {
+    const size_t count = bat_curve_count(curve) * (size_t)bat_curve_dimension(curve);
+    const double *points = bat_curve_points(curve);
+    double most = 0;
+    for (size_t i = 0; i < count; i++) most = fmax(most, fabs(points[i]));
+    return most;
+}
+
 bat_status bat_segments_of(const bat_curve *curve, int *count, bat_segment **out) {
     const int p = bat_curve_degree(curve), m = bat_curve_dimension(curve), n = bat_curve_segment_count(curve);
     const size_t block = (size_t)((p + 1) * m);

@@ -16,6 +16,7 @@
 
 enum { PROBES = 16, BISECTIONS = 60, DEPTH_MAX = 20 };
 
+static const double ROUNDING = 1e-12; /* of the greatest coordinate: nearer than that, rounding decides */
 /* Shares of the tolerance: of the raw parallel, of its knots' removal, of crossings; what is too near; what may be missed. */
 const double bat_offset_fit = 0.55, bat_offset_removal = 0.2;
 static const double GAP = 0.1, NEARER = 0.95, MISSED = 0.05;
@@ -423,6 +424,8 @@ bat_status bat_curve_offset(const bat_curve *curve, double distance, double tole
     if (!curve || !count || !out || !(tolerance > 0) || !(corner >= 0)) return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
     if (!(fabs(distance) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    if (distance != 0 && !(tolerance >= ROUNDING * (bat_segments_reach_of(curve) + fabs(distance))))
+        return BAT_TOLERANCE;
     size_t made = 0;
     bat_curve **all = NULL;
     double error = 0;

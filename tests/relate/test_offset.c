@@ -195,6 +195,8 @@ static void bad_arguments(void **state) {
     assert_int_equal(bat_curve_offset(curve, 1e200, 1, 0, &count, &out, NULL), BAT_NUMBER);
     assert_int_equal(bat_curve_offset(curve, 1, 0, 0, &count, &out, NULL), BAT_ARGUMENT);
     assert_int_equal(bat_curve_offset(NULL, 1, 1, 0, &count, &out, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_curve_offset(curve, 1e70, 1, 0, &count, &out, NULL), BAT_TOLERANCE);
+    assert_int_equal(bat_curve_offset(curve, 1, 1e-30, 0, &count, &out, NULL), BAT_TOLERANCE);
     assert_int_equal(bat_curve_offset(curve, 0, 1, 0, &count, &out, NULL), BAT_OK);
     assert_true(count == 1 && bat_curve_is_equal(out[0], curve));
     bat_curves_free(count, out), bat_curves_free(0, NULL);
