@@ -16,9 +16,9 @@
 extern "C" {
 #endif
 
-#if defined(_WIN32)
-#define BAT_API
-#elif defined(__GNUC__)
+#if defined(_WIN32) && defined(BATTEN_DLL) /* dllexport: being built as a DLL; dllimport: used as one */
+#define BAT_API __declspec(BATTEN_DLL)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define BAT_API __attribute__((visibility("default")))
 #else
 #define BAT_API

@@ -92,7 +92,7 @@ static bool at_the_line(bat_editor *editor, random_source *r, double pixel[2]) {
     memcpy(at, s->lit.at, sizeof at);
     bat_surface_domain(surface, along, domain);
     if (where > 1) at[along] = random_between(r, domain[0], domain[1]);
-    if (where == 5 && bat_surfacing_padlock(c, s, random_int(r, 0, BAT_EDGES - 1), pixel)) return true;
+    if (where == 5 && bat_surfacing_padlock(c, s, random_int(r, 0, BAT_LINE_EDGES - 1), pixel)) return true;
     bat_surface_eval(surface, at[0], at[1], 0, point);
     return bat_surfacing_pixel(&view, point, pixel);
 }

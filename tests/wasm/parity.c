@@ -210,7 +210,7 @@ static void calm(parity_sink *sink) {
     }
 }
 
-static void put_reading(parity_sink *sink, const bat_reading *reading) {
+static void put_reading(parity_sink *sink, const bat_intent_reading *reading) {
     put(sink, reading->kind), put(sink, reading->cost), put(sink, reading->count);
     for (int i = 0; i < reading->count; i++) {
         put(sink, reading->part[i].line);
@@ -225,7 +225,7 @@ static void meaning(parity_sink *sink) {
     for (int i = 0; i < 40; i++) {
         double points[2 * COUNT];
         bat_intent *intent = NULL;
-        bat_reading readings[BAT_INTENT_READINGS];
+        bat_intent_reading readings[BAT_INTENT_READINGS];
         int count = 0;
         put(sink, bat_intent_create(i % 5 == 0, false, &intent));
         for (int k = 0; k < LINES; k++) {

@@ -194,7 +194,7 @@ WRAP(bat_status, bat_frame_chain_many, const bat_frame_chain *chain, size_t coun
     return status;
 }
 
-WRAP(bat_status, bat_intent_rank, bat_intent *intent, bool whole, bat_reading *out, int *count) {
+WRAP(bat_status, bat_intent_rank, bat_intent *intent, bool whole, bat_intent_reading *out, int *count) {
     bat_status status = __real_bat_intent_rank(intent, whole, out, count);
     for (int i = 0; i < *count && status == BAT_OK; i++) {
         uint64_t hash = mix_number(mix(out[i].kind, (uint64_t)out[i].count), out[i].cost);

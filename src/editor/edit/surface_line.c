@@ -78,7 +78,7 @@ static bat_status stroked(const bat_surface *surface, const bat_line_edit *edit,
 
 bat_line_edit bat_line_edit_paired(const bat_line_edit *edit, const bat_surface_pair *pair) {
     bat_line_edit both = *edit;
-    for (int k = 0; k < BAT_EDGES; k++)
+    for (int k = 0; k < BAT_LINE_EDGES; k++)
         if (pair->image == edit->object && pair->way.back[k / 2] && edit->lock[k ^ 1] > both.lock[k])
             both.lock[k] = edit->lock[k ^ 1];
     return both;

@@ -15,7 +15,7 @@
 #include <batten/view.h>
 
 #define BAT_LINE_EDIT "surface-redraw" /* its name in the journal */
-enum { BAT_EDGES = 4, BAT_LOCK_MOST = 3, BAT_LINE_PIXELS = 1 << 16 };
+enum { BAT_LINE_EDGES = 4, BAT_LOCK_MOST = 3, BAT_LINE_PIXELS = 1 << 16 };
 
 typedef struct bat_line_edit {
     bat_id object;
@@ -27,7 +27,7 @@ typedef struct bat_line_edit {
     double reach;     /* parameter units; 0: the usual one */
     double tolerance; /* document units */
     int lock
-        [BAT_EDGES]; /* what stays at the edges u low, u high, v low, v high: 0 nothing, 1 the place, 2 the tangents,
+        [BAT_LINE_EDGES]; /* what stays at the edges u low, u high, v low, v high: 0 nothing, 1 the place, 2 the tangents,
                            * too, 3 the curvature, too; directions that are closed have none */
     int level;         /* of a surface with levels: the one that is redrawn, 0 is the base; else no matter */
     bat_mirror mirror; /* on: the line's mirror image is redrawn, too, if there is one */

@@ -18,8 +18,8 @@ static void number(bat_text *line, const char *name, double value) {
 }
 
 void bat_line_edit_write(const bat_line_edit *edit, bat_text *line) {
-    double locks[BAT_EDGES], any = 0, ruled = 0;
-    for (int k = 0; k < BAT_EDGES; k++) locks[k] = edit->lock[k], any += locks[k];
+    double locks[BAT_LINE_EDGES], any = 0, ruled = 0;
+    for (int k = 0; k < BAT_LINE_EDGES; k++) locks[k] = edit->lock[k], any += locks[k];
     for (int k = 0; k < 3; k++) ruled += fabs(edit->along[k]);
     bat_text_string(line, "{\"do\":\"" BAT_LINE_EDIT "\"");
     number(line, "object", (double)edit->object);
@@ -32,7 +32,7 @@ void bat_line_edit_write(const bat_line_edit *edit, bat_text *line) {
     if (edit->level > 0) number(line, "level", edit->level);
     if (any > 0) {
         bat_text_string(line, ",\"locks\":");
-        bat_line_numbers(line, locks, BAT_EDGES, 1);
+        bat_line_numbers(line, locks, BAT_LINE_EDGES, 1);
     }
     if (ruled > 0) {
         bat_text_string(line, ",\"along\":");
@@ -67,8 +67,8 @@ static bat_status read_locks(const bat_json *json, bat_line_edit *out, bat_probl
     const uint32_t list = bat_json_member(json, 1, "locks");
     uint32_t node = bat_json_first(json, list);
     if (!list) return BAT_OK;
-    bool good = bat_json_count(json, list) == BAT_EDGES;
-    for (int k = 0; k < BAT_EDGES && good; k++, node = json->nodes[node].next) {
+    bool good = bat_json_count(json, list) == BAT_LINE_EDGES;
+    for (int k = 0; k < BAT_LINE_EDGES && good; k++, node = json->nodes[node].next) {
         const double value = bat_json_type_of(json, node) == BAT_JSON_NUMBER ? json->nodes[node].value.number
                                                                              : -1;
         good = value >= 0 && value <= BAT_LOCK_MOST && value == floor(value);

@@ -26,7 +26,7 @@ struct bat_line_drawing {
 /* ---- stretches ---- */
 
 /* Adds the points of a stretch, in pixels; returns how many. out may be NULL. */
-static size_t points_of(const bat_sight_scene *s, const bat_strand *strand, const bat_stretch *r,
+static size_t points_of(const bat_sight_scene *s, const bat_strand *strand, const bat_seen_stretch *r,
                         double *out) {
     size_t count = 0;
     bat_bead a, b;
@@ -85,7 +85,7 @@ static bat_status add_run(bat_line_drawing *drawing, const bat_strand *strand, b
     return BAT_OK;
 }
 
-static bat_status draw_stretch(const bat_sight_scene *s, const bat_strand *strand, const bat_stretch *r,
+static bat_status draw_stretch(const bat_sight_scene *s, const bat_strand *strand, const bat_seen_stretch *r,
                                bat_line_drawing *drawing) {
     const size_t count = points_of(s, strand, r, NULL);
     if (count < 2) return BAT_OK;
@@ -100,7 +100,7 @@ static bat_status draw_stretch(const bat_sight_scene *s, const bat_strand *stran
 }
 
 static bat_status draw_strand(const bat_sight_scene *s, const bat_strand *strand, bat_line_drawing *drawing) {
-    bat_stretch *stretches = NULL;
+    bat_seen_stretch *stretches = NULL;
     size_t count = 0;
     bat_status status = bat_strand_stretches(s, strand, &stretches, &count);
     for (size_t i = 0; i < count && status == BAT_OK; i++)

@@ -32,7 +32,7 @@ static bat_status look(const bat_sight_scene *s, const bat_strand *strand, doubl
 }
 
 typedef struct list {
-    bat_stretch *stretches;
+    bat_seen_stretch *stretches;
     size_t count, room;
     bool joined; /* the next stretch may go on with the last one */
 } list;
@@ -46,11 +46,11 @@ static bat_status go(list *l, double from, double to, bool hidden) {
     }
     if (l->count == l->room) {
         const size_t room = 2 * l->room + 8;
-        bat_stretch *more = realloc(l->stretches, room * sizeof *more);
+        bat_seen_stretch *more = realloc(l->stretches, room * sizeof *more);
         if (!more) return BAT_MEMORY;
         l->stretches = more, l->room = room;
     }
-    l->stretches[l->count++] = (bat_stretch){from, to, hidden};
+    l->stretches[l->count++] = (bat_seen_stretch){from, to, hidden};
     l->joined = true;
     return BAT_OK;
 }
@@ -89,7 +89,7 @@ static bat_status decide(const bat_sight_scene *s, const bat_strand *strand, dou
     return status == BAT_OK ? go(l, from, to, hidden[2]) : status;
 }
 
-bat_status bat_strand_stretches(const bat_sight_scene *s, const bat_strand *strand, bat_stretch **out,
+bat_status bat_strand_stretches(const bat_sight_scene *s, const bat_strand *strand, bat_seen_stretch **out,
                                 size_t *count) {
     list l = {.stretches = NULL};
     double from = 0;

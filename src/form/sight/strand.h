@@ -53,11 +53,11 @@ double bat_strand_facing(const bat_sight_scene *s, const bat_surface *surface, c
 bat_status bat_strand_split(bat_strand *strand, double place, bool corner);
 
 /* What is all seen or all hidden; the list is the caller's to free. */
-typedef struct bat_stretch {
+typedef struct bat_seen_stretch {
     double from, to;
     bool hidden;
-} bat_stretch;
-bat_status bat_strand_stretches(const bat_sight_scene *s, const bat_strand *strand, bat_stretch **out,
+} bat_seen_stretch;
+bat_status bat_strand_stretches(const bat_sight_scene *s, const bat_strand *strand, bat_seen_stretch **out,
                                 size_t *count);
 
 /* Checks the data and makes the strands, split; free with bat_sight_close. */

@@ -14,7 +14,7 @@ static bool is_crease(const bat_curve *axis, int span) {
 }
 
 /* Writes the stops of a direction; counts them when `stop` is NULL. */
-static size_t put_stops(const bat_curve *axis, const bat_steps *steps, int d, bat_stop *stop, double *at,
+static size_t put_stops(const bat_curve *axis, const bat_steps *steps, int d, bat_tile_stop *stop, double *at,
                         bool *wraps) {
     size_t count = 0;
     for (int k = 0; k < steps->spans[d]; k++) {
@@ -27,7 +27,7 @@ static size_t put_stops(const bat_curve *axis, const bat_steps *steps, int d, ba
             if (!stop) continue;
             const double w = (double)i / n;
             at[count] = i == n ? t[1] : fmin(t[0] + w * (t[1] - t[0]), t[1]);
-            stop[count] = (bat_stop){.beside = at[count], .span = k};
+            stop[count] = (bat_tile_stop){.beside = at[count], .span = k};
             if (i < n) continue;
             stop[count].joint = crease;
             if (crease) stop[count].beside = fmax(t[1] - before * step, t[0]);

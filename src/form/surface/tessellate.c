@@ -75,7 +75,7 @@ static bool coincide(const double *a, const double *b) {
 static void angles_of(const bat_tessellation *t, int d, double *most) {
     const size_t n = t->count[1], stride = d == 0 ? n : 1, other = d == 0 ? 1 : n;
     for (size_t k = 0; k < t->count[d]; k++) {
-        const bat_stop *stop = &t->stop[d][k];
+        const bat_tile_stop *stop = &t->stop[d][k];
         const bool last = k + 1 == t->count[d];
         if (stop->joint || (last && !t->wraps[d])) continue;
         const size_t next = last ? 0 : k + 1;

@@ -5,16 +5,16 @@
 #include "form/surface/steps.h"
 
 /* A row of vertices (u) or a column (v). */
-typedef struct bat_stop {
+typedef struct bat_tile_stop {
     double beside; /* where normals are taken: at the stop, or just beside it */
     int span;      /* which of bat_steps.span it belongs to */
     bool joint;    /* the next stop is at the same parameter: between them is a crease, and no triangle */
-} bat_stop;
+} bat_tile_stop;
 
 struct bat_tessellation {
     size_t count[2]; /* stops of u and v */
     bool wraps[2];   /* triangles join the last stop to the first */
-    bat_stop *stop[2];
+    bat_tile_stop *stop[2];
     double *at[2]; /* parameters */
     double domain[2][2];
     double *points, *normals;

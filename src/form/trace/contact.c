@@ -58,7 +58,7 @@ static double bend(const vec s[6], vec n, vec d, vec e) {
            vec_dot(s[5], n) * c[0][1] * c[1][1];
 }
 
-static void describe(const jets *j, bat_contact *out) {
+static void describe(const jets *j, bat_meet_contact *out) {
     const vec n = vec_unit(j->normal);
     out->axis[0] = vec_any_normal(n);
     out->axis[1] = vec_cross(n, out->axis[0]);
@@ -72,7 +72,7 @@ static void describe(const jets *j, bat_contact *out) {
     out->gap = vec_norm(j->r);
 }
 
-static bat_status keep(bat_meet *m, const bat_contact *contact) {
+static bat_status keep(bat_meet *m, const bat_meet_contact *contact) {
     for (size_t i = 0; i < m->contact_count; i++)
         if (vec_norm(vec_sub(m->contacts[i].at, contact->at)) < 1e-5 * m->size) return BAT_OK;
     if (m->contact_count >= CONTACTS_MAX) {
@@ -81,7 +81,7 @@ static bat_status keep(bat_meet *m, const bat_contact *contact) {
     }
     if (m->contact_count == m->contact_room) {
         const size_t room = 2 * m->contact_room + 8;
-        bat_contact *more = realloc(m->contacts, room * sizeof *more);
+        bat_meet_contact *more = realloc(m->contacts, room * sizeof *more);
         if (!more) return BAT_MEMORY;
         m->contacts = more, m->contact_room = room;
     }
@@ -108,7 +108,7 @@ static bool settle(const bat_meet *m, double y[4]) {
 }
 
 /* Whether surfaces are parallel at x and within the gap; then describes the contact. */
-static bool is_contact(const bat_meet *m, const double x[4], bat_contact *out) {
+static bool is_contact(const bat_meet *m, const double x[4], bat_meet_contact *out) {
     if (!bat_meet_inside(m, x, NULL, NULL)) return false;
     const jets j = jets_at(m, x);
     const double sine = vec_norm(vec_cross(vec_unit(vec_cross(j.a[1], j.a[2])), vec_unit(j.normal)));
@@ -120,7 +120,7 @@ static bool is_contact(const bat_meet *m, const double x[4], bat_contact *out) {
 
 /* Where surfaces lie on each other, distances are stationary everywhere: then any common point is a contact. */
 bat_status bat_meet_touch(bat_meet *m, const double x[4]) {
-    bat_contact contact;
+    bat_meet_contact contact;
     double y[4];
     memcpy(y, x, sizeof y);
     if (settle(m, y) && is_contact(m, y, &contact)) return keep(m, &contact);

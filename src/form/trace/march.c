@@ -100,7 +100,7 @@ static bool leave(const bat_meet *m, const bat_meet_place *from, const bat_meet_
 }
 
 /* A contact at which branches cross, right ahead within a step. */
-static const bat_contact *ahead(const bat_meet *m, const bat_meet_place *p, double length) {
+static const bat_meet_contact *ahead(const bat_meet *m, const bat_meet_place *p, double length) {
     for (size_t i = 0; i < m->contact_count; i++) {
         const vec way = vec_sub(m->contacts[i].at, p->at);
         const double far = vec_norm(way);
@@ -130,7 +130,7 @@ static bat_status go(const bat_meet *m, branch *b, const bat_meet_place *seed, b
     double length = first_step * m->size, gone = 0;
     bat_status status = BAT_OK;
     for (int i = 0; i < STEPS_MAX && status == BAT_OK; i++) {
-        const bat_contact *contact = ahead(m, &now, length);
+        const bat_meet_contact *contact = ahead(m, &now, length);
         const vec rest = contact ? vec_sub(contact->at, now.at) : now.way;
         if (contact && vec_norm(rest) <= first_step * m->size) {
             memcpy(next.x, contact->x, sizeof next.x);
@@ -196,7 +196,7 @@ static bool is_at_crossing(const bat_meet *m, const bat_meet_place *seed) {
 /* Whether a loop is no deeper than the gap: a contact. */
 static bool is_shallow(const bat_meet *m, const branch *b) {
     for (size_t i = 0; i < m->contact_count && b->closed; i++) {
-        const bat_contact *c = &m->contacts[i];
+        const bat_meet_contact *c = &m->contacts[i];
         bool all = !c->crosses;
         for (size_t k = 0; k < b->count && all; k++) {
             const vec way = vec_sub(b->places[k].at, c->at);

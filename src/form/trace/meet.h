@@ -15,14 +15,14 @@ typedef struct bat_meet_place {
 } bat_meet_place;
 
 /* A place where the normals are parallel and the surfaces are within the gap. */
-typedef struct bat_contact {
+typedef struct bat_meet_contact {
     double x[4];
     vec at;
     double gap;
     double bend[3]; /* the difference of the second fundamental forms: xx, xy, yy in the axes below */
     vec axis[2];    /* of the tangent plane */
     bool crosses;   /* the form is indefinite: branches cross here */
-} bat_contact;
+} bat_meet_contact;
 
 typedef struct bat_meet {
     const bat_surface *side[2];
@@ -32,7 +32,7 @@ typedef struct bat_meet {
     double chord; /* of polylines from the intersection */
     double (*seeds)[4];
     size_t seed_count, seed_room;
-    bat_contact *contacts;
+    bat_meet_contact *contacts;
     size_t contact_count, contact_room;
     size_t pairs; /* looked at */
     bool given_up;

@@ -478,7 +478,7 @@ static bat_status settle(work *w) {
 }
 
 /* Places along the stretch and three steps beyond; *u is theirs. */
-static bat_status place(work *w, const bat_track *track, double *u) {
+static bat_status place(work *w, const bat_stroke_track *track, double *u) {
     double s0 = bat_track_s(track, w->u[0]), s1 = bat_track_s(track, w->u[1]), length = s1 - s0;
     if (!(length > 8 * w->pixel)) return BAT_STATE;
     w->step = fmax(length / PLACES, fmin(2 * w->pixel, length / 48));
@@ -520,7 +520,7 @@ static void widen(work *w) {
     w->u[1] = fmin(fmax(high, w->u[1]), w->u[1] + spare / 2);
 }
 
-static bat_status calm(work *w, const bat_track *track, double *u, bat_curve **best) {
+static bat_status calm(work *w, const bat_stroke_track *track, double *u, bat_curve **best) {
     widen(w);
     bat_status status = settle(w);
     if (status == BAT_OK) status = place(w, track, u);
@@ -563,7 +563,7 @@ bat_status bat_sketch_calm(const bat_curve *curve, const double range[2], double
     double *block = malloc(doubles * sizeof *block);
     w.unknown = malloc((points + places) * sizeof *w.unknown);
     w.roles = malloc(points * sizeof *w.roles);
-    bat_track track = {0};
+    bat_stroke_track track = {0};
     bat_curve *best = NULL;
     bat_status status = block && w.unknown && w.roles ? bat_track_create(curve, &track) : BAT_MEMORY;
     if (status == BAT_OK) {

@@ -22,7 +22,7 @@ static double middle(double *values, size_t count) {
 }
 
 /* Directions at even places, from chords of two steps. */
-static void directions(const bat_path *path, double step, size_t places, double *way) {
+static void directions(const bat_stroke_path *path, double step, size_t places, double *way) {
     const size_t m = path->m;
     double before[2][BAT_DIMENSION_MAX]; /* the last two places */
     memcpy(before[0], path->points, m * sizeof(double)), memcpy(before[1], path->points, m * sizeof(double));
@@ -43,7 +43,7 @@ static void directions(const bat_path *path, double step, size_t places, double 
     }
 }
 
-double bat_grain(const bat_path *path, double sigma, double most) {
+double bat_path_grain(const bat_stroke_path *path, double sigma, double most) {
     enum { STARTS = 32, PLACES = 1000 };
     const double total = path->arc[path->count - 1], step = fmax(fmax(1, 3 * sigma), total / PLACES);
     const double far = most / later;
@@ -67,7 +67,7 @@ double bat_grain(const bat_path *path, double sigma, double most) {
 /* ---- hooks ---- */
 
 /* Turn at s from an end, seen from there: chords of unequal lengths, since the end is near. */
-static double turn_from_end(const bat_path *path, double s, double chord, bool at_end) {
+static double turn_from_end(const bat_stroke_path *path, double s, double chord, bool at_end) {
     const double total = path->arc[path->count - 1], place[3] = {fmax(s - chord, 0), s, s + 1.5 * chord};
     double x[3][BAT_DIMENSION_MAX];
     for (int i = 0; i < 3; i++) bat_path_at(path, at_end ? total - place[i] : place[i], x[i]);
@@ -76,14 +76,14 @@ static double turn_from_end(const bat_path *path, double s, double chord, bool a
 
 /* In small writing bows are as tight as hooks: between shorter chords a bow turns by proportionally less, a
  * hook by hardly less. */
-static bool sharp_from_end(const bat_path *path, double s, double chord, double grain, bool at_end) {
+static bool sharp_from_end(const bat_stroke_path *path, double s, double chord, double grain, bool at_end) {
     const double turn = turn_from_end(path, s, chord, at_end);
     if (!(turn > 50 * degree)) return false;
     const double bow = (fmin(s, 0.5 * chord) + 0.75 * chord) / (fmin(s, chord) + 1.5 * chord);
     return grain > small || turn_from_end(path, s, 0.5 * chord, at_end) > 0.5 * (1 + bow) * turn;
 }
 
-double bat_hook(const bat_path *path, double grain, bool at_end) {
+double bat_hook(const bat_stroke_path *path, double grain, bool at_end) {
     const double share = 0.3; /* of what follows up to the next sharp turn */
     const double total = path->arc[path->count - 1];
     const double reach = fmin(fmin(12, 0.12 * total), 0.2 * grain);
@@ -102,7 +102,7 @@ double bat_hook(const bat_path *path, double grain, bool at_end) {
 /* ---- corners ---- */
 
 /* The turn at sample i, between chords of that length, whose ends were last behind samples at[0] and at[1]. */
-static double turn_at(const bat_path *path, size_t i, double chord, size_t at[2]) {
+static double turn_at(const bat_stroke_path *path, size_t i, double chord, size_t at[2]) {
     double before[BAT_DIMENSION_MAX], behind[BAT_DIMENSION_MAX];
     bat_path_walk(path, path->arc[i] - chord, &at[0], before);
     bat_path_walk(path, path->arc[i] + chord, &at[1], behind);
@@ -111,14 +111,14 @@ static double turn_at(const bat_path *path, size_t i, double chord, size_t at[2]
 
 /* How sharply the path turns at sample i if that is a corner, else 0: a bow turns half as much between chords of
  * half the length, a corner as much as before. */
-static double corner_at(const bat_path *path, size_t i, double chord, double least, size_t at[4]) {
+static double corner_at(const bat_stroke_path *path, size_t i, double chord, double least, size_t at[4]) {
     const double turn = turn_at(path, i, chord, at);
     if (!(turn > least)) return 0;
     const double half = turn_at(path, i, 0.5 * chord, at + 2);
     return half > 0.65 * turn && half > 0.79 * least ? turn : 0;
 }
 
-size_t bat_corners(const bat_path *path, double sigma, double grain, size_t most, size_t *corners) {
+size_t bat_corners(const bat_stroke_path *path, double sigma, double grain, size_t most, size_t *corners) {
     const double total = path->arc[path->count - 1], step = total / (double)(path->count - 1);
     double chord = fmax(fmin(8, 0.16 * grain), fmax(fmax(3, 3 * step), 10 * sigma));
     chord = fmax(chord, total / (double)most); /* no two lie nearer to each other */

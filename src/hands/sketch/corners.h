@@ -6,10 +6,10 @@
 
 /* How small the drawing is: the median length within which the stroke comes to run back; at most `most`.
  * sigma: noise. */
-double bat_grain(const bat_path *path, double sigma, double most);
+double bat_path_grain(const bat_stroke_path *path, double sigma, double most);
 /* How much of an end is a hook of the pen that lands or lifts: the arc length after its last sharp turn. */
-double bat_hook(const bat_path *path, double grain, bool at_end);
+double bat_hook(const bat_stroke_path *path, double grain, bool at_end);
 /* Sample indices of corners, `most` at most: the sharpest of each run of sharp turns. */
-size_t bat_corners(const bat_path *path, double sigma, double grain, size_t most, size_t *corners);
+size_t bat_corners(const bat_stroke_path *path, double sigma, double grain, size_t most, size_t *corners);
 
 #endif

@@ -20,7 +20,7 @@ static double product(const double *a, const double *b, size_t m) {
     return sum;
 }
 
-static void look(const bat_track *k, const bat_clean *stroke, double s, ends *e) {
+static void look(const bat_stroke_track *k, const bat_clean *stroke, double s, ends *e) {
     bat_clean_frame(stroke, s, 12, e->point, e->direction, NULL);
     e->count = bat_track_candidates(k, e->point, slack, CANDIDATES, e->near);
     for (int i = 0; i < e->count; i++) bat_track_tangent(k, bat_track_u(k, e->near[i].s), e->tangent[i]);
@@ -28,7 +28,7 @@ static void look(const bat_track *k, const bat_clean *stroke, double s, ends *e)
     e->trust = e->near[0].distance > far ? far / e->near[0].distance * 0.5 : 1;
 }
 
-bat_correspondence bat_correspond(const bat_track *k, const bat_clean *stroke, int sense) {
+bat_correspondence bat_correspond(const bat_stroke_track *k, const bat_clean *stroke, int sense) {
     const size_t m = (size_t)stroke->dimension;
     const double L = stroke->length, loop = k->length;
     const bool closed = k->curve->closed;
@@ -58,7 +58,7 @@ bat_correspondence bat_correspond(const bat_track *k, const bat_clean *stroke, i
                 double apart = 0;
                 for (int n = 0; n <= PLACES; n++) {
                     double y[BAT_DIMENSION_MAX], d = 0;
-                    bat_track_point(k, a.near[i].s + sign * arc * n / PLACES, y);
+                    bat_stroke_track_point(k, a.near[i].s + sign * arc * n / PLACES, y);
                     for (size_t c = 0; c < m; c++) d += (y[c] - h[n][c]) * (y[c] - h[n][c]);
                     apart += sqrt(d);
                 }

@@ -16,6 +16,6 @@ typedef struct bat_correspondence {
 
 /* Least J over all pairs of candidates and both directions; sense: 1 along the curve, -1 against it, 0 whichever is
  * better. */
-bat_correspondence bat_correspond(const bat_track *track, const bat_clean *stroke, int sense);
+bat_correspondence bat_correspond(const bat_stroke_track *track, const bat_clean *stroke, int sense);
 
 #endif

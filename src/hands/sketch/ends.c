@@ -92,7 +92,7 @@ static void stop_at(bat_end *e, int side, double u, bool corner) {
 /* Where to cut: at the joint, or at a simple knot near it. */
 static void choose_cut(bat_end *e, int side, double room) {
     const bat_curve *curve = e->curve;
-    const bat_track *k = e->track;
+    const bat_stroke_track *k = e->track;
     const int p = curve->degree;
     const double sign = side == 0 ? -1 : 1;
     const double snap = 6, reach = fmin(fmax(e->lead, 10), room);
@@ -154,7 +154,7 @@ void bat_plan_cuts(bat_plan *plan) {
     for (int side = 0; side < 2; side++) {
         bat_end *e = &plan->end[side];
         if (e->kind == BAT_END_FREE) continue;
-        const bat_track *k = e->track;
+        const bat_stroke_track *k = e->track;
         if (e->rule == BAT_END_RULE_HELD && !plan->closed) {
             stop_at(e, side, side == 0 ? k->start : k->end, false);
             e->blend = fmin(fmax(12, 3 * e->offset), 0.3 * L);

@@ -61,7 +61,8 @@ bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const dou
     return BAT_OK;
 }
 
-bat_status bat_intent_rank(bat_intent *intent, bool whole, bat_reading out[BAT_INTENT_READINGS], int *count) {
+bat_status bat_intent_rank(bat_intent *intent, bool whole, bat_intent_reading out[BAT_INTENT_READINGS],
+                           int *count) {
     bat_intent_list list = {.reading = out};
     *count = 0;
     bat_status status = bat_intent_places(intent);
@@ -80,7 +81,8 @@ bat_status bat_intent_rank(bat_intent *intent, bool whole, bat_reading out[BAT_I
 
 static bool grave(bat_intent_kind kind) { return kind == BAT_INTENT_REDRAW || kind == BAT_INTENT_SEVERAL; }
 
-bool bat_intent_turns(const bat_intent *intent, const bat_reading *best, const bat_reading *shown) {
+bool bat_intent_turns(const bat_intent *intent, const bat_intent_reading *best,
+                      const bat_intent_reading *shown) {
     const double needed = grave(best->kind) || grave(shown->kind) ? fmin(12, 3 + 0.1 * intent->length) : 2;
     return shown->cost - best->cost >= needed;
 }

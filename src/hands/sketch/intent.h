@@ -28,7 +28,7 @@ typedef struct bat_intent_part {
     bool held[2];    /* an end of the curve there touches others: it stays where it is */
 } bat_intent_part;
 
-typedef struct bat_reading {
+typedef struct bat_intent_reading {
     bat_intent_kind kind;
     int count;
     bat_intent_part part[BAT_INTENT_PARTS]; /* JOIN: two curves; SEVERAL: all; NEW: none; the others: one */
@@ -36,7 +36,7 @@ typedef struct bat_reading {
     int onto;                               /* NEW: the line that its start is put on; -1: none */
     double start[2];                        /* there: where the stroke comes from, its hook left out */
     double cost;                            /* in pixels of stroke, margins included; the least is meant */
-} bat_reading;
+} bat_intent_reading;
 
 typedef struct bat_intent bat_intent;
 
@@ -52,8 +52,10 @@ bat_status bat_intent_line(bat_intent *intent, const bat_curve *curve, const dou
 double bat_intent_length(const bat_intent *intent);
 /* The readings, the best first. whole: the stroke has ended; while it has not, lines that have nothing to do with it may
  * be passed over. */
-bat_status bat_intent_rank(bat_intent *intent, bool whole, bat_reading out[BAT_INTENT_READINGS], int *count);
+bat_status bat_intent_rank(bat_intent *intent, bool whole, bat_intent_reading out[BAT_INTENT_READINGS],
+                           int *count);
 /* Live: whether what is shown gives way to the best of the readings. */
-bool bat_intent_turns(const bat_intent *intent, const bat_reading *best, const bat_reading *shown);
+bool bat_intent_turns(const bat_intent *intent, const bat_intent_reading *best,
+                      const bat_intent_reading *shown);
 
 #endif

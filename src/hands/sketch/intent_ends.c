@@ -124,11 +124,12 @@ static void offer_extend(bat_intent *intent, bat_intent_list *list, int index, i
     const double rest = rest_of(intent, h, side, &chord);
     const double turn_most = h->ran ? 1 - 0.798635510047293 : 0.5; /* cosines of 37 and 60 degrees */
     if (!(h->turn < turn_most) || rest < 10) return;
-    bat_reading reading = {.kind = BAT_INTENT_EXTEND,
-                           .count = 1,
-                           .part = {{.line = index, .along = {intent->hook, intent->hook + intent->length}}},
-                           .onto = -1,
-                           .cost = h->cost + rest + (h->ran ? 6 : 12) * h->turn + 0.3 * (rest - chord)};
+    bat_intent_reading reading = {
+        .kind = BAT_INTENT_EXTEND,
+        .count = 1,
+        .part = {{.line = index, .along = {intent->hook, intent->hook + intent->length}}},
+        .onto = -1,
+        .cost = h->cost + rest + (h->ran ? 6 : 12) * h->turn + 0.3 * (rest - chord)};
     reading.part[0].free[1 - side] = true;
     reading.part[0].sense = (side == 0) == (end == 1) ? 1 : -1;
     bat_intent_offer(list, &reading);
@@ -151,14 +152,15 @@ static void offer_through(bat_intent *intent, bat_intent_list *list, int index) 
     for (int i = k[0]; i <= k[1]; i++)
         sum += bat_intent_e(&foot[i], against ? -1 : 1, near->reach) * intent->ds[i];
     const double rest = intent->length - (intent->a[k[1]] - intent->a[k[0]]);
-    bat_reading reading = {.kind = BAT_INTENT_EXTEND,
-                           .count = 1,
-                           .part = {{.line = index,
-                                     .along = {intent->hook, intent->hook + intent->length},
-                                     .sense = against ? -1 : 1,
-                                     .free = {true, true}}},
-                           .onto = -1,
-                           .cost = sum + rest + 2 * fmax(0, passed[0] - 4.5) + 2 * fmax(0, passed[1] - 4.5)};
+    bat_intent_reading reading = {.kind = BAT_INTENT_EXTEND,
+                                  .count = 1,
+                                  .part = {{.line = index,
+                                            .along = {intent->hook, intent->hook + intent->length},
+                                            .sense = against ? -1 : 1,
+                                            .free = {true, true}}},
+                                  .onto = -1,
+                                  .cost = sum + rest + 2 * fmax(0, passed[0] - 4.5) +
+                                          2 * fmax(0, passed[1] - 4.5)};
     bat_intent_offer(list, &reading);
 }
 
@@ -176,10 +178,10 @@ static void offer_bridge(bat_intent *intent, bat_intent_list *list, const end_he
     const double gap = intent->a[bat_intent_mirror(intent, t->place, 1)] - intent->a[h->place];
     const double turn_most = 1 + 0.173648177666930; /* cosine of 100 degrees */
     if (!(gap > 0) || (!close && (h->turn >= turn_most || t->turn >= turn_most))) return;
-    bat_reading reading = {.kind = close ? BAT_INTENT_CLOSE : BAT_INTENT_JOIN,
-                           .count = close ? 1 : 2,
-                           .onto = -1,
-                           .cost = h->cost + gap + t->cost + (close ? 0 : 12 * (h->turn + t->turn))};
+    bat_intent_reading reading = {.kind = close ? BAT_INTENT_CLOSE : BAT_INTENT_JOIN,
+                                  .count = close ? 1 : 2,
+                                  .onto = -1,
+                                  .cost = h->cost + gap + t->cost + (close ? 0 : 12 * (h->turn + t->turn))};
     const int lines[2] = {from->line, to->line};
     for (int i = 0; i < 2; i++)
         reading.part[i] = (bat_intent_part){.line = lines[i],

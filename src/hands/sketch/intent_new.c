@@ -28,7 +28,7 @@ static bool closes(const bat_intent *intent) {
 }
 
 /* The line that the stroke's start is put on: the nearest of those that are near enough. */
-static bat_status put_on(bat_intent *intent, bat_reading *reading) {
+static bat_status put_on(bat_intent *intent, bat_intent_reading *reading) {
     double near = intent->on * fmin(1, intent->length / 60);
     for (int i = 0; i < intent->line_count; i++) {
         bat_intent_near *line = &intent->line[i];
@@ -48,7 +48,7 @@ static bat_status put_on(bat_intent *intent, bat_reading *reading) {
 }
 
 bat_status bat_intent_new(bat_intent *intent, bat_intent_list *list) {
-    bat_reading reading = {.kind = BAT_INTENT_NEW, .onto = -1, .cost = intent->length};
+    bat_intent_reading reading = {.kind = BAT_INTENT_NEW, .onto = -1, .cost = intent->length};
     reading.closed = closes(intent);
     double way[2], ahead = fmin(12, intent->length / 2);
     bat_intent_heading(intent, intent->hook + ahead / 2, ahead / 2, way);

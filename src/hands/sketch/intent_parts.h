@@ -144,11 +144,11 @@ bool bat_intent_held(bat_intent *intent, int index, bool against, int side);
 /* Readings; each adds what it finds. */
 typedef struct bat_intent_list {
     int count;
-    bat_reading *reading;
+    bat_intent_reading *reading;
 } bat_intent_list;
 /* Whether a reading of this cost would stay on the list. */
 bool bat_intent_wants(const bat_intent_list *list, double cost);
-void bat_intent_offer(bat_intent_list *list, const bat_reading *reading);
+void bat_intent_offer(bat_intent_list *list, const bat_intent_reading *reading);
 void bat_intent_redraws(bat_intent *intent, bat_intent_list *list);       /* intent_redraw.c */
 void bat_intent_ends(bat_intent *intent, bat_intent_list *list);          /* intent_ends.c */
 bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list); /* intent_several.c */

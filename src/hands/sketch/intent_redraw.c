@@ -34,13 +34,13 @@ void bat_intent_redraws(bat_intent *intent, bat_intent_list *list) {
         /* Two curves that explain it equally well explain it badly. */
         double cost = intent->line[i].cost, rival = cost > least ? least : next;
         if (rival < INFINITY) cost += 0.5 * L * bat_exp(-fmax(0, rival - cost) / (0.2 * L));
-        bat_reading reading = {.kind = BAT_INTENT_REDRAW,
-                               .count = 1,
-                               .part = {{.line = i,
-                                         .sense = intent->line[i].ran < 0 ? -1 : 1,
-                                         .along = {intent->hook, intent->hook + L}}},
-                               .onto = -1,
-                               .cost = intent->chosen ? cost * INTENT_MARGIN : cost / INTENT_MARGIN};
+        bat_intent_reading reading = {.kind = BAT_INTENT_REDRAW,
+                                      .count = 1,
+                                      .part = {{.line = i,
+                                                .sense = intent->line[i].ran < 0 ? -1 : 1,
+                                                .along = {intent->hook, intent->hook + L}}},
+                                      .onto = -1,
+                                      .cost = intent->chosen ? cost * INTENT_MARGIN : cost / INTENT_MARGIN};
         if (!bat_intent_wants(list, reading.cost)) continue;
         for (int side = 0; side < 2; side++)
             reading.part[0].held[side] = bat_intent_held(intent, i, intent->line[i].ran < 0, side);

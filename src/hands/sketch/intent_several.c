@@ -125,7 +125,7 @@ static double cut_at(const bat_intent *intent, const chain *c, int to, int place
     return intent->a[at];
 }
 
-static void read_back(bat_intent *intent, const chain *c, int state, int parts, bat_reading *reading) {
+static void read_back(bat_intent *intent, const chain *c, int state, int parts, bat_intent_reading *reading) {
     const int states = 2 * c->count;
     double to = intent->hook + intent->length;
     int last = state, k = parts - 1;
@@ -173,7 +173,7 @@ bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list) {
         least = cost, best = s;
     }
     if (best < 0) return BAT_OK;
-    bat_reading reading = {.kind = BAT_INTENT_SEVERAL, .count = end[best].parts, .onto = -1};
+    bat_intent_reading reading = {.kind = BAT_INTENT_SEVERAL, .count = end[best].parts, .onto = -1};
     reading.cost = intent->chosen ? least * INTENT_MARGIN : least / INTENT_MARGIN;
     read_back(intent, &c, best, end[best].parts, &reading);
     bat_intent_offer(list, &reading);

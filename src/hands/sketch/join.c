@@ -14,7 +14,7 @@ typedef struct place {
     bool turned;
 } place;
 
-static place find_place(const bat_track *k, const double *point, const double *direction, int way) {
+static place find_place(const bat_stroke_track *k, const double *point, const double *direction, int way) {
     const size_t m = (size_t)k->curve->dimension;
     bat_track_near near[CANDIDATES];
     const int count = bat_track_candidates(k, point, 25, CANDIDATES, near);

@@ -18,7 +18,7 @@ void bat_path_measure(const double *points, size_t count, size_t m, double *arc)
 }
 
 /* The point at s between samples i and i + 1. */
-static void between(const bat_path *path, size_t i, double s, double *out) {
+static void between(const bat_stroke_path *path, size_t i, double s, double *out) {
     const size_t m = path->m;
     const double h = path->arc[i + 1] - path->arc[i];
     double f = h > 0 ? (s - path->arc[i]) / h : 0;
@@ -28,14 +28,14 @@ static void between(const bat_path *path, size_t i, double s, double *out) {
         out[c] = f < 1 ? a[c] + f * (a[m + c] - a[c]) : a[m + c]; /* to the last bit */
 }
 
-void bat_path_at(const bat_path *path, double s, double *out) {
+void bat_path_at(const bat_stroke_path *path, double s, double *out) {
     if (path->count < 2)
         memcpy(out, path->points, path->m * sizeof *out);
     else
         between(path, bat_bisect(path->arc, path->count, s), s, out);
 }
 
-void bat_path_walk(const bat_path *path, double s, size_t *at, double *out) {
+void bat_path_walk(const bat_stroke_path *path, double s, size_t *at, double *out) {
     size_t i = *at;
     while (i + 2 < path->count && path->arc[i + 1] <= s) i++;
     *at = i;

@@ -19,7 +19,7 @@ typedef struct bat_end {
     bat_end_rule rule;
     const bat_curve *curve;    /* in pixels; borrowed */
     const bat_curve *original; /* the same in document units; borrowed */
-    const bat_track *track;
+    const bat_stroke_track *track;
     double s;       /* arc length where the stroke's end belongs */
     double offset;  /* distance there */
     double angle;   /* between the stroke's direction and the curve's */
@@ -87,12 +87,13 @@ void bat_target_speed(bat_target *target, int dimension, size_t a, size_t b, dou
 
 /* G2 transition between two frames (point, unit direction, curvature vector): quintic Hermite, the fairest of
  * a few tangent lengths. Writes `count` points, both ends included. */
-typedef struct bat_frame {
+typedef struct bat_plan_frame {
     double point[BAT_DIMENSION_MAX], direction[BAT_DIMENSION_MAX], curvature[BAT_DIMENSION_MAX];
-} bat_frame;
+} bat_plan_frame;
 /* The frame of a cleaned stroke at arc length s; its curvature is that of a circle of 20 px at most. */
-void bat_stroke_frame(const bat_clean *stroke, double s, bat_frame *out);
-void bat_bridge(int dimension, const bat_frame *from, const bat_frame *to, size_t count, double *points);
+void bat_stroke_frame(const bat_clean *stroke, double s, bat_plan_frame *out);
+void bat_bridge(int dimension, const bat_plan_frame *from, const bat_plan_frame *to, size_t count,
+                double *points);
 /* Greatest discrete curvature, and the sum of squared changes of curvature, of points meant to be evenly
  * spaced. */
 void bat_fairness(int dimension, size_t count, const double *points, double *tightest, double *variation);

@@ -113,7 +113,7 @@ static bat_status add_bridge(bat_plan *plan, const ring *r, corner_list *corners
     const double step = stroke->length / (double)(stroke->count - 1);
     const size_t m = (size_t)plan->dimension;
     const size_t count = (size_t)fmin(fmax(ceil((2 * r->give + r->gap) / fmin(step, 2)), 12), 4096) + 1;
-    bat_frame a, b;
+    bat_plan_frame a, b;
     bat_stroke_frame(stroke, r->to, &a);
     bat_stroke_frame(stroke, r->from, &b);
     double *points = malloc(count * m * sizeof *points);

@@ -92,7 +92,7 @@ void bat_workpiece_bind(bat_plan *plan, const bat_workpiece *workpiece) {
 bat_status bat_workpiece_enrich(bat_plan *plan, bat_workpiece *workpiece, const double *origin,
                                 double pixel) {
     const int p = plan->degree;
-    const bat_track *k = &workpiece->track;
+    const bat_stroke_track *k = &workpiece->track;
     const double period = k->end - k->start, from = plan->end[1].cut, to = plan->end[0].cut + period;
     int inside = 0;
     for (int lap = -1; lap <= 2; lap++)

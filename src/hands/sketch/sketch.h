@@ -8,7 +8,7 @@
 /* A curve ready for work: degree 3 at least, with its image in pixels and its table. */
 typedef struct bat_workpiece {
     bat_curve *original, *pixels;
-    bat_track track;
+    bat_stroke_track track;
 } bat_workpiece;
 bat_status bat_workpiece_make(const bat_curve *curve, const double *origin, double pixel, bat_workpiece *out);
 void bat_workpiece_free(bat_workpiece *workpiece);

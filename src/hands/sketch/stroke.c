@@ -70,7 +70,7 @@ static bat_status resample(const double *z, const double *arc, size_t count, siz
     out->arc = malloc(room * sizeof *out->arc);
     out->corners = malloc((corner_count + 1) * sizeof *out->corners);
     if (!out->points || !out->arc || !out->corners) return BAT_MEMORY;
-    const bat_path path = {z, arc, count, m};
+    const bat_stroke_path path = {z, arc, count, m};
     size_t n = 0;
     for (size_t k = 0; k <= corner_count; k++) {
         const double from = k == 0 ? 0 : arc[corners[k - 1]],
@@ -210,7 +210,7 @@ static bat_status look(cleaning *k) {
     if (noisy(k)) status = bat_whittaker(k->count, k->dimension, k->y, NULL, 2, k->work, k->light);
     bat_path_measure(k->light, k->count, k->m, k->arc);
     if (status != BAT_OK) return status;
-    k->grain = bat_grain(&(bat_path){k->light, k->arc, k->count, k->m}, k->sigma, most_grain);
+    k->grain = bat_path_grain(&(bat_stroke_path){k->light, k->arc, k->count, k->m}, k->sigma, most_grain);
     return BAT_OK;
 }
 
@@ -220,7 +220,7 @@ static void judge_noise(cleaning *k) {
 }
 
 /* Where samples are few, what lies between the hook and the next one is no hook: sample i goes to where it begins. */
-static void begin_at(cleaning *k, const bat_path *path, size_t i, double s) {
+static void begin_at(cleaning *k, const bat_stroke_path *path, size_t i, double s) {
     double x[BAT_DIMENSION_MAX];
     bat_path_at(path, s, x);
     memcpy(k->y + (k->first + i) * k->m, x, k->m * sizeof *x);
@@ -230,7 +230,7 @@ static void begin_at(cleaning *k, const bat_path *path, size_t i, double s) {
 static bool cut_hooks(cleaning *k) {
     const double total = k->arc[k->count - 1];
     if (total < dot_length) return false;
-    const bat_path path = {k->z, k->arc, k->count, k->m};
+    const bat_stroke_path path = {k->z, k->arc, k->count, k->m};
     const double head = bat_hook(&path, k->grain, false), tail = bat_hook(&path, k->grain, true);
     if (head <= 0 && tail <= 0) return false;
     const size_t whole = k->count;
@@ -284,8 +284,8 @@ static bat_status keep_corners(cleaning *k) {
     const size_t m = k->m, count = k->count;
     const double *light = k->light + k->first * m;
     bat_path_measure(light, count, m, k->arc);
-    k->corner_count = bat_corners(&(bat_path){light, k->arc, count, m}, k->sigma, k->grain, CORNERS_MAX,
-                                  k->corners);
+    k->corner_count = bat_corners(&(bat_stroke_path){light, k->arc, count, m}, k->sigma, k->grain,
+                                  CORNERS_MAX, k->corners);
     bat_status status = BAT_OK;
     if (k->corner_count > 0 && k->lambda > 0)
         status = smooth_pieces(k->y + k->first * m, count, m, k->lambda, k->corners, k->corner_count, k->work,
@@ -345,7 +345,7 @@ void bat_clean_reverse(bat_clean *clean) {
 }
 
 void bat_clean_at(const bat_clean *clean, double s, double *point) {
-    const bat_path path = {clean->points, clean->arc, clean->count, (size_t)clean->dimension};
+    const bat_stroke_path path = {clean->points, clean->arc, clean->count, (size_t)clean->dimension};
     bat_path_at(&path, s, point);
 }
 

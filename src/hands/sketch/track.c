@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-bat_status bat_track_create(const bat_curve *curve, bat_track *out) {
+bat_status bat_track_create(const bat_curve *curve, bat_stroke_track *out) {
     memset(out, 0, sizeof *out);
     const int p = curve->degree, per = 2 * p + 2, last = curve->spread;
     const size_t m = (size_t)curve->dimension;
@@ -60,7 +60,7 @@ bat_status bat_track_create(const bat_curve *curve, bat_track *out) {
     return status;
 }
 
-void bat_track_free(bat_track *track) {
+void bat_track_free(bat_stroke_track *track) {
     free(track->u);
     memset(track, 0, sizeof *track);
 }
@@ -73,7 +73,7 @@ static double hermite(double f, double y0, double y1, double d0, double d1) {
     return y0 * g * g * (1 + 2 * f) + y1 * f * f * (1 + 2 * g) + f * g * (d0 * g - d1 * f);
 }
 
-double bat_track_s(const bat_track *k, double u) {
+double bat_track_s(const bat_stroke_track *k, double u) {
     double base = 0;
     const double period = k->end - k->start;
     if (k->curve->closed) {
@@ -88,7 +88,7 @@ double bat_track_s(const bat_track *k, double u) {
     return base + hermite((u - k->u[i]) / h, k->s[i], k->s[i + 1], h * k->speed[i], h * k->speed[i + 1]);
 }
 
-double bat_track_u(const bat_track *k, double s) {
+double bat_track_u(const bat_stroke_track *k, double s) {
     double base = 0;
     if (k->curve->closed && k->length > 0) {
         const double turns = floor(s / k->length);
@@ -104,7 +104,7 @@ double bat_track_u(const bat_track *k, double s) {
     return base + hermite((s - k->s[i]) / h, k->u[i], k->u[i + 1], d0, d1);
 }
 
-void bat_track_point(const bat_track *k, double s, double *point) {
+void bat_stroke_track_point(const bat_stroke_track *k, double s, double *point) {
     const size_t m = (size_t)k->curve->dimension;
     if (k->curve->closed && k->length > 0) s -= floor(s / k->length) * k->length;
     const size_t i = bat_bisect(k->s, (size_t)k->count, s);
@@ -115,7 +115,7 @@ void bat_track_point(const bat_track *k, double s, double *point) {
     for (size_t c = 0; c < m; c++) point[c] = a[c] + f * (b[c] - a[c]);
 }
 
-void bat_track_tangent(const bat_track *k, double u, double *tangent) {
+void bat_track_tangent(const bat_stroke_track *k, double u, double *tangent) {
     const size_t m = (size_t)k->curve->dimension;
     double jet[2 * BAT_DIMENSION_MAX], v = 0;
     bat_curve_eval(k->curve, u, 1, jet);
@@ -127,8 +127,8 @@ void bat_track_tangent(const bat_track *k, double u, double *tangent) {
     }
     const double s = bat_track_s(k, u), step = fmax(1e-3 * k->length, 1e-300);
     double a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX];
-    bat_track_point(k, k->curve->closed ? s - step : fmax(s - step, 0), a);
-    bat_track_point(k, k->curve->closed ? s + step : fmin(s + step, k->length), b);
+    bat_stroke_track_point(k, k->curve->closed ? s - step : fmax(s - step, 0), a);
+    bat_stroke_track_point(k, k->curve->closed ? s + step : fmin(s + step, k->length), b);
     v = 0;
     for (size_t c = 0; c < m; c++) tangent[c] = b[c] - a[c], v += tangent[c] * tangent[c];
     v = sqrt(v);
@@ -136,7 +136,8 @@ void bat_track_tangent(const bat_track *k, double u, double *tangent) {
 }
 
 /* Newton on (C - q) . C' = 0 from u, kept between low and high, never farther than the start. */
-static double refine(const bat_track *k, const double *q, double u, double low, double high, double *best) {
+static double refine(const bat_stroke_track *k, const double *q, double u, double low, double high,
+                     double *best) {
     const size_t m = (size_t)k->curve->dimension;
     double found = u;
     *best = INFINITY;
@@ -157,7 +158,8 @@ static double refine(const bat_track *k, const double *q, double u, double low, 
     return found;
 }
 
-int bat_track_candidates(const bat_track *k, const double *q, double slack, int room, bat_track_near *out) {
+int bat_track_candidates(const bat_stroke_track *k, const double *q, double slack, int room,
+                         bat_track_near *out) {
     const size_t m = (size_t)k->curve->dimension;
     const bool closed = k->curve->closed;
     const int nodes = closed ? k->count - 1 : k->count;

@@ -46,8 +46,8 @@ void bat_fairness(int dimension, size_t count, const double *points, double *tig
     }
 }
 
-static void bridge_with(size_t m, const bat_frame *a, const bat_frame *b, double pull_a, double pull_b,
-                        size_t count, double *points) {
+static void bridge_with(size_t m, const bat_plan_frame *a, const bat_plan_frame *b, double pull_a,
+                        double pull_b, size_t count, double *points) {
     for (size_t i = 0; i < count; i++) {
         const double f = (double)i / (double)(count - 1);
         for (size_t c = 0; c < m; c++)
@@ -57,7 +57,8 @@ static void bridge_with(size_t m, const bat_frame *a, const bat_frame *b, double
     }
 }
 
-void bat_bridge(int dimension, const bat_frame *from, const bat_frame *to, size_t count, double *points) {
+void bat_bridge(int dimension, const bat_plan_frame *from, const bat_plan_frame *to, size_t count,
+                double *points) {
     const size_t m = (size_t)dimension;
     double chord[BAT_DIMENSION_MAX];
     for (size_t c = 0; c < m; c++) chord[c] = to->point[c] - from->point[c];
@@ -87,8 +88,8 @@ void bat_bridge(int dimension, const bat_frame *from, const bat_frame *to, size_
 
 /* Position, unit direction and curvature of the curve at arc length s; a straight line goes on beyond ends.
  */
-static void curve_frame(const bat_end *e, int side, double s, bat_frame *out) {
-    const bat_track *k = e->track;
+static void curve_frame(const bat_end *e, int side, double s, bat_plan_frame *out) {
+    const bat_stroke_track *k = e->track;
     const size_t m = (size_t)e->curve->dimension;
     double over = 0;
     if (!e->curve->closed) {
@@ -114,7 +115,7 @@ static void curve_frame(const bat_end *e, int side, double s, bat_frame *out) {
     }
 }
 
-void bat_stroke_frame(const bat_clean *stroke, double s, bat_frame *out) {
+void bat_stroke_frame(const bat_clean *stroke, double s, bat_plan_frame *out) {
     const size_t m = (size_t)stroke->dimension;
     double wide[BAT_DIMENSION_MAX];
     bat_clean_frame(stroke, s, 12, out->point, out->direction, out->curvature);
@@ -131,7 +132,7 @@ static void transition(const bat_plan *plan, int side, size_t count, double *poi
     const double L = plan->stroke->length, sign = side == 0 ? 1 : -1; /* into the stroke */
     const double e_s = side == 0 ? e->blend : L - e->blend;
     const double total = e->lead + e->blend;
-    bat_frame to, from, base;
+    bat_plan_frame to, from, base;
     bat_stroke_frame(plan->stroke, e_s, &to);
     if (e->lead <= 0) { /* a corner the stroke starts at: its first stretch leans over to it */
         double point[BAT_DIMENSION_MAX], begin[BAT_DIMENSION_MAX], at[BAT_DIMENSION_MAX];
@@ -149,7 +150,7 @@ static void transition(const bat_plan *plan, int side, size_t count, double *poi
     curve_frame(e, side, e->s + sign * e->blend, &base);
     for (size_t i = 0; i < count; i++) {
         const double f = (double)i / (double)(count - 1), g = side == 0 ? f : 1 - f;
-        bat_frame here;
+        bat_plan_frame here;
         curve_frame(e, side, e->joint + sign * total * g, &here);
         for (size_t c = 0; c < m; c++) {
             /* Derivatives by g, which runs from the curve to the stroke. */

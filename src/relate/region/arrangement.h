@@ -20,7 +20,7 @@ typedef struct bat_cut_curve {
 } bat_cut_curve;
 
 /* A piece of a curve between two nodes, or all of one that meets nothing. */
-typedef struct bat_edge {
+typedef struct bat_region_edge {
     size_t curve;
     double u[2];    /* u[1] not above u[0]: in the next period */
     size_t node[2]; /* BAT_NO_NODE, both: all of the curve */
@@ -32,7 +32,7 @@ typedef struct bat_edge {
     int sign;       /* -1: against that one */
     size_t next;    /* of those that run along the same one; BAT_NO_NODE: none */
     int keep; /* of the first ones: 1 or -1 when it bounds the result, which lies to its left or right; else 0 */
-} bat_edge;
+} bat_region_edge;
 
 typedef struct bat_arrangement {
     bat_region_operation operation;
@@ -47,7 +47,7 @@ typedef struct bat_arrangement {
     size_t *node_of; /* of each spot */
     double *nodes;   /* x y */
     size_t edge_count, edge_room;
-    bat_edge *edges;
+    bat_region_edge *edges;
 } bat_arrangement;
 
 /* ---- cut.c ---- */

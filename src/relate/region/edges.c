@@ -49,7 +49,7 @@ static bool is_speck(const bat_curve *piece, const double *at, double reach) {
 }
 
 /* Its spans and their box. */
-static bat_status take_spans(bat_edge *e, const bat_curve *curve) {
+static bat_status take_spans(bat_region_edge *e, const bat_curve *curve) {
     const int degree = bat_curve_degree(curve), row = 2 * (degree + 1);
     e->spans = bat_curve_segment_count(curve);
     e->bezier = malloc((size_t)(e->spans * row) * sizeof *e->bezier);
@@ -67,17 +67,17 @@ static bat_status take_spans(bat_edge *e, const bat_curve *curve) {
 }
 
 /* Takes the piece over. */
-static bat_status add_edge(bat_arrangement *a, const bat_edge *made) {
+static bat_status add_edge(bat_arrangement *a, const bat_region_edge *made) {
     if (a->edge_count == a->edge_room) {
         const size_t room = 2 * a->edge_room + 16;
-        bat_edge *more = realloc(a->edges, room * sizeof *more);
+        bat_region_edge *more = realloc(a->edges, room * sizeof *more);
         if (!more) {
             bat_curve_free(made->own);
             return BAT_MEMORY;
         }
         a->edges = more, a->edge_room = room;
     }
-    bat_edge *e = a->edges + a->edge_count;
+    bat_region_edge *e = a->edges + a->edge_count;
     *e = *made;
     e->same_as = a->edge_count++;
     e->sign = 1;
@@ -88,7 +88,7 @@ static bat_status add_edge(bat_arrangement *a, const bat_edge *made) {
 static bat_status add_whole(bat_arrangement *a, size_t index) {
     const bat_curve *curve = a->curves[index].curve;
     double low[2], high[2];
-    bat_edge made = {.curve = index, .node = {BAT_NO_NODE, BAT_NO_NODE}};
+    bat_region_edge made = {.curve = index, .node = {BAT_NO_NODE, BAT_NO_NODE}};
     bat_curve_bounds(curve, low, high);
     if (bat_hypot(high[0] - low[0], high[1] - low[1]) <= a->gap) return BAT_OK; /* a point */
     bat_curve_domain(curve, made.u);
@@ -106,7 +106,7 @@ static bat_status add_pieces(bat_arrangement *a, size_t index) {
     for (size_t i = 0; i < c->count && status == BAT_OK; i++) {
         const bool last = i + 1 == c->count;
         const bat_cut *from = c->cuts + i, *to = c->cuts + (last ? 0 : i + 1);
-        bat_edge made = {.curve = index, .u = {from->u, to->u}};
+        bat_region_edge made = {.curve = index, .u = {from->u, to->u}};
         made.node[0] = a->node_of[from->spot], made.node[1] = a->node_of[to->spot];
         if (!last && from->u == to->u) continue;
         const double *start = a->nodes + 2 * made.node[0], *end = a->nodes + 2 * made.node[1];
@@ -122,31 +122,32 @@ static bat_status add_pieces(bat_arrangement *a, size_t index) {
 
 /* ---- pieces along each other ---- */
 
-static bool ends_before(const bat_edge *x, const bat_edge *y) { /* by their nodes, whatever their direction */
+static bool ends_before(const bat_region_edge *x,
+                        const bat_region_edge *y) { /* by their nodes, whatever their direction */
     const size_t low = x->node[0] < x->node[1] ? 0 : 1, low_y = y->node[0] < y->node[1] ? 0 : 1;
     if (x->node[low] != y->node[low_y]) return x->node[low] < y->node[low_y];
     return x->node[1 - low] < y->node[1 - low_y];
 }
 
-static bool same_ends(const bat_edge *x, const bat_edge *y) {
+static bool same_ends(const bat_region_edge *x, const bat_region_edge *y) {
     return !ends_before(x, y) && !ends_before(y, x);
 }
 
 typedef struct ordered {
-    const bat_edge *edges;
+    const bat_region_edge *edges;
     size_t index;
 } ordered;
 
 static int by_ends(const void *a, const void *b) {
     const ordered *p = a, *q = b;
-    const bat_edge *x = p->edges + p->index, *y = q->edges + q->index;
+    const bat_region_edge *x = p->edges + p->index, *y = q->edges + q->index;
     if (ends_before(x, y)) return -1;
     if (ends_before(y, x)) return 1;
     return (p->index > q->index) - (p->index < q->index);
 }
 
 /* Whether y runs along x, at three places: sign 1; -1 when against it; 0: neither. */
-static bat_status runs_along(const bat_edge *x, const bat_edge *y, double reach, int *sign) {
+static bat_status runs_along(const bat_region_edge *x, const bat_region_edge *y, double reach, int *sign) {
     double domain[2], feet[3];
     bat_curve_domain(y->own, domain);
     *sign = 0;
@@ -170,11 +171,11 @@ static bat_status find_same(bat_arrangement *a) {
     qsort(order, a->edge_count, sizeof *order, by_ends); /* no ties: edges differ */
     bat_status status = BAT_OK;
     for (size_t i = 0; i < a->edge_count; i++) {
-        bat_edge *x = a->edges + order[i].index;
+        bat_region_edge *x = a->edges + order[i].index;
         if (x->node[0] == BAT_NO_NODE || x->same_as != order[i].index) continue;
         for (size_t j = i + 1;
              j < a->edge_count && status == BAT_OK && same_ends(x, a->edges + order[j].index); j++) {
-            bat_edge *y = a->edges + order[j].index;
+            bat_region_edge *y = a->edges + order[j].index;
             int sign, other;
             if (y->same_as != order[j].index) continue;
             status = runs_along(x, y, ALONG * a->gap, &sign);

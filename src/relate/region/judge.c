@@ -31,7 +31,7 @@ typedef struct judging {
     double near;
 } judging;
 
-static int degree_of(const bat_arrangement *a, const bat_edge *e) {
+static int degree_of(const bat_arrangement *a, const bat_region_edge *e) {
     return bat_curve_degree(a->curves[e->curve].curve);
 }
 
@@ -45,7 +45,7 @@ static size_t band_of(const bands *b, double x) {
 static size_t overlaps(const bat_arrangement *a, const bands *b, int axis) {
     size_t sum = 0;
     for (size_t i = 0; i < a->edge_count; i++) {
-        const bat_edge *e = a->edges + i;
+        const bat_region_edge *e = a->edges + i;
         if (e->same_as == i) sum += band_of(b, e->box[axis + 2]) - band_of(b, e->box[axis]) + 1;
     }
     return sum;
@@ -55,7 +55,7 @@ static void fill(const bat_arrangement *a, bands *b, int axis) {
     memset(b->first, 0, (b->count + 1) * sizeof *b->first);
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < a->edge_count; i++) {
-            const bat_edge *e = a->edges + i;
+            const bat_region_edge *e = a->edges + i;
             const size_t end = band_of(b, e->box[axis + 2]);
             for (size_t k = band_of(b, e->box[axis]); k <= end && e->same_as == i; k++) {
                 if (pass == 0)
@@ -146,7 +146,7 @@ static int side(const judging *j, bool others_are_right) {
 /* The side of a place on an edge; edges that run along another count as being where that is. False: it cannot be told. */
 static bool look(judging *j, size_t index, double place, int *out) {
     const bat_arrangement *a = j->a;
-    bat_ray r;
+    bat_region_ray r;
     bool up;
     int rest;
     if (!bat_ray_cast(a->edges + index, degree_of(a, a->edges + index), place, &r, &up, &rest)) return false;
@@ -168,7 +168,7 @@ static bool look(judging *j, size_t index, double place, int *out) {
     return true;
 }
 
-static void judge(judging *j, bat_edge *e, size_t index) {
+static void judge(judging *j, bat_region_edge *e, size_t index) {
     double best = -1;
     for (int i = 0; i < PLACES && best < CLEAR * j->a->gap; i++) {
         int keep;
@@ -181,7 +181,7 @@ static void judge(judging *j, bat_edge *e, size_t index) {
 /* At each node as many edges must begin as end. */
 static bool is_boundary(const bat_arrangement *a, int *balance) {
     for (size_t i = 0; i < a->edge_count; i++) {
-        const bat_edge *e = a->edges + i;
+        const bat_region_edge *e = a->edges + i;
         if (e->node[0] == BAT_NO_NODE) continue;
         balance[e->node[0]] += e->keep, balance[e->node[1]] -= e->keep;
     }

@@ -37,8 +37,8 @@ typedef struct outline {
     bat_curve **out;
 } outline;
 
-static size_t begin_of(const bat_edge *e) { return e->node[e->keep < 0]; }
-static size_t end_of(const bat_edge *e) { return e->node[e->keep > 0]; }
+static size_t begin_of(const bat_region_edge *e) { return e->node[e->keep < 0]; }
+static size_t end_of(const bat_region_edge *e) { return e->node[e->keep > 0]; }
 
 /* Kept edges by the node where they begin. */
 static void sort_starts(outline *o) {
@@ -46,7 +46,7 @@ static void sort_starts(outline *o) {
     memset(o->first, 0, (a->node_count + 1) * sizeof *o->first);
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < a->edge_count; i++) {
-            const bat_edge *e = a->edges + i;
+            const bat_region_edge *e = a->edges + i;
             if (e->same_as != i || !e->keep || e->node[0] == BAT_NO_NODE) continue;
             if (pass == 0)
                 o->first[begin_of(e) + 1]++;
@@ -61,7 +61,7 @@ static void sort_starts(outline *o) {
 }
 
 /* Whither an edge leaves its first node, or its last one, as an angle. */
-static double leaves(const outline *o, const bat_edge *e, bool last) {
+static double leaves(const outline *o, const bat_region_edge *e, bool last) {
     const int count = (int)bat_curve_count(e->own);
     const double *p = bat_curve_points(e->own), *at = p + (last ? 2 * (count - 1) : 0);
     double x = 0, y = 0;
@@ -74,7 +74,7 @@ static double leaves(const outline *o, const bat_edge *e, bool last) {
 
 /* The edge that goes on from where one ends: the next one clockwise, behind which the result does not lie; so outlines that
  * touch in a point stay apart. NULL: none is left. */
-static start *next_of(outline *o, const bat_edge *e) {
+static start *next_of(outline *o, const bat_region_edge *e) {
     const size_t node = end_of(e);
     const double back = leaves(o, e, e->keep > 0);
     start *best = NULL;
@@ -82,7 +82,7 @@ static start *next_of(outline *o, const bat_edge *e) {
     for (size_t i = o->first[node]; i < o->first[node + 1]; i++) {
         start *s = o->starts + i;
         if (s->used) continue;
-        const bat_edge *f = o->a->edges + s->edge;
+        const bat_region_edge *f = o->a->edges + s->edge;
         double angle = back - leaves(o, f, f->keep < 0);
         while (angle <= 0) angle += 2 * BAT_PI;
         if (angle < least) least = angle, best = s;
@@ -198,7 +198,7 @@ static bat_status go_round(outline *o, start *first) {
     const bat_arrangement *a = o->a;
     o->length = 0;
     for (start *s = first;;) {
-        const bat_edge *e = a->edges + s->edge;
+        const bat_region_edge *e = a->edges + s->edge;
         o->loop[o->length++] = (stretch){e->curve, {e->u[0], e->u[1]}, e->keep < 0, begin_of(e), end_of(e)};
         start *next = next_of(o, e);
         s->used = s != first || next == first;

@@ -8,12 +8,12 @@
 
 enum { DEPTH_MAX = 60, PIECE = 2 * (BAT_DEGREE_MAX + 1) };
 
-static void turn(const bat_ray *r, const double *p, double q[2]) {
+static void turn(const bat_region_ray *r, const double *p, double q[2]) {
     q[0] = p[r->across], q[1] = p[!r->across];
 }
 
 /* Upwards across the height of the ray or downwards, by the ends alone: so pieces that follow each other agree. */
-static int step(const bat_ray *r, double y0, double y1) { return (y1 > r->y) - (y0 > r->y); }
+static int step(const bat_region_ray *r, double y0, double y1) { return (y1 > r->y) - (y0 > r->y); }
 
 /* Cuts a segment at t: q keeps what is behind it. */
 static void cut(double *q, int degree, double t, double *left) {
@@ -25,7 +25,7 @@ static void cut(double *q, int degree, double t, double *left) {
 }
 
 /* How often a Bézier segment crosses the ray upwards, less how often downwards. q: turned, used up. */
-static int crossings(bat_ray *r, double *q, int degree, int depth) {
+static int crossings(bat_region_ray *r, double *q, int degree, int depth) {
     double low[2] = {q[0], q[1]}, high[2] = {q[0], q[1]}, left[PIECE];
     for (int i = 1; i <= degree; i++)
         for (int c = 0; c < 2; c++) {
@@ -41,12 +41,12 @@ static int crossings(bat_ray *r, double *q, int degree, int depth) {
     return crossings(r, left, degree, depth + 1) + crossings(r, q, degree, depth + 1);
 }
 
-static void span_of(const bat_ray *r, const bat_edge *e, int degree, int i, double q[PIECE]) {
+static void span_of(const bat_region_ray *r, const bat_region_edge *e, int degree, int i, double q[PIECE]) {
     for (int k = 0; k <= degree; k++) turn(r, e->bezier + 2 * ((degree + 1) * i + k), q + 2 * k);
 }
 
 /* skip: a span that is not looked at. */
-static int winding_of(bat_ray *r, const bat_edge *e, int degree, int skip) {
+static int winding_of(bat_region_ray *r, const bat_region_edge *e, int degree, int skip) {
     double low[2], high[2];
     turn(r, e->box, low), turn(r, e->box + 2, high);
     if (high[0] <= r->x || low[1] > r->y || high[1] < r->y) return 0;
@@ -70,14 +70,17 @@ static bool is_steep(const double *q, int degree) {
     return true;
 }
 
-int bat_ray_crossings(bat_ray *r, const bat_edge *e, int degree) { return winding_of(r, e, degree, -1); }
+int bat_ray_crossings(bat_region_ray *r, const bat_region_edge *e, int degree) {
+    return winding_of(r, e, degree, -1);
+}
 
-bool bat_ray_cast(const bat_edge *e, int degree, double place, bat_ray *r, bool *up, int *rest) {
+bool bat_ray_cast(const bat_region_edge *e, int degree, double place, bat_region_ray *r, bool *up,
+                  int *rest) {
     const double x = place * e->spans;
     const int i = (int)fmin(x, e->spans - 1);
     const double t = fmin(fmax(x - i, 0.1), 0.9);
     double q[PIECE], left[PIECE];
-    *r = (bat_ray){.near = INFINITY};
+    *r = (bat_region_ray){.near = INFINITY};
     span_of(r, e, degree, i, q);
     cut(q, degree, t, left);
     const double dx = q[2] - left[2 * degree - 2], dy = q[3] - left[2 * degree - 1];

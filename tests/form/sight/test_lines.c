@@ -42,8 +42,8 @@ typedef struct lengths {
 } lengths;
 
 /* Adds the samples of the piece between two places, of which the first is `gone` pixels along a stretch of `whole`. */
-static void sample(const bat_sight_scene *s, const bat_strand *strand, const bat_stretch *stretch, double a,
-                   double b, double gone, double wide, double whole, lengths *sum) {
+static void sample(const bat_sight_scene *s, const bat_strand *strand, const bat_seen_stretch *stretch,
+                   double a, double b, double gone, double wide, double whole, lengths *sum) {
     const double apart = strand->kind == BAT_LINE_SILHOUETTE ? APART_ON_OUTLINES : APART;
     for (double k = ceil(gone / apart - 0.5); (k + 0.5) * apart < gone + wide; k++) {
         const double here = (k + 0.5) * apart, inside = fmin(here, whole - here);
@@ -59,7 +59,7 @@ static void sample(const bat_sight_scene *s, const bat_strand *strand, const bat
 
 /* Every half pixel along each stretch. */
 static void compare(const bat_sight_scene *s, const bat_strand *strand, lengths *sum) {
-    bat_stretch *list = NULL;
+    bat_seen_stretch *list = NULL;
     size_t count = 0;
     assert_int_equal(bat_strand_stretches(s, strand, &list, &count), BAT_OK);
     for (size_t i = 0; i < count; i++) {

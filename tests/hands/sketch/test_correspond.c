@@ -39,7 +39,7 @@ static bat_curve *hairpin(void) {
 /* Strokes of which the stretch and direction are known; how many come back right. */
 static int right_ones(const bat_curve *curve, uint64_t seed, int cases, double height) {
     random_source r = {seed};
-    bat_track track;
+    bat_stroke_track track;
     assert_int_equal(bat_track_create(curve, &track), BAT_OK);
     int right = 0;
     for (int n = 0; n < cases; n++) {

@@ -45,9 +45,9 @@ static void samples(const scene *s, double out[2 * SAMPLES]) {
 }
 
 /* The best reading; batches: how often it is asked on the way. */
-static bat_status read_at(const scene *s, const double map[6], int batches, bat_reading *best) {
+static bat_status read_at(const scene *s, const double map[6], int batches, bat_intent_reading *best) {
     double points[2 * SAMPLES];
-    bat_reading all[BAT_INTENT_READINGS];
+    bat_intent_reading all[BAT_INTENT_READINGS];
     bat_intent *intent = NULL;
     int count = 0;
     samples(s, points);
@@ -99,7 +99,7 @@ static const struct {
 static void known_relations(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        bat_reading best;
+        bat_intent_reading best;
         assert_int_equal(read_at(&cases[i].scene, UPRIGHT, 1, &best), BAT_OK);
         if (best.kind != cases[i].kind) fail_msg("case %d: kind %d", (int)i, (int)best.kind);
     }
@@ -110,7 +110,7 @@ static void dots_mean_nothing(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         scene with = cases[i].scene;
-        bat_reading best, again;
+        bat_intent_reading best, again;
         if (with.lines == 4) continue;
         for (int k = 0; k < 4; k++)
             with.ends[with.lines][k] = 0.4 * with.stroke[0][k % 2] + 0.6 * with.stroke[1][k % 2];
@@ -127,7 +127,7 @@ static void asked_any_time(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         for (int batches = 2; batches <= 40; batches += 19) {
-            bat_reading once, often;
+            bat_intent_reading once, often;
             assert_int_equal(read_at(&cases[i].scene, UPRIGHT, 1, &once), BAT_OK);
             assert_int_equal(read_at(&cases[i].scene, UPRIGHT, batches, &often), BAT_OK);
             assert_int_equal(once.kind, often.kind);
@@ -142,7 +142,7 @@ static void moved_turned_mirrored(void **state) {
     const double maps[][6] = {{c, -s, 311, s, c, -77}, {-1, 0, 0, 0, 1, 0}, {1, 0, 1e4, 0, 1, -1e4}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         for (size_t k = 0; k < sizeof maps / sizeof maps[0]; k++) {
-            bat_reading before, after;
+            bat_intent_reading before, after;
             assert_int_equal(read_at(&cases[i].scene, UPRIGHT, 1, &before), BAT_OK);
             assert_int_equal(read_at(&cases[i].scene, maps[k], 1, &after), BAT_OK);
             assert_int_equal(before.kind, after.kind);
@@ -154,7 +154,7 @@ static void parts_of_several(void **state) {
     (void)state;
     const scene s = {
         2, {{0, 0, 200, 0}, {400, 0, 200, 0}}, {{340, 3}, {70, 3}}, 2}; /* ends meet, senses differ */
-    bat_reading best;
+    bat_intent_reading best;
     assert_int_equal(read_at(&s, UPRIGHT, 1, &best), BAT_OK);
     assert_int_equal(best.kind, BAT_INTENT_SEVERAL);
     assert_int_equal(best.count, 2);
@@ -174,7 +174,7 @@ static void two_in_a_crowd(double away, double apart) {
     enum { CROWD = 60 };
     const scene s = {.stroke = {{0, 1}, {985, 1}}, .corners = 2};
     double points[2 * SAMPLES];
-    bat_reading all[BAT_INTENT_READINGS];
+    bat_intent_reading all[BAT_INTENT_READINGS];
     bat_intent *intent = NULL;
     int count = 0;
     samples(&s, points);
@@ -205,7 +205,7 @@ static void short_part_in_a_crowd(void **state) {
 static void bad_samples(void **state) {
     (void)state;
     const double nothing[] = {NAN, 0, 5, INFINITY, 3, 3, 3, 3, 3.1, 3};
-    bat_reading all[BAT_INTENT_READINGS];
+    bat_intent_reading all[BAT_INTENT_READINGS];
     bat_intent *intent = NULL;
     int count = 1;
     assert_int_equal(bat_intent_create(true, false, &intent), BAT_OK);
@@ -224,12 +224,12 @@ static void the_cheapest_are_kept(void **state) {
     random_source r = {17};
     for (int round = 0; round < 50; round++) {
         enum { MANY = 90 };
-        bat_reading room[BAT_INTENT_READINGS];
+        bat_intent_reading room[BAT_INTENT_READINGS];
         bat_intent_list list = {.reading = room};
         double costs[MANY];
         for (int i = 0; i < MANY; i++) {
             costs[i] = i % 9 == 0 ? (double)INFINITY : random_int(&r, 0, 60);
-            const bat_reading reading = {.cost = costs[i], .onto = i};
+            const bat_intent_reading reading = {.cost = costs[i], .onto = i};
             bat_intent_offer(&list, &reading);
         }
         assert_int_equal(list.count, BAT_INTENT_READINGS);
@@ -250,7 +250,7 @@ static void memory(void **state) {
     const long live = alloc_live();
     for (long n = 1;; n++) {
         bat_intent *intent = NULL;
-        bat_reading all[BAT_INTENT_READINGS];
+        bat_intent_reading all[BAT_INTENT_READINGS];
         double points[2 * SAMPLES];
         int count;
         bat_curve *curve[2] = {line(0, 0, 200, 0), line(200, 0, 400, 0)};

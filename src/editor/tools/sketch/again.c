@@ -36,7 +36,7 @@ void bat_again_gather(bat_context *c, const bat_meaning *m, const bat_edit *edit
     bat_again_drop(again);
     note_before(c, again, edit);
     for (int i = 0; i < m->count; i++) {
-        const bat_reading *reading = &m->readings[i];
+        const bat_intent_reading *reading = &m->readings[i];
         bool fresh = reading->kind == BAT_INTENT_NEW;
         bool near = reading->cost - m->readings[0].cost <= NOT_MUCH * bat_intent_length(m->intent);
         if (!fresh && (!near || again->count >= BAT_AGAIN_MOST - 1))
@@ -55,7 +55,7 @@ static void take_samples(bat_samples *own, bat_samples *samples) {
 }
 
 /* The stroke as it was drawn. */
-static void keep_drawn(bat_again *again, bat_hold *hold) {
+static void keep_drawn(bat_again *again, bat_sketch_hold *hold) {
     again->raw = again->converged = -1;
     again->figure = hold->on ? hold->figure.kind : BAT_FIGURE_NONE;
     if (!hold->on) return;
@@ -66,7 +66,7 @@ static void keep_drawn(bat_again *again, bat_hold *hold) {
 }
 
 void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples,
-                    bat_hold *hold) {
+                    bat_sketch_hold *hold) {
     again->at = -1;
     for (int i = 0; i < again->count; i++)
         if (again->edit[i].kind == edit->kind && (edit->kind == BAT_EDIT_NEW || same(&again->edit[i], edit)))

@@ -40,7 +40,7 @@ void bat_again_gather(bat_context *c, const bat_meaning *meaning, const bat_edit
 /* The stroke has been committed as `edit`. Takes ownership of its samples (*samples gets other memory in exchange),
  * and, when the stroke was held, also of the samples that it was drawn with. */
 void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples,
-                    bat_hold *hold);
+                    bat_sketch_hold *hold);
 /* After bat_again_keep: the stroke has been committed as one of several, which takes the first place among its readings.
  * Takes over what they mean. */
 void bat_again_converged(bat_again *again, bat_together *together);

@@ -123,7 +123,7 @@ static void decide(bat_context *c, bat_sketching *s) {
     if (status != BAT_OK) return; /* too short yet, or out of memory: unchanged */
     s->nothing = !m->count;
     if (s->nothing) return;
-    const bat_reading *shown = NULL;
+    const bat_intent_reading *shown = NULL;
     for (int i = 0; i < m->count && !shown; i++)
         if (bat_meaning_is(m, &m->readings[i], &s->edit)) shown = &m->readings[i];
     if (!shown || bat_intent_turns(m->intent, &m->readings[0], shown)) {

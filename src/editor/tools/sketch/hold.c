@@ -8,14 +8,14 @@ static const double LOOSE = 4, TIGHT = 12; /* px a held pen may slip; px from wh
 /* Share of the tolerance: the figure has to look like one, and costs few points all the same. */
 static const double CLOSER = 0.2;
 
-void bat_hold_begin(bat_hold *hold, const bat_pointer *event) {
+void bat_hold_begin(bat_sketch_hold *hold, const bat_pointer *event) {
     bat_hold_end(hold);
     hold->at[0] = event->x, hold->at[1] = event->y;
     hold->since = event->time;
     hold->spent = true; /* a press that rests where it came down is no stroke yet */
 }
 
-bool bat_hold_due(bat_hold *hold, const bat_pointer *event, size_t count, double seconds) {
+bool bat_hold_due(bat_sketch_hold *hold, const bat_pointer *event, size_t count, double seconds) {
     const double still = event->device == BAT_DEVICE_TOUCH ? STILL_TOUCH : STILL;
     if (bat_hypot(event->x - hold->at[0], event->y - hold->at[1]) > still) {
         hold->at[0] = event->x, hold->at[1] = event->y;
@@ -29,7 +29,7 @@ bool bat_hold_due(bat_hold *hold, const bat_pointer *event, size_t count, double
 }
 
 /* Places along the figure as a stroke: evenly in time, its pressure the stroke's in the middle. */
-static bat_status lay(const bat_hold *hold, bat_edit *edit, const double *points) {
+static bat_status lay(const bat_sketch_hold *hold, bat_edit *edit, const double *points) {
     static const double upright[2] = {0, 0};
     const bat_samples *drawn = &hold->drawn.samples;
     const double last = drawn->time[drawn->count - 1], pressure = drawn->pressure[drawn->count / 2];
@@ -49,7 +49,7 @@ static bat_status lay(const bat_hold *hold, bat_edit *edit, const double *points
     return status;
 }
 
-bat_status bat_hold_take(bat_hold *hold, bat_edit *edit) {
+bat_status bat_hold_take(bat_sketch_hold *hold, bat_edit *edit) {
     if (hold->count < 2) return BAT_STATE;
     bat_figure_nearest(hold->count, edit->samples.pixels, &hold->figure);
     if (hold->figure.kind == BAT_FIGURE_NONE) return BAT_STATE;
@@ -62,7 +62,7 @@ bat_status bat_hold_take(bat_hold *hold, bat_edit *edit) {
     return lay(hold, edit, hold->figure.points);
 }
 
-bat_status bat_hold_drag(bat_hold *hold, bat_edit *edit, const double to[2]) {
+bat_status bat_hold_drag(bat_sketch_hold *hold, bat_edit *edit, const double to[2]) {
     double points[2 * BAT_FIGURE_POINTS], at[2];
     const double x = to[0] - hold->grip[0], y = to[1] - hold->grip[1], far = bat_hypot(x, y);
     const double share = fmin(fmax((far - LOOSE) / (TIGHT - LOOSE), 0) * TIGHT / fmax(far, LOOSE), 1);
@@ -72,7 +72,7 @@ bat_status bat_hold_drag(bat_hold *hold, bat_edit *edit, const double to[2]) {
     return lay(hold, edit, points);
 }
 
-void bat_hold_end(bat_hold *hold) {
+void bat_hold_end(bat_sketch_hold *hold) {
     bat_samples_clear(&hold->drawn.samples);
     hold->on = false;
     hold->count = 0;

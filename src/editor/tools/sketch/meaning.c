@@ -222,11 +222,12 @@ static const bat_edit_kind KINDS[] = {
     [BAT_INTENT_SEVERAL] = BAT_EDIT_SEVERAL, [BAT_INTENT_EXTEND] = BAT_EDIT_EXTEND,
     [BAT_INTENT_JOIN] = BAT_EDIT_JOIN,       [BAT_INTENT_CLOSE] = BAT_EDIT_CLOSE};
 
-static const bat_meaning_curve *curve_of(const bat_meaning *m, const bat_reading *reading, int part) {
+static const bat_meaning_curve *curve_of(const bat_meaning *m, const bat_intent_reading *reading, int part) {
     return &m->curves[reading->part[part].line];
 }
 
-static void put_start(bat_context *c, const bat_meaning *m, const bat_reading *reading, bat_edit *edit) {
+static void put_start(bat_context *c, const bat_meaning *m, const bat_intent_reading *reading,
+                      bat_edit *edit) {
     if (reading->onto < 0 || !edit->samples.count) return;
     const bat_meaning_curve *curve = &m->curves[reading->onto];
     const bat_finder *finder = bat_scene_finder(c->scene, curve->entry, curve->curve);
@@ -261,7 +262,8 @@ bool bat_meaning_level(const bat_context *c, bat_id object, int curve, int *leve
     return true;
 }
 
-void bat_meaning_apply(bat_context *c, const bat_meaning *m, const bat_reading *reading, bat_edit *edit) {
+void bat_meaning_apply(bat_context *c, const bat_meaning *m, const bat_intent_reading *reading,
+                       bat_edit *edit) {
     edit->kind = KINDS[reading->kind];
     edit->meaning = (bat_sketch_meaning){0};
     edit->object = edit->other = 0;
@@ -294,7 +296,7 @@ void bat_meaning_apply(bat_context *c, const bat_meaning *m, const bat_reading *
     }
 }
 
-bool bat_meaning_is(const bat_meaning *m, const bat_reading *reading, const bat_edit *edit) {
+bool bat_meaning_is(const bat_meaning *m, const bat_intent_reading *reading, const bat_edit *edit) {
     bool levelled = edit->kind == BAT_EDIT_LEVEL &&
                     (reading->kind == BAT_INTENT_REDRAW || reading->kind == BAT_INTENT_EXTEND);
     if (KINDS[reading->kind] != edit->kind && !levelled) return false;

@@ -24,7 +24,7 @@ typedef struct bat_meaning {
     bat_meaning_curve *curves; /* in the intent's numbering */
     int *found;                /* 2 * curve_room: hash table of their indices; -1: empty */
     int count;
-    bat_reading readings[BAT_INTENT_READINGS]; /* the best first */
+    bat_intent_reading readings[BAT_INTENT_READINGS]; /* the best first */
 } bat_meaning;
 
 bat_status bat_meaning_begin(bat_context *c, bat_meaning *meaning, bat_device device);
@@ -33,11 +33,11 @@ void bat_meaning_end(bat_meaning *meaning);
 bat_status bat_meaning_look(bat_context *c, bat_meaning *meaning, const bat_stage *stage,
                             const bat_samples *samples, bool whole);
 /* Sets the edit according to the reading; everything else in it stays as it is. */
-void bat_meaning_apply(bat_context *c, const bat_meaning *meaning, const bat_reading *reading,
+void bat_meaning_apply(bat_context *c, const bat_meaning *meaning, const bat_intent_reading *reading,
                        bat_edit *edit);
 /* Whether the curve has levels, and which of them a stroke over it redraws. */
 bool bat_meaning_level(const bat_context *c, bat_id object, int curve, int *level);
 /* Whether the reading would make the same kind of edit of the same curves. */
-bool bat_meaning_is(const bat_meaning *meaning, const bat_reading *reading, const bat_edit *edit);
+bool bat_meaning_is(const bat_meaning *meaning, const bat_intent_reading *reading, const bat_edit *edit);
 
 #endif

@@ -43,7 +43,7 @@ typedef struct bat_sketching {
     /* DRAWING */
     bat_edit edit;           /* made by the stroke under the pen */
     bat_steady steady;       /* between the pen and the samples */
-    bat_hold hold;           /* a stroke held at its end becomes a figure */
+    bat_sketch_hold hold;    /* a stroke held at its end becomes a figure */
     bool forced;             /* its meaning was given in advance */
     bat_meaning meaning;     /* its possible meanings */
     double tap[2], tap_time; /* of the last dot: view pixels, ms */

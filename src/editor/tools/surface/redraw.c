@@ -23,7 +23,7 @@ static void settings_of(const bat_context *c, const bat_surface *surface, bat_li
         pieces += knots[i] > knots[i - 1] && knots[i - 1] >= domain[0] && knots[i] <= domain[1];
     const bool usual = spans == bat_property_at(BAT_PROPERTY_LINE_REACH)->standard;
     out->reach = usual ? 0 : spans * (domain[1] - domain[0]) / pieces;
-    for (int k = 0; k < BAT_EDGES; k++) out->lock[k] = (int)values[BAT_PROPERTY_LOCK_U_LOW + k];
+    for (int k = 0; k < BAT_LINE_EDGES; k++) out->lock[k] = (int)values[BAT_PROPERTY_LOCK_U_LOW + k];
 }
 
 /* The level that is chosen in the level strip; of another surface the base. */

@@ -147,7 +147,7 @@ static void show_reach(bat_context *c, bat_surfacing *s, bat_overlay *list, cons
 /* A padlock beside each edge: a body, and a bow that is open while the edge is free; as many bars as are locked. */
 static void show_padlocks(bat_context *c, bat_surfacing *s, bat_overlay *list) {
     const double px = bat_stage_pixel(c->stage);
-    for (int edge = 0; edge < BAT_EDGES; edge++) {
+    for (int edge = 0; edge < BAT_LINE_EDGES; edge++) {
         const int lock = (int)c->settings->values[BAT_PROPERTY_LOCK_U_LOW + edge];
         double pixel[2], at[2];
         if (!bat_surfacing_padlock(c, s, edge, pixel)) continue;

@@ -35,7 +35,7 @@ typedef enum bat_lining {
 typedef struct bat_line_reach {
     bat_line line;
     uint64_t revision;
-    int lock[BAT_EDGES]; /* with those of the image's edges */
+    int lock[BAT_LINE_EDGES]; /* with those of the image's edges */
     double radius;
     bool known;      /* false: the line cannot move */
     double moved[2]; /* of the crossing parameter: where movement ends */

@@ -118,7 +118,7 @@ static void choose(bat_context *c, bat_surfacing *s, bool tap) {
 
 /* A tap on a padlock locks one thing more there, and after the last of them nothing. */
 static bool tap_padlock(bat_context *c, bat_surfacing *s) {
-    for (int edge = 0; edge < BAT_EDGES; edge++) {
+    for (int edge = 0; edge < BAT_LINE_EDGES; edge++) {
         double at[2], *lock = &c->settings->values[BAT_PROPERTY_LOCK_U_LOW + edge];
         if (!bat_surfacing_padlock(c, s, edge, at) ||
             bat_hypot(at[0] - s->start[0], at[1] - s->start[1]) > PADLOCK)

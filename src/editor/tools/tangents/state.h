@@ -16,7 +16,7 @@ typedef enum bat_splining_state {
     BAT_SPLINING_DRAGGING /* it has moved or placed a point; a transaction is open unless that was the first */
 } bat_splining_state;
 
-typedef enum bat_part {
+typedef enum bat_tangents_part {
     BAT_PART_NOTHING,
     BAT_PART_POINT,
     BAT_PART_DIRECTION, /* the circle around a point, or the arrow in it */
@@ -25,10 +25,10 @@ typedef enum bat_part {
     BAT_PART_CURVE, /* the curve of the chosen spline */
     BAT_PART_FIRST, /* the first point, which closes the curve */
     BAT_PART_OTHER  /* another spline */
-} bat_part;
+} bat_tangents_part;
 
 typedef struct bat_spline_hit {
-    bat_part part;
+    bat_tangents_part part;
     int point;
     int segment; /* CURVE: segment numbered as in bat_tangents, and where on it */
     double t;

@@ -116,7 +116,7 @@ static bool natural_handles(bat_context *c, int point, double out[2]) {
  * seen. */
 static void pull(bat_context *c, vec way, double pixels) {
     bat_splining *s = bat_splining_of(c);
-    bat_part part = s->press.part;
+    bat_tangents_part part = s->press.part;
     int i = s->press.point;
     const double length = vec_norm(way);
     if (!(length > 0)) return;
@@ -202,7 +202,7 @@ static void apply(bat_context *c) {
 }
 
 /* The planes that the grabbed part moves in, as the spline lies now. */
-static void find_planes(bat_context *c, bat_splining *s, bat_part part, int point) {
+static void find_planes(bat_context *c, bat_splining *s, bat_tangents_part part, int point) {
     const bat_spline *spline = bat_splining_spline(c);
     const bat_joint *joints = bat_splining_joints(c);
     vec_store((vec){0, 0, 0}, s->plane);
@@ -215,7 +215,7 @@ static void find_planes(bat_context *c, bat_splining *s, bat_part part, int poin
         memcpy(s->plane, s->rise, sizeof s->plane);
 }
 
-static void hold(bat_context *c, bat_part part, int point) {
+static void hold(bat_context *c, bat_tangents_part part, int point) {
     bat_splining *s = bat_splining_of(c);
     const int size = s->draft.dimension;
     s->press = (bat_spline_hit){.part = part, .point = point};
@@ -550,7 +550,7 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
     (void)state;
     const bat_splining *s = bat_splining_of(c);
     if (s->state == BAT_SPLINING_DRAGGING && s->press.part == BAT_PART_POINT) return BAT_CURSOR_GRABBING;
-    bat_part part = s->state == BAT_SPLINING_IDLE ? s->over.part : s->press.part;
+    bat_tangents_part part = s->state == BAT_SPLINING_IDLE ? s->over.part : s->press.part;
     if (part == BAT_PART_NOTHING) return BAT_CURSOR_CROSS;
     return part == BAT_PART_CURVE || part == BAT_PART_OTHER || part == BAT_PART_FIRST ? BAT_CURSOR_PEN
                                                                                       : BAT_CURSOR_GRAB;
