@@ -120,10 +120,11 @@ export class Ghost {
   /** @param {number} now */
   #upTo(now) {
     const { engine, events, due } = this;
-    const shown = this.shell.painter.painted;
-    if (this.#size().some((value, i) => value !== this.size[i]) || shown?.zoom !== this.to.zoom || shown.x !== this.to.x || shown.y !== this.to.y) {
-      this.stop(); // the window or its view has changed
-      return;
+    this.to = this.shell.painter.painted ?? this.to;
+    const size = this.#size();
+    if (size.some((value, i) => value !== this.size[i])) { // a panel has opened beside the stage, say
+      this.size = size;
+      this.painter.resize(...size);
     }
     /** @type {Pointer[]} */
     const samples = [];
