@@ -105,15 +105,14 @@ class Operations(ProgramTest):
 
     def test_tolerances_that_rounding_hides(self):
         """Told, not tried until the day is over."""
-        for words in (["offset", "--distance", "1e70"], ["offset", "--distance", "3", "--tolerance", "1e-15"], ["arcs", "--tolerance", "1e-30"],
-                      ["flatten", "--tolerance", "1e-20"]):
-            line = self.refused(1, "curve", words[0], self.curve, *words[1:])
-            self.assertRegex(line, "--tolerance: expected one .*found too small a one")
+        for words in (["offset", "--distance", "1e70"], ["offset", "--distance", "3", "--tolerance", "1e-15"], ["arcs", "--tolerance", "1e-30"]):
+            said = self.refused(1, "curve", words[0], self.curve, *words[1:])
+            self.assertRegex(said, "--tolerance: expected one .*found too small a one")
         far = self.file("far.json", {**CURVE, "points": [[x + 1e12, y] for x, y in CURVE["points"]]})
         self.refused(1, "curve", "arcs", far, "--tolerance", "1e-6")
         self.assertGreater(len(self.json("curve", "arcs", far, "--tolerance", "0.1")["arcs"]), 1)
-        straight = self.file("l.json", line_at := line([1e12, 0], [1e12 + 3, 4]))
-        self.assertEqual(len(self.json("curve", "arcs", straight, "--tolerance", "1e-9")["arcs"]), len(line_at["points"]) - 1)
+        straight = self.file("l.json", line([1e12, 0], [1e12 + 3, 4]))
+        self.assertEqual(len(self.json("curve", "arcs", straight, "--tolerance", "1e-9")["arcs"]), 1)
 
     def test_offset(self):
         for name, curve in ((self.curve, CURVE), (self.ring, RING)):

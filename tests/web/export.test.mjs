@@ -132,7 +132,15 @@ test('what cannot be made is said: an empty drawing, a picture too large', async
 
 test('a browser that keeps nothing exports all the same', async () => {
   const { page, context } = await begin();
-  await page.evaluate(() => { Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }; });
+  await page.evaluate(() => {
+    const set = Storage.prototype.setItem;
+    Storage.prototype.setItem = function setItem(key, value) {
+      if (key === 'batten-export') {
+        throw new DOMException('full', 'QuotaExceededError');
+      }
+      set.call(this, key, value);
+    };
+  });
   const file = await made(page, { format: 'plain', part: '0' });
   assert.match(file.bytes.toString(), /id="blue"/);
   await context.close();
