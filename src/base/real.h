@@ -13,7 +13,8 @@
 
 #include <float.h>
 
-#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 /* 1: floats are computed as doubles, and these as they are */
+/* 1: floats are computed as doubles, and these as they are. */
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1
 #error "Batten needs doubles without excess precision; on 32-bit x86: -msse2 -mfpmath=sse"
 #endif
 #ifdef __FAST_MATH__

@@ -41,11 +41,14 @@ void bat_curve_unroll(bat_curve *curve) {
                size * sizeof(double));
 }
 
-BAT_CLONES bool bat_are_coordinates(const double *numbers, size_t count) {
+/* Apart from the function that others call: gcc shows clones to linkers, whatever their visibility. */
+BAT_CLONES static bool are_coordinates(const double *numbers, size_t count) {
     long long fault = 0;
     for (size_t i = 0; i < count; i++) fault |= !(fabs(numbers[i]) <= BAT_COORDINATE_MAX);
     return !fault;
 }
+
+bool bat_are_coordinates(const double *numbers, size_t count) { return are_coordinates(numbers, count); }
 
 bat_status bat_points_check(const bat_curve *curve) {
     const size_t total = (size_t)curve->count * (size_t)curve->dimension;

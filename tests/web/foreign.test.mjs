@@ -48,7 +48,7 @@ test('it is seen in its order, chosen, moved, deleted, and saved as the element 
   await expect(page, [[30, 50, GREEN], [70, 50, YELLOW], [110, 50, GREEN], [200, 60, BLUE], [200, 98, BLUE], [172, 28, PAPER],
     [30, 230, BLACK], [110, 230, PAPER], [170, 240, RED], [330, 50, BLACK]]);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'foreign.png') });
-  assert.deepEqual(asked.filter((address) => !address.startsWith('blob:') && !/\/(stage|module|page|engine|sheets)\//.test(address)), []);
+  assert.deepEqual(asked.filter((address) => !address.startsWith('blob:') && !/\/(stage|module|page|engine|sheets|styles|icons)\//.test(address)), []);
 
   await page.keyboard.press('v');
   await page.mouse.click(...await place(page, 200, 60));

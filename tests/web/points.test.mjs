@@ -94,7 +94,7 @@ for (const colorScheme of ['light', 'dark']) {
     await shot('calm');
     await page.keyboard.up('g');
     await settle(page);
-    assert.match((await state(page)).notice, /Calmed/);
+    assert.match((await state(page)).notice, /Evened out/);
     await page.keyboard.press('Control+z');
     await page.keyboard.press('Control+z');
 

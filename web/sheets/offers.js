@@ -150,25 +150,32 @@ export class Offers {
     }
   }
 
+  /** How far down the drawing is free: the time strip lies over its foot. */
+  #low() {
+    const strip = /** @type {HTMLElement | null} */ (document.querySelector('.time:not([hidden])'));
+    return strip ? strip.offsetTop - this.stage.offsetTop : this.stage.clientHeight;
+  }
+
   /** Above the selection, else below it, else in the corner that hides the least of it. */
   #place() {
     const { stage, row, frame } = this;
     const box = (frame && seen(frame)) ?? [0, 0, stage.clientWidth, 0];
-    const now = `${box.map(Math.round)} ${row.offsetWidth} ${row.offsetHeight} ${stage.clientWidth} ${stage.clientHeight} ${stage.offsetLeft}`;
+    const low = this.#low();
+    const now = `${box.map(Math.round)} ${row.offsetWidth} ${row.offsetHeight} ${stage.clientWidth} ${low} ${stage.offsetLeft}`;
     if (now === this.at) {
       return;
     }
     this.at = now;
-    const { offsetLeft, offsetTop, clientWidth, clientHeight } = stage;
+    const { offsetLeft, offsetTop, clientWidth } = stage;
     const [wide, high] = [row.offsetWidth, this.main.offsetHeight + 2 * (row.clientTop + 4)];
     const above = box[1] - AWAY - high;
     const below = box[3] + AWAY;
-    const fits = above >= RULER || below + high <= clientHeight - EDGE;
+    const fits = above >= RULER || below + high <= low - EDGE;
     const top = above >= RULER ? above : fits ? below : RULER;
     const middle = fits ? (box[0] + box[2]) / 2 : clientWidth / 2;
     const left = Math.max(RULER, Math.min(middle - wide / 2, clientWidth - wide - EDGE));
     const grown = row.offsetHeight - high; // what "more" adds goes down where there is room
-    const up = top + high + grown > clientHeight - EDGE ? Math.max(0, Math.min(grown, top - RULER)) : 0;
+    const up = top + high + grown > low - EDGE ? Math.max(0, Math.min(grown, top - RULER)) : 0;
     row.classList.toggle('upwards', up > 0);
     row.style.setProperty('left', `${offsetLeft + left}px`);
     row.style.setProperty('top', `${offsetTop + top - up}px`);

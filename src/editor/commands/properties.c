@@ -47,7 +47,7 @@ bat_status bat_property_get(const bat_context *c, const char *property, double *
     const bat_object *styled = bat_property_at(id)->group == BAT_GROUP_STYLE ? bat_styling_selected(c, id)
                                                                              : NULL;
     *value = styled                               ? bat_styling_of(styled, id)
-             : id == BAT_PROPERTY_SPLINE_MODE     ? (double)bat_splining_options(c).mode
+             : id == BAT_PROPERTY_SPLINE_MODE     ? (double)bat_splining_mode(c)
              : id == BAT_PROPERTY_PICTURE_SPAN    ? bat_span_value(c)
              : id == BAT_PROPERTY_PICTURE_OPACITY ? bat_tracing_opacity(c)
                                                   : c->settings->values[id];

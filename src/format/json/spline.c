@@ -65,7 +65,8 @@ static bat_status read_closed(const bat_json *json, uint32_t object, bool *out, 
 static bat_status read_options(const bat_json *json, uint32_t object, bat_tangents_options *options,
                                bat_problem *problem) {
     int mode = (int)options->mode, missing = (int)options->missing;
-    bat_status status = bat_word_from_json(json, object, "mode", MODES, "faithful, paper or even", &mode, problem);
+    bat_status status = bat_word_from_json(json, object, "mode", MODES, "faithful, paper or even", &mode,
+                                           problem);
     if (status == BAT_OK)
         status = bat_word_from_json(json, object, "default", DEFAULTS, "centripetal, uniform or chordal",
                                     &missing, problem);

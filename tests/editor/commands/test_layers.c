@@ -127,6 +127,7 @@ static void objects_are_placed(void **state) {
     pen p = pen_for(editor);
     bat_editor_command(editor, "select-all");
     bat_editor_command(editor, "group");
+    bat_editor_command(editor, "tool-sketch");
     pen_line(&p, 300, 700, 600, 705, 10);
     bat_editor_command(editor, "layer-add");
     pen_line(&p, 300, 500, 600, 505, 10);

@@ -158,7 +158,7 @@ bat_status bat_splining_set_mode(bat_context *c, double mode) {
     bat_splining *s = bat_splining_of(c);
     const bool chosen = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_SPLINES;
     if (!chosen || c->session->busy || c->session->transaction.open || !bat_splining_spline(c) ||
-        bat_splining_options(c).mode == (bat_tangents_mode)mode)
+        bat_splining_mode(c) == (bat_tangents_mode)mode)
         return BAT_OK;
     bat_object *after = NULL;
     bat_status status = bat_object_with_spline_mode(bat_splining_object(c), (bat_tangents_mode)mode, &after);

@@ -53,16 +53,26 @@ bat_tangents_options bat_splining_next_options(const bat_context *c) {
     return options;
 }
 
-bat_tangents_options bat_splining_options(const bat_context *c) {
+/* Those of the chosen spline; NULL: there is none. */
+static const bat_tangents_options *own_options(const bat_context *c) {
     const int at = bat_splining_of(c)->object
                        ? bat_document_find(c->session->document, bat_splining_of(c)->object)
                        : -1;
     const bat_object *object = at >= 0 ? bat_document_at(c->session->document, at) : NULL;
-    const bat_tangents_options *own = object ? bat_object_spline_options(object) : NULL;
+    return object ? bat_object_spline_options(object) : NULL;
+}
+
+bat_tangents_options bat_splining_options(const bat_context *c) {
+    const bat_tangents_options *own = own_options(c);
     return own ? *own : bat_splining_next_options(c);
 }
 
-bool bat_splining_is_even(const bat_context *c) { return bat_splining_options(c).mode == BAT_TANGENTS_EVEN; }
+bat_tangents_mode bat_splining_mode(const bat_context *c) {
+    const bat_tangents_options *own = own_options(c);
+    return own ? own->mode : (bat_tangents_mode)c->settings->values[BAT_PROPERTY_SPLINE_MODE];
+}
+
+bool bat_splining_is_even(const bat_context *c) { return bat_splining_mode(c) == BAT_TANGENTS_EVEN; }
 
 const bat_joint *bat_splining_joints(bat_context *c) {
     bat_splining *s = bat_splining_of(c);

@@ -81,6 +81,8 @@ const bat_spline *bat_splining_spline(bat_context *c);
 /* How the next spline is made; how the chosen one is, or without one the next. */
 bat_tangents_options bat_splining_next_options(const bat_context *c);
 bat_tangents_options bat_splining_options(const bat_context *c);
+/* How it passes through its points, or the next spline will. */
+bat_tangents_mode bat_splining_mode(const bat_context *c);
 /* Whether it is of even curvature: there are no directions then. */
 bool bat_splining_is_even(const bat_context *c);
 /* Its object. */

@@ -121,7 +121,7 @@ static bat_status merge(const task *t) {
             if (k == head && curves != w->count) status = write_fresh(t, head, curves - tail);
             keeps = k < head || k >= w->count - tail ||
                     (curves == w->count && is_same(w, i, bat_object_curve(t->object, k), &status));
-            if (!keeps && curves == w->count) status = write_fresh(t, k, k + 1);
+            if (!keeps && curves == w->count && status == BAT_OK) status = write_fresh(t, k, k + 1);
             if (k == head && curves != w->count) intact = false;
             k++;
         }
