@@ -249,9 +249,9 @@ test('the Tab key passes each toolbar in one stop, F6 each region, and nothing h
   const regions = new Set();
   for (let i = 0; i < 10; i++) {
     await press(page, 'Shift+F6');
-    regions.add(await page.evaluate(() => document.activeElement.closest('#tools, #rail, #stage, #mirror, .foot').className));
+    regions.add(await page.evaluate(() => document.activeElement.closest('#tools, #rail, #stage, #mirror, #inspector, .foot').className));
   }
-  assert.equal(regions.size, 5);
+  assert.equal(regions.size, 6);
   // In a toolbar the arrows cycle through all enabled buttons.
   await page.focus('#tools button:not(:disabled)');
   const able = await page.$$eval('#tools button:not(:disabled)', (all) => all.filter((one) => one.checkVisibility()).length);

@@ -24,8 +24,11 @@ after(async () => {
 
 const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `${name}.png`) });
 
-/** Texts and accessible names on the page that contain no Korean letter. */
-const foreign = (page) => page.evaluate(() => {
+/** What the drawing's author called things. */
+const NAMES = [...fs.readFileSync(EXAMPLE, 'utf8').matchAll(/ id="([^"]+)"/g)].map(([, name]) => name);
+
+/** Texts and accessible names on the page that contain no Korean letter; names in the drawing and numbers of colours aside. */
+const foreign = (page) => page.evaluate((names) => {
   const said = [];
   for (const element of document.querySelectorAll('body *')) {
     if (element.closest('#failed, #icons, svg, script, #name, kbd')) {
@@ -35,9 +38,10 @@ const foreign = (page) => page.evaluate(() => {
       .map((node) => node.nodeValue);
     said.push(...own, element.getAttribute('aria-label') ?? '', element.title, element.getAttribute('placeholder') ?? '');
   }
-  const kept = /^([-=\d., ]*(px|mm|in)|English|Batten|Esc)$/;
-  return said.map((text) => text.trim()).filter((text) => /[A-Za-z]{2}/.test(text) && !/[가-힣]/.test(text) && !kept.test(text));
-});
+  const kept = /^([-=\d., ]*(px|mm|in)|English|Batten|Esc|#[0-9a-f]{6,8})$/;
+  return said.map((text) => text.trim()).filter((text) => /[A-Za-z]{2}/.test(text) && !/[가-힣]/.test(text) && !kept.test(text)
+    && !names.includes(text));
+}, NAMES);
 
 for (const colorScheme of ['light', 'dark']) {
   test(`Korean, ${colorScheme}: all of it, from the browser's wish`, async () => {
