@@ -49,7 +49,7 @@ class LayersSheet {
 
   /** @param {Frame} frame */
   show(frame) {
-    const now = `${frame.revision} ${frame.layer}`;
+    const now = `${frame.revision} ${frame.layer} ${document.documentElement.lang}`;
     if (now !== this.shown) {
       this.shown = now;
       this.#fill();

@@ -23,7 +23,7 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
   let shown = '';
   return {
     show(frame) {
-      const now = `${frame.selection} ${frame.revision}`;
+      const now = `${frame.selection} ${frame.revision} ${document.documentElement.lang}`;
       if (now === shown || frame.busy) {
         return;
       }
