@@ -10,6 +10,7 @@ const TICK = 50; // milliseconds between checks of contacts that are down but si
 const SILENT = 3000; // milliseconds after which a silent contact is no longer checked
 const LONG = 550; // milliseconds of a long press
 const STILL = 5; // pixels that a click or a long press may move
+const STILL_MOUSE = 3; // the same for a mouse: further, and the view turns (src/editor/input/orbit.c)
 
 /** @type {Record<string, number>} */
 const DEVICES = { mouse: Device.MOUSE, pen: Device.PEN, touch: Device.TOUCH };
@@ -180,7 +181,8 @@ export class Input {
   /** A press goes on. @param {PointerEvent} event */
   #pressing(event) {
     const from = this.press?.event;
-    if (from && (from.pointerId !== event.pointerId || Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) > STILL)) {
+    const still = event.pointerType === 'mouse' ? STILL_MOUSE : STILL;
+    if (from && (from.pointerId !== event.pointerId || Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) > still)) {
       clearTimeout(this.press?.timer);
       this.press = null;
     }
