@@ -18,6 +18,7 @@ const BELOW = {
   keep: ['page', 'engine', 'keep'],
   sheets: ['page', 'engine', 'stage', 'keep', 'sheets'],
   '.': ['page', 'engine', 'stage', 'keep', 'sheets'],
+  site: ['page', 'engine', 'stage', 'keep', 'sheets', 'site'],
 };
 
 const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(js|css|html)$/.test(file));
