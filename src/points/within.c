@@ -120,6 +120,7 @@ static bat_status magnified(const bat_curve *curve, int power, bat_curve **out) 
 static bat_status fit_scaled(int dimension, size_t count, const double *points, const bat_fit_options *asked,
                              int power, bat_curve **out, bat_fit_report *report) {
     const size_t size = count * (size_t)dimension;
+    if (size == 0) return BAT_ARGUMENT;
     double *scaled = malloc(size * sizeof *scaled);
     if (!scaled) return BAT_MEMORY;
     for (size_t i = 0; i < size; i++) scaled[i] = ldexp(points[i], -power);

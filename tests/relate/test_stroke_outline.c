@@ -10,12 +10,13 @@
 #include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/region.h>
+#include "base/real.h"
 #include "support/random_curve.h"
 
 enum { REGIONS = 20 };
 
 static const double CORNER = 0.02;
-static const double PI = 3.14159265358979323846;
+static const double PI = BAT_PI, LN_10 = 2.302585092994046;
 
 static bat_curve *polyline(int count, const double *points, bool closed) {
     double knots[16];
@@ -100,9 +101,10 @@ static void inside_is_near(void **state) {
     random_source r = {1601};
     int inside = 0, outside = 0, refused = 0;
     for (int round = 0; round < 24; round++) {
-        bat_curve *curve = random_curve(&r, random_int(&r, 1, 5), 2, random_int(&r, 0, 2),
-                                        random_int(&r, 0, 7));
-        const double size = bat_curve_size(curve), half = size * pow(10, -random_between(&r, 0.4, 1.8));
+        const int degree = random_int(&r, 1, 5), style = random_int(&r, 0, 2);
+        bat_curve *curve = random_curve(&r, degree, 2, style, random_int(&r, 0, 7));
+        const double size = bat_curve_size(curve),
+                     half = size * bat_exp(-random_between(&r, 0.4, 1.8) * LN_10);
         const bat_nib nib = {2 * half, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
         size_t count;
         bat_curve **out;
@@ -143,12 +145,14 @@ static void regions_grow_and_shrink(void **state) {
     random_source r = {1602};
     int inside = 0, outside = 0, refused = 0;
     for (int round = 0; round < REGIONS; round++) {
-        bat_curve *curve = random_curve(&r, random_int(&r, 1, 4), 2, 2, random_int(&r, 1, 6));
+        const int degree = random_int(&r, 1, 4);
+        bat_curve *curve = random_curve(&r, degree, 2, 2, random_int(&r, 1, 6));
         if (!bat_curve_is_closed(curve)) {
             bat_curve_free(curve);
             continue;
         }
-        const double size = bat_curve_size(curve), far = size * pow(10, -random_between(&r, 0.7, 1.8));
+        const double size = bat_curve_size(curve),
+                     far = size * bat_exp(-random_between(&r, 0.7, 1.8) * LN_10);
         const double side = random_int(&r, 0, 1) ? 1 : -1;
         const bat_region region = {1, (const bat_curve *const *)&curve, random_int(&r, 0, 1) == 1};
         size_t count;

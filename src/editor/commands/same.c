@@ -18,7 +18,9 @@
 
 /* Gradients are compared as far as one look goes: whether there is one, and its first colours. */
 static bool same_gradient(const bat_gradient *a, const bat_gradient *b) {
-    if (a->count != b->count || (a->count && a->radial != b->radial)) return false;
+    if (a->count != b->count) return false;
+    if (a->count == 0 || !a->stops || !b->stops) return true;
+    if (a->radial != b->radial) return false;
     for (size_t i = 0; i < a->count; i++)
         if (a->stops[i].colour != b->stops[i].colour) return false;
     return true;

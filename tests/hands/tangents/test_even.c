@@ -14,6 +14,7 @@
 #include <batten/nearest.h>
 #include <batten/relate.h>
 #include <batten/tangents.h>
+#include "base/real.h"
 #include "base/vec.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
@@ -161,13 +162,13 @@ static void closed_forms(void **state) {
     for (int n = 3; n < 20; n++) {
         double p[2 * MOST];
         for (int i = 0; i < n; i++)
-            p[2 * i] = 5 * cos(2 * i * BAT_PI / n), p[2 * i + 1] = 5 * sin(2 * i * BAT_PI / n);
+            p[2 * i] = 5 * bat_cos(2 * i * BAT_PI / n), p[2 * i + 1] = 5 * bat_sin(2 * i * BAT_PI / n);
         s = spline(2, true, n, p);
         m = make(&s);
         assert_int_equal(bat_curve_count(m.curve), n);
         for (int i = 0; i < n; i++) {
             const double *q = bat_curve_points(m.curve) + 2 * i;
-            assert_true(fabs(hypot(q[0], q[1]) - 40 / (6 + 2 * cos(2 * BAT_PI / n))) < 1e-9);
+            assert_true(fabs(hypot(q[0], q[1]) - 40 / (6 + 2 * bat_cos(2 * BAT_PI / n))) < 1e-9);
         }
         end(&m);
     }
@@ -231,11 +232,11 @@ static void similar_points_similar_curves(void **state) {
         double p[2 * 12], q[2 * 12], back[2 * 12];
         const int count = 3 + round % 10;
         const double turn = random_between(&r, 0, 6), factor = random_between(&r, 0.1, 10);
-        const double sign = round % 2 ? -1 : 1, c = factor * cos(turn), d = factor * sin(turn);
+        const double sign = round % 2 ? -1 : 1, c = factor * bat_cos(turn), d = factor * bat_sin(turn);
         for (int i = 0; i < count; i++) {
             double *at = p + 2 * i; /* round a loop, in disorder: one solution */
             const double angle = 2 * BAT_PI * i / count, away = random_between(&r, 50, 100);
-            at[0] = away * cos(angle), at[1] = away * sin(angle);
+            at[0] = away * bat_cos(angle), at[1] = away * bat_sin(angle);
             q[2 * i] = c * at[0] - sign * d * at[1] + 70, q[2 * i + 1] = d * at[0] + sign * c * at[1] - 30;
         }
         for (int i = 0; i < count; i++) memcpy(back + 2 * i, p + 2 * (count - 1 - i), 2 * sizeof *p);
