@@ -37,7 +37,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     assert.ok(await page.locator('.thumbnail').first().evaluate((canvas) =>
       canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0)));
     // A click chooses, with Shift one more.
-    const rows = page.locator('.object:not(:has([aria-expanded])) .object-name');
+    const rows = page.locator('.object:not([aria-expanded]) .object-name');
     await rows.nth(0).click();
     await rows.nth(1).click({ modifiers: ['Shift'] });
     await settle(page);
@@ -45,7 +45,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     assert.equal(await page.locator('.object.chosen').count(), 2);
     await page.screenshot({ path: path.join(SCREENSHOTS, `objects-${colorScheme}.png`) });
     // A name, by F2; Escape leaves it.
-    await rows.nth(0).focus();
+    await rows.nth(0).locator('..').focus();
     await page.keyboard.press('F2');
     await page.keyboard.type('no');
     await page.keyboard.press('Escape');
@@ -89,10 +89,83 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     await page.keyboard.press('Control+z');
     await quiet(page);
     assert.deepEqual(await names(page), before);
-    await rows.nth(0).focus();
+    await rows.nth(0).locator('..').focus();
     await page.keyboard.press('Alt+ArrowDown');
     await quiet(page);
     assert.notDeepEqual(await names(page), before);
+    assert.equal((await state(page)).check, '');
+    await context.close();
+  });
+}
+
+for (const direction of ['ltr', 'rtl']) {
+  test(`the tree is one stop of the Tab key, with arrows within, ${direction}`, async () => {
+    const { page, context } = await open(browser, server.address, { viewport: { width: 1544, height: 1400 } });
+    const [forth, back] = direction === 'ltr' ? ['ArrowRight', 'ArrowLeft'] : ['ArrowLeft', 'ArrowRight'];
+    await reveal(page, 'objects');
+    await quiet(page);
+    await page.evaluate(async (dir) => {
+      await batten.words.load(); // which sets the direction
+      document.documentElement.dir = dir;
+    }, direction);
+    const at = () => page.evaluate(() => {
+      const row = document.activeElement.closest('.object');
+      return row && [[...row.parentElement.children].indexOf(row), document.activeElement.tagName];
+    });
+    const press = async (...keys) => {
+      for (const key of keys) {
+        await page.keyboard.press(key);
+        await (key === 'Enter' || key === ' ' ? quiet(page) : settle(page));
+      }
+    };
+    const expanded = (index) => page.locator('.object').nth(index).getAttribute('aria-expanded');
+    const count = await page.locator('.object').count();
+    assert.ok(count > 20, `${count} rows`);
+    assert.equal(await page.locator('.objects [tabindex="0"], .objects button:not([tabindex="-1"])').count(), 1);
+    // From the section's head one press comes in, and one goes on.
+    await page.focus('[data-name=objects]');
+    await press('Tab');
+    assert.deepEqual(await at(), [0, 'DIV']);
+    await press('Tab');
+    assert.equal(await at(), null);
+    await press('Shift+Tab', 'ArrowDown', 'ArrowDown');
+    assert.deepEqual(await at(), [2, 'DIV']);
+    await press('Tab', 'Shift+Tab');
+    assert.deepEqual(await at(), [2, 'DIV'], 'it comes back to where it was');
+    await press('End', 'ArrowDown');
+    assert.deepEqual(await at(), [count - 1, 'DIV']);
+    await press('Home', 'ArrowUp');
+    assert.deepEqual(await at(), [0, 'DIV']);
+    // A group folds and opens; from what it holds one comes back to it.
+    const group = await page.evaluate(() => [...document.querySelectorAll('.object')].findIndex((row) => row.ariaExpanded));
+    await press(...Array(group).fill('ArrowDown'), back);
+    assert.equal(await expanded(group), 'false');
+    assert.deepEqual(await at(), [group, 'DIV'], 'the focus stays');
+    assert.ok(await page.locator('.object').count() < count);
+    await press(forth);
+    assert.equal(await expanded(group), 'true');
+    assert.equal(await page.locator('.object').count(), count);
+    await press('ArrowDown', back);
+    assert.deepEqual(await at(), [group, 'DIV']);
+    // Chosen, hidden and shown again: the focus stays on what was pressed.
+    await press('ArrowDown', 'Enter', 'ArrowDown', 'Shift+Enter');
+    assert.equal(await page.evaluate(() => glance().selected), 2);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `objects-keys-${direction}.png`) });
+    await press(forth, 'Enter');
+    assert.equal(await page.evaluate(() => document.activeElement.ariaPressed), 'true');
+    await press(' ');
+    assert.equal(await page.evaluate(() => document.activeElement.ariaPressed), 'false');
+    await press(forth, forth);
+    assert.deepEqual(await at(), [group + 2, 'BUTTON']);
+    await press(back, back);
+    assert.deepEqual(await at(), [group + 2, 'DIV']);
+    // As any button's: Space presses it when it is released.
+    await page.focus('[data-name=tool-pan]');
+    await press(' ');
+    assert.equal(await page.getAttribute('[data-name=tool-pan]', 'aria-pressed'), 'true');
+    // What the tree does not use still means the drawing.
+    await page.locator('.object').nth(group).focus();
+    await press('ArrowDown', 'Control+z', 'Control+z');
     assert.equal((await state(page)).check, '');
     await context.close();
   });

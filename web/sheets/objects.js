@@ -1,5 +1,7 @@
 // The objects as a tree, front first: groups and layers with what they hold, each with a picture and a name. A section of
-// the inspector. Dragged to other places, renamed, hidden, locked; the engine holds all of it.
+// the inspector. Dragged to other places, renamed, hidden, locked; the engine holds all of it. For the keyboard it is one
+// stop, the row that was last used, with arrows from row to row and into a row's buttons: the treegrid of the WAI-ARIA
+// Authoring Practices, since rows have buttons.
 
 import { icon } from '../page/icons.js';
 import { tell, word } from '../page/words.js';
@@ -42,8 +44,13 @@ class ObjectTree {
     this.engine = panel.engine;
     this.shown = '';
     this.shut = new Set();
-    this.list = tell(document.createElement('ul'), { label: 'shell.objects-list' });
+    this.stop = ''; // the key of the row that Tab comes to
+    this.list = tell(document.createElement('div'), { label: 'shell.objects-list' });
     this.list.className = 'objects';
+    this.list.setAttribute('role', 'treegrid');
+    this.list.setAttribute('aria-multiselectable', 'true');
+    this.list.addEventListener('keydown', (event) => this.#key(event));
+    this.list.addEventListener('focusin', ({ target }) => this.#settle(/** @type {Element} */ (target).closest('.object')));
     this.none = tell(document.createElement('p'), { text: 'shell.no-objects' });
     body.append(this.list, this.none);
   }
@@ -77,124 +84,200 @@ class ObjectTree {
       rows.push(this.#row(row, depth));
     }
     this.list.replaceChildren(...rows);
+    this.list.hidden = rows.length === 0;
     this.none.hidden = rows.length > 0;
-    /** @type {HTMLElement | null} */ (held ? this.list.querySelector(`[data-key="${held}"]`) : null)?.focus();
+    const chosen = rows.find((row) => row.classList.contains('chosen'));
+    this.#settle((held ? null : chosen) ?? this.#at(this.stop) ?? chosen ?? rows[0] ?? null);
+    (held ? this.#at(held) : null)?.focus();
+  }
+
+  /** @param {string} key @returns {HTMLElement | null} */
+  #at(key) {
+    return key ? this.list.querySelector(`[data-key="${key}"]`) : null;
+  }
+
+  /** Tab comes to this row from now on. @param {Element | null} row */
+  #settle(row) {
+    for (const one of this.list.querySelectorAll('.object[tabindex="0"]')) {
+      /** @type {HTMLElement} */ (one).tabIndex = -1;
+    }
+    if (row instanceof HTMLElement) {
+      row.tabIndex = 0;
+      this.stop = row.dataset.key ?? '';
+    }
+  }
+
+  /** @param {number} id */
+  #fold(id) {
+    this.shut[this.shut.has(id) ? 'delete' : 'add'](id);
+    this.#fill();
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const target = /** @type {HTMLElement} */ (event.target);
+    const row = /** @type {HTMLElement | null} */ (target.closest('.object'));
+    if (!row || target instanceof HTMLInputElement || event.ctrlKey || event.metaKey) {
+      return;
+    }
+    const rows = /** @type {HTMLElement[]} */ ([...this.list.children]);
+    const stops = [row, ...row.querySelectorAll('button')]; // of this row, from its name on
+    const id = Number(row.dataset.id);
+    const at = rows.indexOf(row);
+    const place = stops.indexOf(target);
+    const forth = getComputedStyle(this.list).direction === 'rtl' ? 'ArrowLeft' : 'ArrowRight';
+    const { key } = event;
+    /** @type {Element | undefined} */
+    let next;
+    if (event.altKey && (key === 'ArrowUp' || key === 'ArrowDown')) {
+      const other = rows[at + (key === 'ArrowUp' ? -1 : 1)];
+      if (other) {
+        this.#place(id, Number(other.dataset.id));
+      }
+    } else if (event.altKey) {
+      return;
+    } else if (key === 'ArrowUp' || key === 'ArrowDown') {
+      next = rows[at + (key === 'ArrowUp' ? -1 : 1)];
+    } else if (key === 'Home' || key === 'End') {
+      next = rows.at(key === 'Home' ? 0 : -1);
+    } else if (key === forth && place === 0 && row.ariaExpanded === 'false') {
+      this.#fold(id);
+    } else if (key === forth) {
+      next = stops[place + 1];
+    } else if (key.startsWith('Arrow') && place > 0) {
+      next = stops[place - 1];
+    } else if (key.startsWith('Arrow') && row.ariaExpanded === 'true') {
+      this.#fold(id);
+    } else if (key.startsWith('Arrow')) { // to what holds it
+      next = rows.slice(0, at).reverse().find((one) => Number(one.ariaLevel) < Number(row.ariaLevel));
+    } else if (key === 'F2') {
+      this.#rename(row);
+    } else if (place === 0 && (key === 'Enter' || key === ' ')) {
+      this.#choose(id, event.shiftKey);
+    } else {
+      return;
+    }
+    /** @type {HTMLElement | undefined} */ (next)?.focus();
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** @param {number} id @param {boolean} more beside what is chosen, or no longer */
+  #choose(id, more) {
+    this.engine.act('editor_select', id, Number(more));
+    this.panel.wake();
   }
 
   /** @param {Row} row @param {number} depth */
   #row(row, depth) {
-    const line = document.createElement('li');
+    const line = document.createElement('div');
     line.className = 'object';
-    line.dataset.id = String(row.id);
+    line.tabIndex = -1;
+    line.dataset.id = line.dataset.key = String(row.id);
+    line.setAttribute('role', 'row');
+    line.setAttribute('aria-level', String(depth + 1));
+    line.setAttribute('aria-selected', String(row.selected));
     line.classList.toggle('chosen', row.selected);
     line.classList.toggle('unseen', (row.state & 2) !== 0);
     line.style.setProperty('--depth', String(depth));
-    const name = row.name || row.words.split(',')[0];
-    line.append(this.#choose(row, name));
     if (row.state & 1) {
       const shut = this.shut.has(row.id);
-      line.prepend(this.#button(shut ? 'fold-shut' : 'fold-open', `${row.id}fold`, name, () => {
-        this.shut[shut ? 'delete' : 'add'](row.id);
-        this.#fill();
-      }, ['aria-expanded', !shut]));
+      const fold = document.createElement('span'); // for a pointer: keys fold the row itself
+      fold.className = 'object-fold';
+      fold.ariaHidden = 'true';
+      fold.append(icon(shut ? 'fold-shut' : 'fold-open') ?? '');
+      fold.addEventListener('click', () => this.#fold(row.id));
+      line.setAttribute('aria-expanded', String(!shut));
+      line.append(fold);
     }
+    const name = row.name || row.words.split(',')[0];
+    line.append(this.#name(row, name));
     for (const [bit, on, off, label] of /** @type {[number, string, string, string][]} */ ([[2, 'hidden', 'shown', 'shell.hide'],
       [4, 'locked', 'free', 'shell.lock']])) {
       const set = (row.state & bit) !== 0;
-      line.append(this.#button(set ? on : off, `${row.id}${on}`, word(label, name), () => {
+      line.append(this.#button(set ? on : off, `${row.id}${on}`, word(label, name), set, () => {
         const state = row.state ^ bit;
         this.engine.setState(row.id, (state & 2) !== 0, (state & 4) !== 0);
         this.panel.wake();
-      }, ['aria-pressed', set]));
+      }));
     }
     this.#drags(line, row.id);
     return line;
   }
 
   /** What chooses an object: its picture and name. @param {Row} row @param {string} name */
-  #choose(row, name) {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.className = 'object-name';
-    button.dataset.key = String(row.id);
-    button.setAttribute('aria-pressed', String(row.selected));
-    button.title = row.words;
+  #name(row, name) {
+    const cell = document.createElement('div');
+    cell.className = 'object-name';
+    cell.setAttribute('role', 'gridcell');
+    cell.dataset.name = row.name;
+    cell.title = row.words;
     const text = document.createElement('span');
     text.textContent = name;
-    button.append(row.state & 1 ? icon('group') ?? '' : thumbnail(this.panel, row.id), text);
-    button.addEventListener('click', (event) => {
-      this.engine.act('editor_select', row.id, Number(event.shiftKey || event.ctrlKey || event.metaKey));
-      this.panel.wake();
-    });
-    button.addEventListener('dblclick', () => this.#rename(row, text));
-    button.addEventListener('keydown', (event) => {
-      const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
-      const all = /** @type {HTMLElement[]} */ ([...this.list.querySelectorAll('.object-name')]);
-      const other = step ? all[all.indexOf(button) + step] : undefined;
-      if (event.key === 'F2') {
-        this.#rename(row, text);
-      } else if (step && event.altKey && other) {
-        this.#place(row.id, Number(other.dataset.key));
-      } else if (step) {
-        other?.focus();
-      } else {
-        return;
-      }
-      event.preventDefault();
-      event.stopPropagation();
-    });
-    return button;
+    cell.append(row.state & 1 ? icon('group') ?? '' : thumbnail(this.panel, row.id), text);
+    cell.addEventListener('click', ({ shiftKey, ctrlKey, metaKey }) => this.#choose(row.id, shiftKey || ctrlKey || metaKey));
+    cell.addEventListener('dblclick', () => this.#rename(/** @type {HTMLElement} */ (cell.parentElement)));
+    return cell;
   }
 
-  /**
-   * @param {string} picture @param {string} key @param {string} label
-   * @param {() => void} act @param {[string, boolean]} state
-   */
-  #button(picture, key, label, act, [attribute, on]) {
+  /** @param {string} picture @param {string} key @param {string} label @param {boolean} on @param {() => void} act */
+  #button(picture, key, label, on, act) {
+    const cell = document.createElement('div');
+    cell.setAttribute('role', 'gridcell');
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'object-state';
+    button.tabIndex = -1;
     button.dataset.key = key;
     button.append(icon(picture) ?? '');
     button.setAttribute('aria-label', label);
     button.title = label;
-    button.setAttribute(attribute, String(on));
+    button.setAttribute('aria-pressed', String(on));
     button.addEventListener('click', act);
-    return button;
+    cell.append(button);
+    return cell;
   }
 
-  /** @param {Row} row @param {HTMLElement} text */
-  #rename(row, text) {
-    const button = /** @type {HTMLElement} */ (text.parentElement);
+  /** @param {HTMLElement} row */
+  #rename(row) {
+    const id = Number(row.dataset.id);
+    const cell = /** @type {HTMLElement} */ (row.querySelector('.object-name'));
+    const shown = cell.textContent ?? '';
+    const named = cell.dataset.name ?? '';
     const input = document.createElement('input');
     input.type = 'text';
-    input.value = row.name;
-    input.placeholder = text.textContent ?? '';
-    input.setAttribute('aria-label', word('shell.object-name', text.textContent ?? ''));
+    input.value = named;
+    input.placeholder = shown;
+    input.setAttribute('aria-label', word('shell.object-name', shown));
     let left = false;
-    /** @param {boolean} keep */
-    const end = (keep) => {
+    /** @param {boolean} keep @param {boolean} back the focus returns to the row */
+    const end = (keep, back) => {
       if (left) {
         return;
       }
       left = true;
       const { value } = input;
-      input.replaceWith(button);
-      if (keep && value !== row.name) {
-        this.engine.rename(row.id, value);
+      if (keep && value !== named) {
+        this.engine.rename(id, value);
       }
       this.#fill();
       this.panel.wake();
-      /** @type {HTMLElement | null} */ (this.list.querySelector(`[data-key="${row.id}"]`))?.focus();
+      if (back) {
+        this.#at(String(id))?.focus();
+      }
     };
     input.addEventListener('keydown', (event) => {
       event.stopPropagation();
       if (event.key === 'Enter' || event.key === 'Escape') {
-        end(event.key === 'Enter');
+        end(event.key === 'Enter', true);
       }
     });
-    input.addEventListener('blur', () => end(true));
-    button.replaceWith(input);
+    input.addEventListener('blur', () => end(true, false));
+    const field = document.createElement('div');
+    field.className = 'object-field';
+    field.setAttribute('role', 'gridcell');
+    field.append(input);
+    cell.replaceWith(field);
     input.focus();
     input.select();
   }

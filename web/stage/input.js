@@ -276,7 +276,8 @@ export class Input {
       modifiersOf(event);
     this.modifiers = modifiers;
     const used = this.engine.key(key, down, modifiers, event.timeStamp);
-    if (used || key === 'Alt') { // Alt alone would open the browser's menu
+    // Alt alone would open the browser's menu. The release of a key is left alone: Space presses a button with it.
+    if ((used && down) || key === 'Alt') {
       event.preventDefault();
     }
     this.wake();
