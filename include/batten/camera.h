@@ -93,12 +93,14 @@ BAT_API bat_status bat_camera_add_level(bat_camera *camera, int knot_count, cons
 BAT_API int bat_camera_levels(const bat_camera *camera);
 /* The details of level 1..k as a curve; owned by the camera, valid until it changes. NULL: no such level. */
 BAT_API const bat_curve *bat_camera_details(const bat_camera *camera, int level);
+/* 0: no such level. */
 BAT_API double bat_camera_gain(const bat_camera *camera, int level);
 /* As bat_shape_set_gain: 0 mutes a level's details, 1 leaves them as they are. Within +-1e6, else BAT_NUMBER. */
 BAT_API bat_status bat_camera_set_gain(bat_camera *camera, int level, double gain);
 
 /* A muted level does not show, and keeps its gain. BAT_ARGUMENT: no such level. */
 BAT_API bat_status bat_camera_set_muted(bat_camera *camera, int level, bool muted);
+/* false: no such level. */
 BAT_API bool bat_camera_is_muted(const bat_camera *camera, int level);
 /*
  * Adds a level on top that shakes: rotation vectors at even times, `rate` of them a second, drawn from the seed, up to

@@ -216,6 +216,7 @@ BAT_API const bat_style *bat_object_style(const bat_object *object);
 BAT_API int bat_object_curve_count(const bat_object *object);
 /* Whether it is nothing but its curves, so that others can take their place. Those of a surface or a camera only show it. */
 BAT_API bool bat_object_is_made_of_curves(const bat_object *object);
+/* NULL: no such curve. */
 BAT_API const bat_curve *bat_object_curve(const bat_object *object, int index);
 /* The spline and how its curve is made; NULL when the object is not a spline. Its tangents and tension are never
  * NULL. */
@@ -279,7 +280,7 @@ BAT_API bat_status bat_document_remove(bat_document *document, int index);
 
 /* The list is a tree in order: a group stands before its contents (and so lies behind them), and all its contents
  * follow it immediately. Returns the index after the last object in the group at index; for an object that is not
- * a group, index + 1. */
+ * a group, index + 1. An index below 0: 0; one that is too large: the count. */
 BAT_API int bat_document_end(const bat_document *document, int index);
 
 /* The page: x, y, width, height in document units (width 0: none; then the drawing's box is shown). */

@@ -69,11 +69,12 @@ BAT_API bat_status bat_shape_add_level(bat_shape *shape, int knot_count, const d
                                        const double *details, const int *source);
 
 BAT_API int bat_shape_levels(const bat_shape *shape); /* k; how many, 0 at first */
-/* C^0..C^k; owned by the shape, valid until it changes. */
+/* C^0..C^k; owned by the shape, valid until it changes. NULL: no such level. */
 BAT_API const bat_curve *bat_shape_curve(const bat_shape *shape, int level);
 /* C^k as a curve of its own. */
 BAT_API bat_status bat_shape_flatten(const bat_shape *shape, bat_curve **out);
-/* Of level 1..k: count * 3 numbers, owned by the shape. */
+/* Of level 1..k: count * 3 numbers, count parameters, and the level whose frame each detail uses, owned by the shape; its
+ * gain, and whether it is muted. No such level: NULL, 0 and false. */
 BAT_API const double *bat_shape_details(const bat_shape *shape, int level);
 BAT_API const double *bat_shape_nodes(const bat_shape *shape, int level);
 BAT_API const int *bat_shape_source(const bat_shape *shape, int level);

@@ -39,7 +39,7 @@ BAT_API size_t bat_polymesh_vertex_count(const bat_polymesh *mesh);
 /* 3 numbers each; owned by the mesh. */
 BAT_API const double *bat_polymesh_vertices(const bat_polymesh *mesh);
 BAT_API size_t bat_polymesh_face_count(const bat_polymesh *mesh);
-/* The vertices of face i (below the count), owned by the mesh; *count: how many. */
+/* The vertices of face i, owned by the mesh; *count: how many. NULL and 0: no such face. */
 BAT_API const int *bat_polymesh_face(const bat_polymesh *mesh, size_t i, size_t *count);
 BAT_API void bat_polymesh_box(const bat_polymesh *mesh, double low[3], double high[3]);
 /* Length of the box's diagonal: the "size" that relative bounds refer to. O(vertices). */

@@ -44,9 +44,10 @@ BAT_API bat_status bat_relief_add_level(bat_relief *relief, const int knot_count
                                         const double *v_knots, const double *details, const int *source);
 
 BAT_API int bat_relief_levels(const bat_relief *relief); /* k; 0 at first */
-/* S^0 (the base) to S^k; owned by the relief, valid until it changes. `level` must be one of them. */
+/* S^0 (the base) to S^k; owned by the relief, valid until it changes. NULL: no such level. */
 BAT_API const bat_surface *bat_relief_surface(const bat_relief *relief, int level);
-/* Of level 1 to k, for each control point of S^level, row by row; owned by the relief. */
+/* Of level 1 to k, for each control point of S^level, row by row; owned by the relief. No such level: NULL, gain 0, not
+ * muted. */
 BAT_API const double *bat_relief_details(const bat_relief *relief, int level);
 BAT_API const int *bat_relief_source(const bat_relief *relief, int level);
 BAT_API double bat_relief_gain(const bat_relief *relief, int level);

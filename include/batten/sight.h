@@ -49,6 +49,7 @@ BAT_API bat_status bat_line_drawing_create(const bat_viewpoint *view, const bat_
                                            bat_line_drawing **out);
 BAT_API void bat_line_drawing_free(bat_line_drawing *drawing); /* NULL is fine */
 BAT_API size_t bat_line_drawing_count(const bat_line_drawing *drawing);
+/* All zero: no such line. */
 BAT_API void bat_line_drawing_at(const bat_line_drawing *drawing, size_t i, bat_seen_line *out);
 /* Whether all silhouettes and intersections were traced; else surfaces touch along curves, or are seen from such a side,
  * and what lies near these may be wrong. */

@@ -38,7 +38,7 @@ BAT_API bool bat_surface_is_closed(const bat_surface *surface, bat_direction dir
 BAT_API size_t bat_surface_count(const bat_surface *surface, bat_direction direction);
 BAT_API int bat_surface_knot_count(const bat_surface *surface, bat_direction direction);
 BAT_API const double *bat_surface_knots(const bat_surface *surface, bat_direction direction);
-/* The points of row i, 3 numbers each; owned by the surface. */
+/* The points of row i, 3 numbers each; owned by the surface. NULL: no such row. */
 BAT_API const double *bat_surface_row(const bat_surface *surface, int i);
 BAT_API void bat_surface_domain(const bat_surface *surface, bat_direction direction, double domain[2]);
 /* The box of the control points, which contains the whole surface. O(points). */

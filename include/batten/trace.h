@@ -23,10 +23,12 @@ typedef struct bat_tracks bat_tracks;
 
 BAT_API void bat_tracks_free(bat_tracks *tracks); /* NULL is fine */
 BAT_API size_t bat_tracks_count(const bat_tracks *tracks);
-/* The points of track i, owned by the list; returns how many there are, at least 2. */
+/* The points of track i, owned by the list; returns how many there are, at least 2. No such
+ * track: NULL and 0. */
 BAT_API size_t bat_tracks_points(const bat_tracks *tracks, size_t i, const bat_track_point **points);
+/* false: no such track. */
 BAT_API bool bat_tracks_is_closed(const bat_tracks *tracks, size_t i);
-/* Places where tracks cross or touch; they end there. */
+/* Places where tracks cross or touch; they end there. NULL: no such crossing. */
 BAT_API size_t bat_tracks_crossing_count(const bat_tracks *tracks);
 BAT_API const bat_track_point *bat_tracks_crossing(const bat_tracks *tracks, size_t i);
 /* Whether tracing was given up: there are more than 64 crossings, as where a surface is touched along a curve. Silhouettes

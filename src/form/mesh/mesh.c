@@ -97,6 +97,8 @@ const double *bat_polymesh_vertices(const bat_polymesh *mesh) { return mesh->ver
 size_t bat_polymesh_face_count(const bat_polymesh *mesh) { return mesh->face_count; }
 
 const int *bat_polymesh_face(const bat_polymesh *mesh, size_t i, size_t *count) {
+    *count = 0;
+    if (i >= mesh->face_count) return NULL;
     *count = (size_t)(mesh->first[i + 1] - mesh->first[i]);
     return mesh->corners + mesh->first[i];
 }

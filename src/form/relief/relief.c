@@ -190,11 +190,18 @@ bat_status bat_relief_add_level(bat_relief *relief, const int knot_count[2], con
 
 int bat_relief_levels(const bat_relief *relief) { return relief->count; }
 const bat_surface *bat_relief_surface(const bat_relief *relief, int level) {
-    return bat_relief_at(relief, level);
+    return level >= 0 && level <= relief->count ? bat_relief_at(relief, level) : NULL;
 }
+
+/* What a level is that does not exist: it shows nothing. */
+static const bat_relief_level none = {0};
+static const bat_relief_level *level_of(const bat_relief *relief, int level) {
+    return level >= 1 && level <= relief->count ? &relief->levels[level - 1] : &none;
+}
+
 const double *bat_relief_details(const bat_relief *relief, int level) {
-    return relief->levels[level - 1].details;
+    return level_of(relief, level)->details;
 }
-const int *bat_relief_source(const bat_relief *relief, int level) { return relief->levels[level - 1].source; }
-double bat_relief_gain(const bat_relief *relief, int level) { return relief->levels[level - 1].gain; }
-bool bat_relief_is_muted(const bat_relief *relief, int level) { return relief->levels[level - 1].muted; }
+const int *bat_relief_source(const bat_relief *relief, int level) { return level_of(relief, level)->source; }
+double bat_relief_gain(const bat_relief *relief, int level) { return level_of(relief, level)->gain; }
+bool bat_relief_is_muted(const bat_relief *relief, int level) { return level_of(relief, level)->muted; }

@@ -189,6 +189,9 @@ void bat_line_drawing_free(bat_line_drawing *drawing) {
 
 size_t bat_line_drawing_count(const bat_line_drawing *drawing) { return drawing->count; }
 void bat_line_drawing_at(const bat_line_drawing *drawing, size_t i, bat_seen_line *out) {
-    *out = drawing->runs[i].line;
+    if (i < drawing->count)
+        *out = drawing->runs[i].line;
+    else
+        *out = (bat_seen_line){0};
 }
 bool bat_line_drawing_is_whole(const bat_line_drawing *drawing) { return drawing->whole; }

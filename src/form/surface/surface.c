@@ -172,6 +172,7 @@ double bat_surface_size(const bat_surface *surface) { return surface->size; }
 
 const double *bat_surface_row(const bat_surface *surface, int i) {
     const bat_curve *u = &surface->axis[0];
+    if (i < 0 || i >= u->count) return NULL;
     const bat_curve row = bat_surface_stored_row(surface, i + (u->closed ? u->degree : 0));
     return bat_curve_points(&row);
 }

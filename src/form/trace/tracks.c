@@ -67,15 +67,20 @@ void bat_tracks_free(bat_tracks *tracks) {
 size_t bat_tracks_count(const bat_tracks *tracks) { return tracks->count; }
 
 size_t bat_tracks_points(const bat_tracks *tracks, size_t i, const bat_track_point **points) {
+    *points = NULL;
+    if (i >= tracks->count) return 0;
     *points = tracks->list[i].points;
     return tracks->list[i].count;
 }
 
-bool bat_tracks_is_closed(const bat_tracks *tracks, size_t i) { return tracks->list[i].closed; }
+bool bat_tracks_is_closed(const bat_tracks *tracks, size_t i) {
+    return i < tracks->count && tracks->list[i].closed;
+}
+
 size_t bat_tracks_crossing_count(const bat_tracks *tracks) { return tracks->crossing_count; }
 
 const bat_track_point *bat_tracks_crossing(const bat_tracks *tracks, size_t i) {
-    return &tracks->crossings[i];
+    return i < tracks->crossing_count ? &tracks->crossings[i] : NULL;
 }
 
 bool bat_tracks_is_given_up(const bat_tracks *tracks) { return tracks->given_up; }

@@ -144,15 +144,20 @@ bat_status bat_shape_flatten(const bat_shape *shape, bat_curve **out) {
 
 int bat_shape_levels(const bat_shape *shape) { return shape->count; }
 const bat_curve *bat_shape_curve(const bat_shape *shape, int level) {
-    return bat_shape_curve_at(shape, level);
+    return level >= 0 && level <= shape->count ? bat_shape_curve_at(shape, level) : NULL;
 }
-const double *bat_shape_details(const bat_shape *shape, int level) {
-    return shape->levels[level - 1].details;
+
+/* What a level is that does not exist: it shows nothing. */
+static const bat_level none = {0};
+static const bat_level *level_of(const bat_shape *shape, int level) {
+    return level >= 1 && level <= shape->count ? &shape->levels[level - 1] : &none;
 }
-const double *bat_shape_nodes(const bat_shape *shape, int level) { return shape->levels[level - 1].nodes; }
-const int *bat_shape_source(const bat_shape *shape, int level) { return shape->levels[level - 1].source; }
-double bat_shape_gain(const bat_shape *shape, int level) { return shape->levels[level - 1].gain; }
-bool bat_shape_is_muted(const bat_shape *shape, int level) { return shape->levels[level - 1].muted; }
+
+const double *bat_shape_details(const bat_shape *shape, int level) { return level_of(shape, level)->details; }
+const double *bat_shape_nodes(const bat_shape *shape, int level) { return level_of(shape, level)->nodes; }
+const int *bat_shape_source(const bat_shape *shape, int level) { return level_of(shape, level)->source; }
+double bat_shape_gain(const bat_shape *shape, int level) { return level_of(shape, level)->gain; }
+bool bat_shape_is_muted(const bat_shape *shape, int level) { return level_of(shape, level)->muted; }
 const bat_shape_options *bat_shape_options_of(const bat_shape *shape) { return &shape->options; }
 
 /* ---- how the curves follow ---- */
