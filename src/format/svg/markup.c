@@ -58,14 +58,26 @@ static double fineness(double precision) {
     return fine <= 1e15 ? fine : 0;
 }
 
-static void write_rounded(bat_text *text, const double *p, double fine) {
-    double q[2];
+static void round_point(const double *p, double fine, double out[2]) {
     for (int i = 0; i < 2; i++) {
         const double large = p[i] * fine;
-        q[i] = fine > 0 && fabs(large) < 1e15 ? round(large) / fine + 0.0
-                                              : p[i]; /* + 0.0: no negative zero */
+        out[i] = fine > 0 && fabs(large) < 1e15 ? round(large) / fine + 0.0
+                                                : p[i]; /* + 0.0: no negative zero */
     }
+}
+
+static void write_rounded(bat_text *text, const double *p, double fine) {
+    double q[2];
+    round_point(p, fine, q);
     bat_svg_write_pair(text, q);
+}
+
+/* Whether a line from p to where the path began is what Z draws: it draws none that has no length. */
+static bool closes(const double *p, const double *start, double fine) {
+    double from[2], to[2];
+    round_point(p, fine, from);
+    round_point(start, fine, to);
+    return from[0] != to[0] || from[1] != to[1];
 }
 
 /* scale: of its units, a document unit in them. */
@@ -83,7 +95,8 @@ static bat_status write_curve(bat_text *text, const bat_curve *curve, double pre
     bat_text_string(text, "M");
     write_rounded(text, p, fine);
     for (int i = 0; i < count; i++, p += 4 * dimension) {
-        bool line = bat_curve_degree(curve) == 1 || is_line(p, dimension, extent);
+        const bool line = bat_curve_degree(curve) == 1 || is_line(p, dimension, extent);
+        if (line && i == count - 1 && bat_curve_is_closed(curve) && closes(p, points, fine)) break;
         bat_text_string(text, line ? "L" : "C");
         for (int k = line ? 3 : 1; k < 4; k++) {
             const double *q = p + k * dimension;

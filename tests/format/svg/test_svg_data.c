@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "document/document.h"
+#include "format/svg/svg.h"
 #include "format/svg/tags.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
@@ -110,7 +111,45 @@ static void only_the_edited_subpath_is_new(void **state) {
     expect_data("M7 7 M1 1h5v5z m1 1 M3 3h5v5z", 1, 0, "M4 3", "ZM3 3h5v5z");
     expect_data("M1 1A5 5 0 0 1 9 9M2 2a5 5 0 01-9 9", 2, 0, "M1 1A5 5 0 0 1 9 9M5 4C", "");
     /* Data with an error are read up to there: what follows them would not be read. */
-    expect_data("M1 1h5v5zM9 9h1v1z!", 1, 0, "M4 3L", "ZM9 9L10 9L10 10L9 9Z");
+    expect_data("M1 1h5v5zM9 9h1v1z!", 1, 0, "M4 3L", "ZM9 9L10 9L10 10Z");
+}
+
+/* Z draws the last leg of a closed polygon, but one of no length: a reader finds as many as there were. */
+static void the_end_draws_the_last_leg(void **state) {
+    (void)state;
+    random_source r = {11};
+    for (int round = 0; round < 200; round++) {
+        const int count = random_int(&r, 3, 7), zero = random_int(&r, 0, 2);
+        double points[14], knots[8];
+        for (int i = 0; i < 2 * count; i++) points[i] = random_int(&r, 1, 90) / 4.0;
+        if (zero == 0) memcpy(points + 2 * (size_t)(count - 1), points, 2 * sizeof *points);
+        for (int i = 0; i <= count; i++) knots[i] = i;
+        bat_document *document = opened_path("M1 1L2 2");
+        bat_curve *curve = NULL;
+        assert_int_equal(bat_curve_create(2, 1, true, (size_t)count, points, count + 1, knots, &curve),
+                         BAT_OK);
+        int zeros = 0, legs = 0;
+        double domain[2], first[2], last[2];
+        bat_curve_domain(curve, domain);
+        bat_curve_eval(curve, domain[0], 0, first);
+        bat_curve_eval(curve, domain[0] + count - 1, 0, last);
+        zeros = first[0] == last[0] && first[1] == last[1];
+        put(document, 1, &curve);
+        char *text = written(document), *at = strstr(text, " d=\"");
+        assert_non_null(at);
+        bat_outline outline = {0};
+        const size_t size = strcspn(at + 4, "\"");
+        assert_true(bat_svg_path(at + 4, size, &outline));
+        for (size_t i = 0; i < size; i++) legs += at[4 + i] == 'L';
+        assert_int_equal(legs, count - 1 + zeros);
+        assert_true(at[4 + size - 1] == 'Z');
+        assert_int_equal(outline.subpath_count, 1);
+        assert_true(outline.subpaths[0].closed);
+        assert_int_equal(outline.subpaths[0].segments, count);
+        bat_outline_free(&outline);
+        bat_free(text);
+        bat_document_free(document);
+    }
 }
 
 /* ---- random data ---- */
@@ -235,6 +274,7 @@ static void failed_allocations_change_nothing(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(only_the_edited_subpath_is_new),
+        cmocka_unit_test(the_end_draws_the_last_leg),
         cmocka_unit_test(random_paths_keep_what_was_left_alone),
         cmocka_unit_test(exact_curves_are_known_again),
         cmocka_unit_test(failed_allocations_change_nothing),
