@@ -1,12 +1,13 @@
 // The service worker: caches exactly the files of one build, so that Batten opens without a network or a server. A
 // newer build waits until the user accepts it. The build fills in its folder and its list of files.
 
-const CACHE = 'batten %BUILD%';
 const FILES = '%FILES%'.split(' ');
 
 const worker = /** @type {any} */ (self);
 /** @type {string} */
 const scope = worker.registration.scope;
+const OURS = `batten ${scope} `; // several sites may have one origin, and it has one set of caches
+const CACHE = `${OURS}%BUILD%`;
 const LOOPBACK = ['127.0.0.1', 'localhost', '[::1]'].includes(location.hostname);
 
 async function install() {
@@ -16,7 +17,7 @@ async function install() {
 
 async function activate() {
   for (const name of await caches.keys()) {
-    if (name.startsWith('batten ') && name !== CACHE) {
+    if (name.startsWith(OURS) && name !== CACHE) {
       await caches.delete(name);
     }
   }

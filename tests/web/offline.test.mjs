@@ -147,7 +147,7 @@ test('a newer version is offered, not slipped in; unsaved work goes along', asyn
   assert.equal(await version(), '2');
   assert.equal((await state(page)).digest, drawn.digest);
   assert.equal(await page.isVisible('[data-about=update]'), false);
-  assert.deepEqual(await page.evaluate(() => caches.keys()), ['batten 2']);
+  assert.deepEqual(await page.evaluate(() => caches.keys()), [`batten ${server.address} 2`]);
   await context.close();
 });
 

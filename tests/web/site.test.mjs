@@ -41,6 +41,28 @@ const on = (page, points) => Promise.all(points.map(([x, y]) => place(page, x, y
 const ROOF = bezier([388, 176], [460, 90], [700, 60], [842, 169]);
 const shot = (page, name) => page.screenshot({ path: path.join(SCREENSHOTS, `site-${name}.png`) });
 
+test('two sites of one origin leave each other their caches', async (t) => {
+  const own = await serveSite();
+  t.after(() => own.close());
+  const { page, open } = await visit('', {}, own);
+  const active = () => page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
+  const names = () => page.evaluate(async () => (await caches.keys()).sort());
+  await active();
+  const [first] = await names();
+  assert.ok(first.startsWith(`batten ${own.address} `));
+  // What an earlier build of the other has left goes when the other becomes active; what is of this one stays.
+  await page.evaluate((other) => caches.open(`batten ${other} 0123456789abcdef`), own.other);
+  await page.evaluate(() => batten.pack());
+  await page.goto(own.other);
+  await ready(page);
+  await active();
+  assert.deepEqual(await names(), [first.replace(own.address, own.other), first].sort());
+  await page.evaluate(() => batten.pack());
+  expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/);
+  await own.close();
+  await open(''); // without the server
+});
+
 test('the editor is the front page; a touch stops the ghost, which leaves nothing; it opens offline', async (t) => {
   const own = await serveSite();
   t.after(() => own.close());

@@ -22,6 +22,7 @@ export async function serveSite(port = 0) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-site-'));
   fs.mkdirSync(path.join(folder, 'some'));
   fs.symlinkSync(SITE, path.join(folder, 'some', 'where'));
+  fs.symlinkSync(SITE, path.join(folder, 'some', 'else'));
   const server = spawn('python3', ['-u', '-m', 'http.server', String(port), '--bind', '127.0.0.1', '--directory', folder],
     { stdio: ['ignore', 'pipe', 'ignore'] });
   const said = await new Promise((resolve, reject) => {
@@ -31,6 +32,7 @@ export async function serveSite(port = 0) {
   });
   return {
     address: `${said}some/where/`,
+    other: `${said}some/else/`, // the same under another path
     async close() {
       if (server.exitCode !== null || server.signalCode) {
         return;
