@@ -9,7 +9,8 @@
 # With FOLDER the same files are written there instead, for a static host (cmake/site.cmake). index.html then gets HEAD,
 # a file with lines for its head. PAGES: further pages, in which %BUILD% is replaced, too; DEMOS: files for
 # the folder demos, which stay at their address; PEERS: for the folder peers of the build, left out of the list of files,
-# so that only the page that uses them fetches them.
+# so that only the page that uses them fetches them. PART: for a frame of another page (bindings/js/editor), without what is
+# installed and without the front page.
 cmake_minimum_required(VERSION 3.23)
 set(type_html "text/html; charset=utf-8")
 set(type_js "text/javascript; charset=utf-8")
@@ -24,6 +25,11 @@ string(REPLACE "|" ";" files "${FILES}")
 string(REPLACE "|" ";" built "${WORDS}|${MODULE}")
 list(REMOVE_ITEM built "")
 list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/engine/types\\.js$")
+if(PART)
+  list(FILTER files EXCLUDE REGEX "/web/icons/app[^/]*$|/web/keep/(offline|keeping)\\.js$")
+else()
+  list(FILTER files EXCLUDE REGEX "/web/embed/")
+endif()
 set(demos "")
 set(peers "")
 set(pages "")
@@ -33,12 +39,16 @@ if(FOLDER)
   string(REPLACE "|" ";" peers "${PEERS}")
   string(REPLACE "|" ";" pages "${PAGES}")
   file(READ ${HEAD} head)
-else()
+endif()
+if(PART OR NOT FOLDER)
   list(FILTER files EXCLUDE REGEX "/web/site/") # of the front page that a static host has
 endif()
 set(staying index.html manifest.webmanifest sw.js) # the last contains the list of the others
 list(TRANSFORM staying PREPEND "${ROOT}/")
 list(REMOVE_ITEM files ${staying} ${pages})
+if(PART)
+  set(staying ${ROOT}/index.html)
+endif()
 set(staying ${pages} ${staying})
 list(APPEND files ${built} ${peers} ${demos} ${staying})
 

@@ -19,15 +19,8 @@ else()
   set(BATTEN_MODULE)
 endif()
 
-file(GLOB_RECURSE WEB_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/*.html ${PROJECT_SOURCE_DIR}/web/*.js
-  ${PROJECT_SOURCE_DIR}/web/*.css ${PROJECT_SOURCE_DIR}/web/*.svg ${PROJECT_SOURCE_DIR}/web/*.png
-  ${PROJECT_SOURCE_DIR}/web/*.webmanifest)
-find_program(BATTEN_ESBUILD esbuild) # Debian's package; without it the files are embedded unchanged
-if(NOT BATTEN_ESBUILD)
-  set(BATTEN_ESBUILD "")
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/web_inputs.cmake)
 set(BATTEN_WEB_FILES ${CMAKE_CURRENT_BINARY_DIR}/web_files.c)
-list(JOIN WEB_INPUTS "|" WEB_LIST)
 list(JOIN BATTEN_WORDS "|" WORDS_LIST)
 list(JOIN BATTEN_MODULE "|" MODULE_LIST)
 add_custom_command(OUTPUT ${BATTEN_WEB_FILES} VERBATIM COMMENT "The shell's files as C"

@@ -28,8 +28,11 @@ const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const canvas = (id) => /** @type {HTMLCanvasElement} */ (document.getElementById(id));
 
 export class Shell {
-  /** @param {Engine} engine @param {Settings} settings @param {Words} words @param {Keeper} keeper */
-  constructor(engine, settings, words, keeper) {
+  /**
+   * @param {Engine} engine @param {Settings} settings @param {Words} words @param {Keeper} keeper
+   * @param {import('./embed/guest.js').Guest | null} guest the page is a part of another
+   */
+  constructor(engine, settings, words, keeper, guest) {
     this.stage = part('stage');
     this.engine = engine;
     this.settings = settings;
@@ -38,8 +41,8 @@ export class Shell {
     this.loop = new Loop(this);
     this.wake = () => this.loop.wake();
     this.notices = new Notices();
-    this.server = new Server();
-    this.tabs = new Tabs();
+    this.server = guest?.place ?? new Server();
+    this.tabs = guest?.tabs ?? new Tabs();
     this.theme = new Theme();
     this.painter = new Painter(canvas('still'), canvas('overlay'), this.theme);
     this.panel = new Panel(engine, this.wake);
@@ -104,7 +107,9 @@ export class Shell {
 
 async function start() {
   try {
-    const keeper = new Keeper();
+    const embedded = document.querySelector('meta[name=batten-embedded]');
+    const guest = embedded && await (await want(import('./embed/guest.js'))).meet();
+    const keeper = guest?.keeper ?? new Keeper();
     const [module] = await Promise.all([Module.load(), loadIcons(), keeper.start()]);
     if (Settings.any) {
       await module.complete().catch(() => {}); // offline only this way of fetching reaches what is cached
@@ -113,8 +118,8 @@ async function start() {
     const settings = new Settings(engine);
     const words = new Words(engine);
     await words.follow();
-    const shell = new Shell(engine, settings, words, keeper);
-    await (shell.server.there ? shell.drawings.openServed() : shell.drawings.openLast());
+    const shell = new Shell(engine, settings, words, keeper, guest);
+    await (guest ? guest.begin(shell) : shell.server.there ? shell.drawings.openServed() : shell.drawings.openLast());
     // For the console, and for tests.
     Object.assign(globalThis, { batten: shell });
     document.documentElement.dataset.ready = 'yes';

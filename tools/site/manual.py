@@ -23,7 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SECTIONS = [
     ("Why", ["docs/why/faster.md", "docs/why/cubics.md", "docs/why/frames.md"]),
     ("How fast", ["docs/benchmarks.md", "docs/user-test.md"]),
-    ("Packages", ["bindings/js/core/README.md", "docs/python.md"]),
+    ("Packages", ["bindings/js/core/README.md", "bindings/js/editor/README.md", "docs/python.md"]),
     ("The program", ["docs/batten.1"]),
     ("Files", ["docs/format.md", "docs/journal.md"]),
     ("Mathematics", ["docs/math/sketch.md", "docs/math/levels.md", "docs/math/tangents.md", "docs/math/surfaces.md"]),
@@ -39,8 +39,8 @@ def title_of(source):
 
 
 def address_of(source):
-    if source == "bindings/js/core/README.md":
-        return "npm.html"
+    if source.startswith("bindings/js/"):
+        return {"core": "npm.html", "editor": "npm-editor.html"}[source.split("/")[2]]
     return re.sub(r"\.(md|1)$", ".html", source.removeprefix("docs/"))
 
 

@@ -49,8 +49,7 @@ async function openOne(files, arrival) {
     await files.find(files.name);
     return;
   }
-  files.bound = place !== null;
-  files.place = place ?? files.server;
+  files.bind(place);
   files.onopen(kept);
   if (place && !files.server.passing) {
     await remember(place.handle);

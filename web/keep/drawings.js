@@ -158,8 +158,8 @@ export class Drawings {
   /** Makes it a drawing without a file. @param {string} name */
   #become(name) {
     this.files.name = name;
-    this.files.bound = this.files.given = false;
-    this.files.place = this.files.server;
+    this.files.given = false;
+    this.files.bind(null);
     this.files.opened = new Uint8Array(0);
   }
 

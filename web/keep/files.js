@@ -139,6 +139,13 @@ export class Files {
     }
   }
 
+  /** Sets where the drawing is saved to. @param {Disk | null} place */
+  bind(place) {
+    const { server } = this;
+    this.bound = place !== null || server.sole;
+    this.place = server.sole ? server : place ?? server;
+  }
+
   /** Opens the server's file, if there is a server. */
   async openServed() {
     try {
@@ -151,7 +158,7 @@ export class Files {
 
   /** Opens the drawing again as it was first opened, or an empty one. */
   async reopen() {
-    if (this.bound) {
+    if (this.bound && !this.server.sole) {
       await this.openServed();
     } else if (this.opened.length > 0) {
       this.open(this.opened, this.name);

@@ -142,10 +142,15 @@ export class Keeper {
     this.#work().postMessage(job, job.bytes ? [job.bytes.buffer] : []);
   }
 
+  /** What does the writing: answers each job with its fault, after a first 'ready'. @returns {Worker} */
+  hire() {
+    return new Worker(addressOf('keep/keeping.js'), { type: 'module' });
+  }
+
   /** The worker; starts one when there is none. */
   #work() {
     if (!this.worker) {
-      this.worker = new Worker(addressOf('keep/keeping.js'), { type: 'module' });
+      this.worker = this.hire();
       this.writes++; // it reports when it is running
       this.worker.onmessage = ({ data }) => (data === 'ready' ? this.#done(1) : this.#answered(data));
       this.worker.onerror = (event) => {

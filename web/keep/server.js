@@ -24,6 +24,8 @@ export class Server {
     this.tag = '';
     /** Another program may use this address tomorrow: nothing of the page may stay in the browser. */
     this.passing = document.querySelector('meta[name=batten-address]')?.getAttribute('content') === 'passing';
+    /** Whatever is opened is saved here, too. */
+    this.sole = false;
   }
 
   get there() {

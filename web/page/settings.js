@@ -1,6 +1,8 @@
 // The user's settings, kept in the browser: properties other than style, and shortcuts, by their names in the engine's
 // tables.
 
+import { keep, kept } from './kept.js';
+
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 
 const STORE = 'batten-settings';
@@ -11,7 +13,7 @@ const SOON = 300; // milliseconds after a frame
 export class Settings {
   /** Whether there are any to restore, for which the module's second part is needed. */
   static get any() {
-    return /:[{]"/.test(localStorage.getItem(STORE) ?? '');
+    return /:[{]"/.test(kept(STORE));
   }
 
   /** @param {Engine} engine */
@@ -22,7 +24,7 @@ export class Settings {
     this.kept = { values: {}, keys: {} };
     this.timer = 0;
     try {
-      const { values, keys } = JSON.parse(localStorage.getItem(STORE) ?? '{}');
+      const { values, keys } = JSON.parse(kept(STORE) || '{}');
       this.kept = { values: { ...values }, keys: { ...keys } };
     } catch {
       // Corrupt: use the defaults.
@@ -64,6 +66,6 @@ export class Settings {
     this.timer = 0;
     const set = this.properties.filter((row) => this.engine.get(row.name) !== row.default);
     this.kept.values = Object.fromEntries(set.map((row) => [row.name, this.engine.get(row.name)]));
-    localStorage.setItem(STORE, JSON.stringify(this.kept));
+    keep(STORE, JSON.stringify(this.kept));
   }
 }

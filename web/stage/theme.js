@@ -2,6 +2,7 @@
 // in styles/page.css.
 
 import { Role, names } from '../engine/codes.js';
+import { keep, kept } from '../page/kept.js';
 
 /** Names of roles in the tokens, by the engine's numbers. */
 const ROLES = names(Role).map((name) => name.replace('_', '-'));
@@ -51,14 +52,14 @@ export class Theme {
     this.paper = '';
     this.dark = false;
     /** Whether the paper is dark in the dark theme; otherwise it is white. */
-    this.dim = localStorage.getItem(DIM) === 'yes';
+    this.dim = kept(DIM) === 'yes';
     /** Whether the drawing's own colours are turned over. */
     this.turned = false;
     /** @type {Map<number, string>} */
     this.colours = new Map();
     /** Called when the colours have changed. */
     this.onchange = () => {};
-    const stored = localStorage.getItem(STORE) ?? '';
+    const stored = kept(STORE);
     this.choice = CHOICES.includes(stored) ? stored : 'system';
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#apply());
     matchMedia('(forced-colors: active)').addEventListener('change', () => this.#apply());
@@ -68,7 +69,7 @@ export class Theme {
   /** @param {string} choice system, light or dark */
   choose(choice) {
     this.choice = choice;
-    localStorage.setItem(STORE, choice);
+    keep(STORE, choice);
     this.#apply();
   }
 
@@ -80,7 +81,7 @@ export class Theme {
   /** @param {boolean} dim */
   dimPaper(dim) {
     this.dim = dim;
-    localStorage.setItem(DIM, dim ? 'yes' : '');
+    keep(DIM, dim ? 'yes' : '');
     this.#apply();
   }
 

@@ -1,0 +1,314 @@
+// <batten-editor src="drawing.svg">: the editor in a frame of its own, because it is a whole page: it has its own keys, styles
+// and policy, several can be on one page, and none can harm the page around it. The element gives it the drawing and
+// takes it back, through a port that only the two hold. It also holds the journal of what was drawn: when the
+// frame goes, because the element is removed or put elsewhere, the next frame goes on from there, undo and all.
+
+const PATIENCE = 10000; // milliseconds from the frame's load until its silence is an error
+const EMPTY = 'drawing.svg';
+
+/** The last part of an address, as the name of a file. */
+function nameOf(address) {
+  try {
+    return decodeURIComponent(new URL(address, 'http://x/').pathname.split('/').pop()) || EMPTY;
+  } catch {
+    return EMPTY;
+  }
+}
+
+/** @param {Uint8Array[]} parts */
+function joined(parts) {
+  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
+}
+
+/** Saves text as a file in the browser's folder of downloads. */
+function download(document, text, name, type) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+export class BattenEditor extends (globalThis.HTMLElement ?? class {}) {
+  static observedAttributes = ['src', 'page', 'title'];
+
+  #root;
+  #slot; // what the element contains is shown until the frame answers
+  #frame = null;
+  #window = null; // where the frame's word is heard
+  #met = false; // the frame has answered
+  #patience = 0;
+  #port = null;
+  #number = 0;
+  #calls = new Map(); // by number: what the frame has to answer
+  #ready = false; // the frame shows a drawing
+  #busy = false; // it is opening one, or asks the user whether to
+  #queue = []; // what to open, in this order
+  #asked = null; // the last src that was fetched
+  #fetching = 0; // its number; 0: it is there
+  #base = null; // the file that was opened last, in whatever frame
+  #name = EMPTY;
+  #journal = []; // what was done to it, in parts
+  #svg = '';
+  #unsaved = false;
+
+  constructor() {
+    super();
+    this.#root = this.attachShadow({ mode: 'open', delegatesFocus: true });
+    const sheet = new CSSStyleSheet(); // allowed where a policy forbids inline styles
+    sheet.replaceSync(`:host { display: block; block-size: 30rem } :host([hidden]), .away { display: none }
+      iframe { border: 0; inline-size: 100%; block-size: 100%; display: block }`);
+    this.#root.adoptedStyleSheets = [sheet];
+    this.#slot = this.ownerDocument.createElement('slot');
+    this.#root.append(this.#slot);
+  }
+
+  get src() {
+    return this.getAttribute('src') ?? '';
+  }
+
+  set src(address) {
+    this.setAttribute('src', address);
+  }
+
+  get page() {
+    return this.getAttribute('page') ?? '';
+  }
+
+  set page(address) {
+    this.setAttribute('page', address);
+  }
+
+  get svg() {
+    return this.#svg;
+  }
+
+  get unsaved() {
+    return this.#unsaved;
+  }
+
+  async read() {
+    await this.#call({});
+    return this.#svg;
+  }
+
+  async save() {
+    await this.#call({ save: true });
+  }
+
+  load(content, name = EMPTY) {
+    this.#asked = this.src; // what it still brings comes too late
+    this.#fetching = 0;
+    return this.#open(typeof content === 'string' ? new TextEncoder().encode(content) : new Uint8Array(content), name);
+  }
+
+  connectedCallback() {
+    const document = this.ownerDocument;
+    this.#window = document.defaultView;
+    this.#window.addEventListener('message', this.#hear);
+    const frame = document.createElement('iframe');
+    frame.title = this.title || 'Batten';
+    frame.allow = 'clipboard-read; clipboard-write; fullscreen';
+    frame.addEventListener('load', () => {
+      if (!this.#met) {
+        this.#patience = setTimeout(() => this.#tell('error', { message: `No editor at ${frame.src}` }), PATIENCE);
+      }
+    });
+    frame.src = this.#address().href;
+    this.#frame = frame;
+    this.#root.append(frame);
+    this.#fetch();
+  }
+
+  /** The frame is gone. Its port stays open until there is another: what it said last is on its way. */
+  disconnectedCallback() {
+    this.#window?.removeEventListener('message', this.#hear);
+    clearTimeout(this.#patience);
+    this.#frame?.remove();
+    this.#frame = this.#window = null;
+    this.#met = false;
+    this.#slot.className = '';
+    this.#gone();
+  }
+
+  /** Nothing that was asked of the frame will be answered. */
+  #gone() {
+    this.#ready = this.#busy = false;
+    for (const done of this.#calls.values()) {
+      done({ gone: true });
+    }
+    this.#calls.clear();
+  }
+
+  /** Moved without leaving the page: the frame stays. */
+  connectedMoveCallback() {}
+
+  attributeChangedCallback(name, before, value) {
+    if (!this.#frame || before === value) {
+      return;
+    }
+    if (name === 'src') {
+      this.#fetch();
+    } else if (name === 'title') {
+      this.#frame.title = value || 'Batten';
+    } else {
+      this.disconnectedCallback();
+      this.connectedCallback();
+    }
+  }
+
+  #address() {
+    const { page } = this;
+    return new URL('index.html', page ? new URL(page.replace(/\/?$/, '/'), this.ownerDocument.baseURI) :
+      new URL('./page/', import.meta.url));
+  }
+
+  #tell(type, detail, options = {}) {
+    return this.dispatchEvent(new CustomEvent(type, { detail, ...options }));
+  }
+
+  /** The frame's first word, also after it was loaded anew. */
+  #hear = ({ source, data }) => {
+    if (!source || source !== this.#frame?.contentWindow || data !== 'batten-editor') {
+      return;
+    }
+    clearTimeout(this.#patience);
+    this.#port?.close();
+    this.#gone();
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = (event) => this.#take(port1, event.data);
+    this.#port = port1;
+    this.#met = true;
+    this.#slot.className = 'away';
+    source.postMessage('batten-editor', this.#address().origin, [port2]);
+    this.#next();
+  };
+
+  /** What the frame says. */
+  #take(port, { answered, keep, more, name, told, unsaved, byUser, id, save, type, ...rest }) {
+    if (answered) {
+      this.#calls.get(answered)?.(rest);
+      this.#calls.delete(answered);
+    } else if (keep) {
+      this.#journal = more ? [...this.#journal, keep] : [keep];
+      this.#name = name;
+    } else if (told !== undefined) {
+      this.#svg = told;
+      this.#unsaved = unsaved;
+      if (byUser) {
+        this.#tell('change', { svg: told });
+      }
+    } else if (save !== undefined) {
+      void this.#store({ text: save, name, type }).then((why) => port.postMessage({ answered: id, why }));
+    }
+  }
+
+  /** @returns {Promise<string>} why it could not be saved */
+  async #store({ text, name, type }) {
+    const stored = [];
+    let taken = false;
+    const waitUntil = (promise) => {
+      taken = true;
+      stored.push(promise);
+    };
+    if (this.#tell('save', { text, name, type, waitUntil }, { cancelable: true }) && !taken) {
+      download(this.ownerDocument, text, name, type);
+    }
+    try {
+      await Promise.all(stored);
+      return '';
+    } catch (error) {
+      return error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  /** Sends something to a frame that shows a drawing, and waits for its answer. */
+  #call(message) {
+    return this.#ready ? this.#send(message) : Promise.resolve({});
+  }
+
+  #send(message) {
+    const id = ++this.#number;
+    return new Promise((resolve) => {
+      this.#calls.set(id, resolve);
+      this.#port.postMessage({ ...message, id });
+    });
+  }
+
+  #open(bytes, name, why = '') {
+    return new Promise((resolve) => {
+      this.#queue.push({ bytes, name, why, done: resolve });
+      this.#next();
+    });
+  }
+
+  /** Gives the frame what it opens next: first what was open in the frame before it. */
+  async #next() {
+    if (!this.#met || this.#busy) {
+      return;
+    }
+    const first = !this.#ready;
+    const goOn = first && this.#base !== null;
+    if (!goOn && !this.#queue.length && (!first || this.#fetching)) {
+      return;
+    }
+    const asked = goOn ? { ...this.#base, name: this.#name, journal: joined(this.#journal), unsaved: this.#unsaved } :
+      this.#queue[0] ?? { bytes: new Uint8Array(0), name: EMPTY };
+    const { done, ...open } = asked;
+    this.#busy = true;
+    const { opened, why, gone } = await this.#send({ open: { ...open, first } });
+    if (gone) {
+      return; // it is still in the queue
+    }
+    this.#busy = false;
+    this.#ready = true;
+    if (!goOn) {
+      this.#queue = this.#queue.filter((one) => one !== asked);
+      if (opened || this.#base === null) {
+        this.#base = opened ? { bytes: open.bytes } : { bytes: new Uint8Array(0) };
+      }
+    }
+    done?.(opened === true);
+    if (why) {
+      this.#tell('error', { message: why });
+    }
+    if (first) {
+      this.#tell('ready', { svg: this.#svg });
+    }
+    await this.#next();
+  }
+
+  /** Fetches the drawing at src, once; of several, the one asked for last. */
+  async #fetch() {
+    const { src } = this;
+    if (src === this.#asked || !src) {
+      return;
+    }
+    this.#asked = src;
+    const number = ++this.#number;
+    this.#fetching = number;
+    let [bytes, why] = [new Uint8Array(0), ''];
+    try {
+      const response = await fetch(new URL(src, this.ownerDocument.baseURI));
+      why = response.ok ? '' : `${response.status} ${response.statusText}`.trim();
+      bytes = why ? bytes : new Uint8Array(await response.arrayBuffer());
+    } catch (error) {
+      why = String(error);
+    }
+    if (this.#fetching === number) {
+      this.#fetching = 0;
+      this.#asked = why ? null : src;
+      await this.#open(bytes, why ? src : nameOf(src), why);
+    }
+  }
+}
+
+if (globalThis.customElements && !customElements.get('batten-editor')) {
+  customElements.define('batten-editor', BattenEditor);
+}
