@@ -6,6 +6,7 @@
 #include <batten/measure.h>
 #include <batten/region.h>
 #include <batten/relate.h>
+#include <batten/width.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -37,6 +38,36 @@ static void outline(const bat_curve *curve, unsigned kind, double size) {
     if (bat_region_offset(&region, (kind & 2 ? 0.05 : -0.05) * size, (bat_join)(kind % 3), 4, 1e-3 * size,
                           0.02, &count, &all) == BAT_OK)
         bat_curves_free(count, all);
+}
+
+/* A profile stays one through edits; what is painted is made of finite numbers, and the outline closes. */
+static void widen(const bat_curve *curve, unsigned kind, double size) {
+    const bat_nib nib = {0.2 * size, (bat_cap)(kind % 3), (bat_join)(kind / 3 % 3), 1 + kind % 5};
+    bat_width_stop stops[BAT_WIDTHS_MAX], part[BAT_WIDTHS_MAX];
+    size_t count = 0, cubics;
+    double *points, value[2];
+    bat_curve **all;
+    for (unsigned i = 0; i < 2 + kind % 5; i++)
+        bat_width_put(&count, stops, (kind * 7 + i * 5) % 11 / 10.0, (kind + i * 3) % 5 / 4.0, 0.01);
+    if (count > 2 && kind & 1 && bat_width_remove(&count, stops, 1) != BAT_OK) abort();
+    if (bat_width_move(count, stops, 0, kind % 4 / 3.0, 0.5) != BAT_OK) abort();
+    const bat_width_profile profile = {count, stops};
+    if (bat_width_check(&profile) != BAT_OK) abort();
+    bat_width_eval(&profile, kind & 2, kind % 9 / 8.0, value);
+    if (!(value[0] >= 0 && value[0] <= 1)) abort();
+    const bat_width_profile piece = {bat_width_stretch(&profile, 0.7, 0.1, part), part};
+    if (bat_width_check(&piece) != BAT_OK) abort();
+    if (bat_width_is_even(&profile) && !bat_width_is_even(&piece)) abort();
+    if (bat_curve_cover_width(curve, &nib, &profile, 1e-3 * size, 0.02, &cubics, &points) == BAT_OK) {
+        for (size_t i = 0; i < 8 * cubics; i++)
+            if (!isfinite(points[i])) abort();
+        bat_free(points);
+    }
+    if (bat_curve_outline_width(curve, &nib, &profile, 1e-3 * size, 0.02, &count, &all, NULL) != BAT_OK)
+        return;
+    for (size_t i = 0; i < count; i++)
+        if (!bat_curve_is_closed(all[i])) abort();
+    bat_curves_free(count, all);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -195,6 +226,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             beside(a, ((int)(size % 64) - 32) * 0.02 * scale, scale);
             if (b) relate(a, b, scale);
             outline(a, (unsigned)(size % 64), scale);
+            widen(a, (unsigned)(size % 64), scale);
             if (b) unite(a, b, (bat_region_operation)(size % BAT_REGION_OPERATION_COUNT), scale);
         }
     }

@@ -12,6 +12,7 @@
 #include <batten/nearest.h>
 #include <batten/relate.h>
 #include <batten/region.h>
+#include <batten/width.h>
 #include <batten/fit.h>
 #include <batten/interpolate.h>
 #include <batten/frames.h>

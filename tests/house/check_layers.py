@@ -30,7 +30,7 @@ SINGLE = {"kinds": {"kinds/kinds.h"}, "editor/tools": TOOLBOX, "editor/tools/mod
 ROOM_OF_HEADER = {
     "base": "base", "curve": "curve", "refine": "curve", "bezier": "curve", "drag": "curve", "measure": "curve",
     "nearest": "curve", "fit": "curve", "frames": "curve", "function": "curve",
-    "relate": "relate", "region": "relate/region", "interpolate": "points",
+    "relate": "relate", "region": "relate/region", "width": "relate", "interpolate": "points",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
     "surface": "form/surface", "relief": "form/relief", "mesh": "form/mesh", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "recipe": "form/recipe", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
     "document": "document", "paint": "document",

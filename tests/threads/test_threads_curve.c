@@ -66,6 +66,16 @@ static uint64_t add_region(uint64_t d, const bat_curve *curve, const bat_curve *
     d = add(d, (uint64_t)count), count = 0, all = NULL;
     d = add(d, (uint64_t)bat_region_offset(both, 0.2, BAT_JOIN_ROUND, 4, 1e-2, 0.1, &count, &all));
     bat_curves_free(count, all);
+    d = add(d, (uint64_t)count), count = 0, all = NULL;
+    const bat_width_stop stops[] = {{0, 0}, {0.5, 1}, {1, 0.2}};
+    const bat_width_profile profile = {3, stops};
+    double *points = NULL;
+    d = add(d, (uint64_t)bat_curve_cover_width(curve, &nib, &profile, 1e-2, 0.1, &count, &points));
+    if (points) d = add_doubles(d, points, (int)(8 * count));
+    bat_free(points);
+    count = 0;
+    d = add(d, (uint64_t)bat_curve_outline_width(curve, &nib, &profile, 1e-2, 0.1, &count, &all, NULL));
+    bat_curves_free(count, all);
     return add(d, (uint64_t)count);
 }
 
