@@ -268,6 +268,13 @@ static void ask(const bat_object *object) {
     demand(bat_object_id(object) > 0 && bat_object_name(object) && bat_object_style(object));
     demand(bat_object_parent(object) != bat_object_id(object));
     demand(!bat_object_paint(object) || bat_object_is_made_of_curves(object));
+    const bat_width_profile profile = bat_object_widths(object);
+    demand(bat_width_check(&profile) == BAT_OK && (!profile.count || bat_object_paint(object)));
+    size_t cubics;
+    double *cover;
+    const bat_status covered = bat_object_cover(object, 0, &cubics, &cover);
+    demand((covered == BAT_ARGUMENT) == !profile.count);
+    if (covered == BAT_OK) bat_free(cover);
     (void)(bat_object_is_hidden(object) && bat_object_is_locked(object));
     demand(group == (kind == BAT_KIND_GROUP || kind == BAT_KIND_LAYER) &&
            drawn == (!group && kind != BAT_KIND_GUIDE));

@@ -1,8 +1,9 @@
 /* batten curve outline: the outline of a stroke along a curve. */
 #include "curves.h"
+#include "widths.h"
 
 #include <batten/format.h>
-#include <batten/relate.h>
+#include <batten/width.h>
 
 #include <math.h>
 
@@ -12,9 +13,11 @@ static const double LIMIT_MAX = 1e6;        /* of mitres */
 static const char *const CAPS[] = {"butt", "round", "square"};
 static const char *const JOINS[] = {"miter", "round", "bevel"};
 
-static int options_of(const cli_arguments *arguments, bat_nib *nib, double *tolerance) {
+static int options_of(const cli_arguments *arguments, bat_nib *nib, widths *w, double *tolerance) {
     int cap = BAT_CAP_ROUND, join = BAT_JOIN_ROUND;
-    int failed = required_tolerance(arguments, "--width", &nib->width);
+    int failed = widths_of(arguments, w);
+    nib->width = w->width;
+    if (!failed && !w->count) failed = required_tolerance(arguments, "--width", &nib->width);
     if (!failed) failed = arguments_choice(arguments, "--cap", CAPS, 3, &cap);
     if (!failed) failed = arguments_choice(arguments, "--join", JOINS, 3, &join);
     nib->cap = (bat_cap)cap, nib->join = (bat_join)join, nib->miter_limit = 4;
@@ -27,16 +30,19 @@ static int options_of(const cli_arguments *arguments, bat_nib *nib, double *tole
 
 static int outline(const cli_arguments *arguments, const bat_curve *a, const bat_curve *b) {
     bat_nib nib;
+    widths w;
     double tolerance = TOLERANCE_SHARE * size_of_both(a, b), error = 0;
     size_t count = 0;
     bat_curve **all = NULL;
-    int failed = options_of(arguments, &nib, &tolerance);
+    int failed = options_of(arguments, &nib, &w, &tolerance);
     if (failed) return failed;
     if (bat_curve_dimension(a) != 2)
         return fail_data(arguments->operands[0], "points[0]",
                          "expected 2 numbers, for a curve in the plane, found 3");
     if (!(tolerance > 0)) tolerance = fmax(TOLERANCE_SHARE * nib.width, 1e-12); /* a point */
-    const bat_status status = bat_curve_outline(a, &nib, tolerance, CORNER, &count, &all, &error);
+    const bat_width_profile profile = {w.count, w.stops};
+    const bat_status status = bat_curve_outline_width(a, &nib, &profile, tolerance, CORNER, &count, &all,
+                                                      &error);
     if (status == BAT_SINGULAR)
         return fail_data(arguments->operands[0], NULL,
                          "the outline does not close with this tolerance: another --tolerance may do");
@@ -52,15 +58,19 @@ static int outline(const cli_arguments *arguments, const bat_curve *a, const bat
 
 static int run_outline(const cli_arguments *arguments) {
     bat_nib nib;
+    widths w;
     double tolerance;
-    if (!arguments_value(arguments, "--width")) return fail_usage(arguments->command, "--width is needed");
-    const int failed = options_of(arguments, &nib, &tolerance); /* before any file is read */
+    const bool even = arguments_value(arguments, "--width"), uneven = arguments_value(arguments, "--widths");
+    if (even == uneven)
+        return fail_usage(arguments->command, even ? "--width or --widths" : "--width is needed");
+    const int failed = options_of(arguments, &nib, &w, &tolerance); /* before any file is read */
     return failed ? failed : with_curves(arguments, outline);
 }
 
 const cli_command command_curve_outline = {
     .name = "curve outline",
-    .usage = "CURVE --width W [--cap KIND] [--join KIND] [--miter-limit R] [--tolerance T]",
+    .usage =
+        "CURVE --width W|--widths S,W[;S,W...] [--cap KIND] [--join KIND] [--miter-limit R] [--tolerance T]",
     .summary = "The outline of a stroke along a planar curve.",
     .details = "The result is an array of closed CURVEs that do not cross, each with a \"report\": none is "
                "further than\n\"max_error\" from where the stroke ends; outer ones run anticlockwise where y "
@@ -68,6 +78,8 @@ const cli_command command_curve_outline = {
     .example = "batten curve outline curve.json --width 4 --cap butt --join miter",
     .operands = 1,
     .options = {{"--width", "W", "of the stroke, document units"},
+                {"--widths", "S,W...",
+                 "places from 0 to 1 along the length, and the widths there; monotone between them"},
                 {"--cap", "KIND", "butt, round or square, at the ends of an open curve; round by default"},
                 {"--join", "KIND", "miter, round or bevel, at corners; round by default"},
                 {"--miter-limit", "R", "miters longer than so many widths are bevelled; 4 by default"},

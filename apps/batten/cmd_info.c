@@ -8,6 +8,7 @@
 #include "text/number.h"
 
 #include <batten/measure.h>
+#include <batten/paint.h>
 
 #include <stdio.h>
 #include <string.h>
@@ -47,7 +48,16 @@ static void put_object(bat_text *text, const bat_object *object) {
         if (i) bat_text_string(text, ",");
         put_curve(text, bat_object_curve(object, i));
     }
-    bat_text_string(text, "]}");
+    bat_text_string(text, "]");
+    const bat_width_profile profile = bat_object_widths(object);
+    for (size_t i = 0; i < profile.count; i++) {
+        bat_text_string(text, i ? ",[" : ",\"widths\":[[");
+        bat_text_number(text, profile.stops[i].at);
+        bat_text_string(text, ",");
+        bat_text_number(text, profile.stops[i].share * bat_object_style(object)->width);
+        bat_text_string(text, i + 1 < profile.count ? "]" : "]]");
+    }
+    bat_text_string(text, "}");
 }
 
 typedef struct curve_totals {

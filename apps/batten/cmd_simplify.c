@@ -105,24 +105,6 @@ static bat_text report_of(const tally *sum) {
     return text;
 }
 
-/* The drawing, to the file of -o or to standard output. */
-static int put_drawing(const cli_arguments *arguments, const drawing_file *drawing) {
-    const char *name = arguments->operands[0], *out = arguments_value(arguments, OPTION_OUTPUT);
-    const bat_format *format = out ? drawing_format(out) : NULL;
-    char *text = NULL;
-    size_t size;
-    if (!format) format = drawing->format;
-    int failed = out ? drawing_may_replace(arguments_value(arguments, OPTION_LOSSY) != NULL, drawing, name,
-                                           out, false)
-                     : EXIT_DONE;
-    if (!failed) failed = drawing_print(drawing->document, format, name, &text, &size);
-    if (failed) return failed;
-    failed = io_write(out ? out : "-", text, size);
-    bat_free(text);
-    if (!failed && !(format->keeps && drawing_keeps_file(drawing))) drawing_remark(name, drawing);
-    return failed;
-}
-
 /* A CURVE holds its report; a drawing has no place for one. */
 static int print(const cli_arguments *arguments, const drawing_file *drawing, const tally *sum) {
     bat_text report = report_of(sum);
@@ -132,7 +114,7 @@ static int print(const cli_arguments *arguments, const drawing_file *drawing, co
     char *line = NULL;
     size_t size;
     if (bat_text_finish(&report, &line, &size) != BAT_OK) return fail_memory();
-    const int failed = put_drawing(arguments, drawing);
+    const int failed = drawing_put(arguments, drawing);
     if (!failed) remark("{\"report\":%s}", line);
     bat_free(line);
     return failed;

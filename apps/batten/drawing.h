@@ -44,4 +44,7 @@ int drawing_may_replace(bool lossy, const drawing_file *drawing, const char *in,
 int drawing_print(const bat_document *document, const bat_format *format, const char *name, char **text,
                   size_t *size);
 
+/* The drawing as a result: to the file of -o, or in its own format to standard output. */
+int drawing_put(const struct cli_arguments *arguments, const drawing_file *drawing);
+
 #endif

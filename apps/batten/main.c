@@ -24,6 +24,7 @@ static const cli_command *const commands[] = {
     &command_convert,
     &command_render,
     &command_simplify,
+    &command_width,
     &command_curve_length,
     &command_curve_bounds,
     &command_curve_curvature,

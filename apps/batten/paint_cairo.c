@@ -14,11 +14,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* At least how much longer the pen is somewhere than a round one. */
+/* At least how much wider the stroke is somewhere than the style says: by its pen, or its profile. */
 static double longest(const bat_paint *paint) {
-    double square = 0;
+    double square = 0, widest = 1;
     for (int k = 0; paint && k < 4; k++) square += paint->pen[k] * paint->pen[k];
-    return fmax(1, sqrt(square));
+    for (size_t i = 0; paint && i < paint->width_count; i++) widest = fmax(widest, paint->widths[i].share);
+    return fmax(widest, sqrt(square));
 }
 
 /* Extends the box by the object's box and half its stroke width; miters may stick out as far as their limit. */
@@ -157,13 +158,44 @@ static void fill_path(cairo_t *cairo, const bat_style *style, const bat_paint *p
     cairo_fill_preserve(cairo);
 }
 
-static void stroke_path(cairo_t *cairo, const bat_style *style, const bat_paint *paint) {
+/* What covers a stroke whose width changes, instead of the path, which comes back afterwards. */
+static bat_status widen_path(cairo_t *cairo, const bat_object *object) {
+    bat_status status = BAT_OK;
+    cairo_path_t *path = cairo_copy_path(cairo);
+    cairo_new_path(cairo);
+    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++) {
+        size_t count = 0;
+        double *p = NULL;
+        status = bat_object_cover(object, i, &count, &p);
+        for (size_t k = 0; k < count && status == BAT_OK; k++) {
+            const double *b = p + 8 * k;
+            if (k == 0 || memcmp(b, b - 2, 2 * sizeof *b) != 0) cairo_move_to(cairo, b[0], b[1]);
+            cairo_curve_to(cairo, b[2], b[3], b[4], b[5], b[6], b[7]);
+        }
+        bat_free(p);
+    }
+    const bat_paint *paint = bat_object_paint(object);
+    set_source(cairo, &paint->stroke, bat_object_style(object)->stroke);
+    cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
+    cairo_fill(cairo);
+    cairo_append_path(cairo, path);
+    cairo_path_destroy(path);
+    return status;
+}
+
+static void draw_stroke(cairo_t *cairo, const bat_style *style, const bat_paint *paint) {
     set_source(cairo, paint ? &paint->stroke : NULL, style->stroke);
     set_pen(cairo, style);
     cairo_save(cairo);
     shape_pen(cairo, paint);
     cairo_stroke_preserve(cairo);
     cairo_restore(cairo);
+}
+
+static bat_status stroke_path(cairo_t *cairo, const bat_object *object) {
+    if (bat_object_widths(object).count) return widen_path(cairo, object);
+    draw_stroke(cairo, bat_object_style(object), bat_object_paint(object));
+    return BAT_OK;
 }
 
 static bat_status paint_object(cairo_t *cairo, const bat_object *object, double tolerance) {
@@ -184,16 +216,16 @@ static bat_status paint_object(cairo_t *cairo, const bat_object *object, double 
         cairo_push_group(cairo);
     }
     const bool first = paint && paint->stroke_first;
-    if (stroked && first) stroke_path(cairo, style, paint);
+    bat_status status = stroked && first ? stroke_path(cairo, object) : BAT_OK;
     if (style->filled) fill_path(cairo, style, paint);
-    if (stroked && !first) stroke_path(cairo, style, paint);
+    if (stroked && !first) status = stroke_path(cairo, object);
     cairo_new_path(cairo);
     if (group) {
         cairo_pop_group_to_source(cairo);
         cairo_paint_with_alpha(cairo, style->opacity);
         cairo_restore(cairo);
     }
-    return BAT_OK;
+    return status;
 }
 
 /* From now on only what lies in all regions is painted, until cairo_restore. */

@@ -1,5 +1,6 @@
 /*
- * What paints an object beyond its style: gradients in place of its colours, dashes, a pen that is not round, and their order.
+ * What paints an object beyond its style: gradients in place of its colours, dashes, a pen that is not round, a
+ * width that changes along the stroke, and the order of fill and stroke.
  *
  * An object keeps its paint through all edits of its curves; maps of the plane map it along. A gradient takes the place of
  * a colour of the style and goes when that colour is changed.
@@ -10,6 +11,7 @@
 #define BATTEN_PAINT_H
 
 #include <batten/document.h>
+#include <batten/width.h>
 
 /* The most of either. */
 enum { BAT_STOPS_MAX = 256, BAT_DASHES_MAX = 64 };
@@ -40,14 +42,25 @@ typedef struct bat_paint {
     double dash_offset;   /* where in the pattern the stroke begins */
     double pen[4];        /* {a, b, c, d}: its image of the circle of the style's width; all 0: the circle */
     bool stroke_first;    /* the stroke is painted before the fill, which then covers its inner half */
+    size_t width_count;   /* 0: the stroke is as wide everywhere; else at most BAT_WIDTHS_MAX */
+    const bat_width_stop *
+        widths; /* a profile (width.h): shares of the style's width along each curve. Planar curves are painted so,
+                                   * with a round pen and without dashes; the stroke is then a filled outline */
 } bat_paint;
 
 /* A copy with that paint, which is copied; NULL, or a paint with nothing in it: none. BAT_ARGUMENT: the object is not made of
  * curves, or has a kind whose curves only show it; BAT_NUMBER: a number that is not finite or beyond BAT_COORDINATE_MAX, a
- * singular matrix or pen, stops that go back, negative dashes or radii, a gradient that is a point or
- * whose outer circle has no radius; BAT_COUNT: too many stops or dashes, or a single stop. O(stops + dashes). */
+ * singular matrix or pen, stops that go back, negative dashes or radii, widths that are no profile, a gradient that is a point or
+ * whose outer circle has no radius; BAT_COUNT: too many stops, dashes or widths, or a single stop. O(of them all). */
 BAT_API bat_status bat_object_with_paint(const bat_object *object, const bat_paint *paint, bat_object **out);
 /* NULL: none, as of most objects. Valid as long as the object. */
 BAT_API const bat_paint *bat_object_paint(const bat_object *object);
+
+/* The profile by which the object's strokes are painted, its stops valid as long as the object; without stops there is none: nothing is
+ * stroked, or dashed, with a pen that is not round, or not in the plane. */
+BAT_API bat_width_profile bat_object_widths(const bat_object *object);
+/* What covers the stroke of one of its curves, for the non-zero rule, as bat_curve_cover_width, within 2e-4 of the greatest
+ * width. BAT_ARGUMENT: no such curve, or no profile. */
+BAT_API bat_status bat_object_cover(const bat_object *object, int curve, size_t *cubics, double **points);
 
 #endif

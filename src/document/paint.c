@@ -48,6 +48,8 @@ static bat_status check(const bat_paint *paint) {
     bat_status status = check_gradient(&paint->fill);
     if (status == BAT_OK) status = check_gradient(&paint->stroke);
     if (status != BAT_OK) return status;
+    if (paint->width_count) status = bat_width_check(&(bat_width_profile){paint->width_count, paint->widths});
+    if (status != BAT_OK) return status;
     if (!are_finite(paint->pen, 4) || (!is_round(paint->pen) && !maps(paint->pen))) return BAT_NUMBER;
     if (paint->dash_count == 0) return BAT_OK;
     if (paint->dash_count > BAT_DASHES_MAX) return BAT_COUNT;
@@ -80,28 +82,40 @@ uint64_t bat_paint_digest(const bat_paint *paint, bat_paint_part part) {
     if (!paint) return 0;
     if (part == BAT_PAINT_FILL) return paint->fill.count ? digest_gradient(&paint->fill) : 0;
     if (part == BAT_PAINT_STROKE) return paint->stroke.count ? digest_gradient(&paint->stroke) : 0;
-    if (paint->dash_count == 0 && is_round(paint->pen) && !paint->stroke_first) return 0;
+    if (paint->dash_count + paint->width_count == 0 && is_round(paint->pen) && !paint->stroke_first) return 0;
     uint64_t digest = bat_digest_number(bat_digest_begin(), paint->dash_count);
     for (size_t i = 0; i < paint->dash_count && paint->dashes; i++)
         digest = digest_number(digest, paint->dashes[i]);
     if (paint->dash_count) digest = digest_number(digest, paint->dash_offset);
     for (int i = 0; i < 4 && !is_round(paint->pen); i++) digest = digest_number(digest, paint->pen[i]);
     if (paint->stroke_first) digest = bat_digest_number(digest, paint->stroke_first);
+    for (size_t i = 0; i < paint->width_count && paint->widths; i++)
+        digest = digest_number(digest_number(digest, paint->widths[i].at), paint->widths[i].share);
     return digest;
 }
 
 bool bat_paint_is_plain(const bat_paint *paint) {
-    return paint->fill.count + paint->stroke.count + paint->dash_count == 0 && is_round(paint->pen) &&
-           !paint->stroke_first;
+    return paint->fill.count + paint->stroke.count + paint->dash_count + paint->width_count == 0 &&
+           is_round(paint->pen) && !paint->stroke_first;
 }
 
-bat_status bat_painted_create(const bat_paint *paint, bat_painted **out) {
-    const bat_status status = check(paint);
+/* As wide as without a profile. */
+static bool is_flat(const bat_paint *paint) {
+    return paint->width_count && paint->widths[0].share == 1 &&
+           bat_width_is_even(&(bat_width_profile){paint->width_count, paint->widths});
+}
+
+bat_status bat_painted_create(const bat_paint *given, bat_painted **out) {
+    const bat_status status = check(given);
     if (status != BAT_OK) return status;
+    bat_paint own = *given;
+    const bat_paint *paint = &own;
+    if (is_flat(paint)) own.width_count = 0;
     *out = NULL;
     if (bat_paint_is_plain(paint)) return BAT_OK;
     const size_t stops = (paint->fill.count + paint->stroke.count) * sizeof(bat_stop);
-    bat_painted *made = malloc(sizeof *made + stops + paint->dash_count * sizeof(double));
+    const size_t widths = paint->width_count * sizeof(bat_width_stop);
+    bat_painted *made = malloc(sizeof *made + stops + paint->dash_count * sizeof(double) + widths);
     if (!made) return BAT_MEMORY;
     *made = (bat_painted){.users = BAT_USERS_ONE, .paint = *paint};
     bat_stop *at = (bat_stop *)(void *)(made + 1);
@@ -119,6 +133,9 @@ bat_status bat_painted_create(const bat_paint *paint, bat_painted **out) {
     if (paint->dash_count) memcpy(dashes, paint->dashes, paint->dash_count * sizeof *dashes);
     made->paint.dashes = paint->dash_count ? dashes : NULL;
     if (!paint->dash_count) made->paint.dash_offset = 0;
+    bat_width_stop *profile = (bat_width_stop *)(void *)(dashes + paint->dash_count);
+    if (widths) memcpy(profile, paint->widths, widths);
+    made->paint.widths = widths ? profile : NULL;
     if (is_round(paint->pen)) memset(made->paint.pen, 0, sizeof made->paint.pen);
     made->digest = bat_digest_begin();
     for (int k = 0; k < BAT_PAINT_PARTS; k++)

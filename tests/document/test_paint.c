@@ -344,6 +344,62 @@ static void every_allocation_may_fail(void **state) {
     bat_object_release(object);
 }
 
+/* Widths along a stroke: copied with the object, checked, written to both files and found again. */
+static void widths_along_strokes(void **state) {
+    (void)state;
+    const bat_width_stop stops[] = {{0, 0.25}, {0.5, 1}, {1, 0}}, bad[] = {{0.5, 1}, {0.5, 2}},
+                         flat[] = {{0, 1}, {1, 1}};
+    bat_object *plain = shape(), *wide = NULL, *other = NULL;
+    bat_paint paint = {.width_count = 3, .widths = stops};
+    assert_int_equal(bat_object_with_paint(plain, &paint, &wide), BAT_OK);
+    assert_int_equal(bat_object_widths(plain).count, 0);
+    assert_true(bat_object_widths(wide).count == 3 &&
+                !memcmp(bat_object_widths(wide).stops, stops, sizeof stops));
+    paint.widths = bad, paint.width_count = 2;
+    assert_int_equal(bat_object_with_paint(plain, &paint, &other), BAT_NUMBER);
+    paint.widths = flat; /* as without */
+    assert_int_equal(bat_object_with_paint(wide, &paint, &other), BAT_OK);
+    assert_null(bat_object_paint(other));
+    bat_object_release(other);
+    for (int filled = 0; filled < 2; filled++)
+        for (int half = 0; half < 2; half++) {
+            bat_style style = *bat_object_style(wide);
+            style.filled = filled, style.opacity = half ? 0.5 : 1;
+            bat_document *document = NULL, *again = NULL, *seen = NULL;
+            char *text;
+            size_t size;
+            assert_int_equal(bat_object_with_style(wide, &style, &other), BAT_OK);
+            assert_int_equal(bat_document_create(&document), BAT_OK);
+            assert_int_equal(bat_document_insert(document, 0, other), BAT_OK);
+            assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
+            assert_non_null(strstr(text, "{\"batten\":7,"));
+            assert_non_null(strstr(text, "\"widths\":[[0,0.25],[0.5,1],[1,0]]"));
+            assert_int_equal(bat_document_read(text, size, &again, NULL), BAT_OK);
+            assert_true(bat_document_digest(again) == bat_document_digest(document));
+            bat_document_free(again);
+            bat_free(text);
+            assert_int_equal(bat_svg_write(document, true, &text, &size), BAT_OK);
+            assert_int_equal(xml_read(text, NULL, &again, NULL, NULL), BAT_OK);
+            assert_true(bat_document_digest(again) ==
+                        bat_document_digest(document)); /* by the drawing within */
+            bat_free(text);
+            assert_int_equal(bat_svg_write(document, false, &text, &size), BAT_OK);
+            assert_int_equal(xml_read(text, NULL, &seen, NULL, NULL), BAT_OK);
+            int paths = 0;
+            for (int i = 0; i < bat_document_count(seen); i++)
+                if (!bat_object_is_group(bat_document_at(seen, i))) {
+                    assert_true(bat_object_style(bat_document_at(seen, i))->filled &&
+                                !bat_object_style(bat_document_at(seen, i))->stroked);
+                    paths++;
+                }
+            assert_int_equal(paths, 1 + filled);
+            bat_free(text);
+            bat_document_free(seen), bat_document_free(again), bat_document_free(document);
+            bat_object_release(other);
+        }
+    bat_object_release(wide), bat_object_release(plain);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bad_paints_are_refused),
@@ -354,6 +410,7 @@ int main(void) {
         cmocka_unit_test(svg_degenerates),
         cmocka_unit_test(svg_dashes),
         cmocka_unit_test(strokes_under_fills),
+        cmocka_unit_test(widths_along_strokes),
         cmocka_unit_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

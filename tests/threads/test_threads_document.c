@@ -164,6 +164,11 @@ static uint64_t vary(uint64_t d, const bat_object *object, int seed) {
     const bat_paint paint = {.dash_count = 2, .dashes = dashes};
     d = add_object(d, bat_object_with_paint(object, &paint, &m), &m);
     d = add(d, bat_object_paint(object) != NULL);
+    size_t cubics = 0;
+    double *cover = NULL;
+    d = add(d, (uint64_t)bat_object_cover(object, 0, &cubics, &cover) + bat_object_widths(object).count);
+    d = add(d, (uint64_t)cubics);
+    bat_free(cover);
     if (bat_object_motion(object, NULL)) {
         d = add_object(d, bat_object_with_motion(object, bat_object_motion(object, NULL), &m), &m);
         d = add_object(d, bat_object_at_time(object, 0.1 * seed, &m), &m);

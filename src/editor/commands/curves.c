@@ -3,6 +3,7 @@
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
+#include "editor/edit/profile.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
 #include "editor/session/context.h"
@@ -18,6 +19,7 @@
 #include "hands/levels/shape.h"
 #include "kinds/kinds.h"
 #include "base/real.h"
+#include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/refine.h>
 #include <math.h>
@@ -118,6 +120,16 @@ static bat_status flattened_over(const bat_object *object, curve_maker *make, ba
     return status == BAT_OK ? bat_object_keep_levels(object, 2, out) : status;
 }
 
+/* The same with its widths along it turned round. */
+static bat_status reversed_over(const bat_object *object, curve_maker *make, bat_object **out) {
+    bat_object *turned = NULL;
+    bat_status status = made_over(object, make, &turned);
+    if (status != BAT_OK) return status;
+    status = bat_profile_stretch(turned, 1, 0, out);
+    bat_object_release(turned);
+    return status;
+}
+
 static bat_status finish(bat_context *c, bat_status status, bool changed, bat_string label,
                          bat_string otherwise) {
     if (status == BAT_OK && changed) return bat_transaction_commit(c, label, NULL);
@@ -170,7 +182,7 @@ bat_status bat_command_to_page(bat_context *c, bat_command_id id) {
 }
 bat_status bat_command_curve_reverse(bat_context *c, bat_command_id id) {
     (void)id;
-    return each(c, reversed, BAT_STRING_STEP_REVERSE, BAT_STRING_NOTICE_SELECT_FIRST);
+    return each_by(c, reversed_over, reversed, BAT_STRING_STEP_REVERSE, BAT_STRING_NOTICE_SELECT_FIRST);
 }
 
 /* ---- join ---- */
@@ -226,6 +238,24 @@ static bat_status joined(const bat_curve *a, const bat_curve *b, bat_curve **out
     return status;
 }
 
+/* Whether the part was turned round so that it begins the whole (end 0) or ends it (end 1). */
+static bool is_turned(const bat_curve *whole, const bat_curve *part, int end) {
+    double at[3], same[3], other[3];
+    end_point(whole, end, at);
+    end_point(part, end, same);
+    end_point(part, 1 - end, other);
+    return distance(2, at, other) < distance(2, at, same);
+}
+
+/* Which share of the whole's length its first part has. */
+static double ends_at(const bat_curve *part, const bat_curve *whole) {
+    double own[2], all[2];
+    bat_curve_domain(part, own);
+    bat_curve_domain(whole, all);
+    return bat_curve_length(part, own[0], own[1], 1e-6) /
+           fmax(bat_curve_length(whole, all[0], all[1], 1e-6), 1e-300);
+}
+
 static bat_status join_two(bat_context *c, const open_curve two[2]) {
     const bat_document *document = c->session->document;
     bat_curve *curve = NULL;
@@ -234,8 +264,18 @@ static bat_status join_two(bat_context *c, const open_curve two[2]) {
                                bat_object_curve(bat_document_at(document, two[1].object), two[1].curve),
                                &curve);
     if (status != BAT_OK) return status;
-    status = bat_object_with_curve(bat_document_at(document, two[0].object), two[0].curve, curve, &after);
-    if (status != BAT_OK) return status;
+    const bat_object *a = bat_document_at(document, two[0].object),
+                     *b = bat_document_at(document, two[1].object);
+    const double share = ends_at(bat_object_curve(a, two[0].curve), curve);
+    const bool turn_a = is_turned(curve, bat_object_curve(a, two[0].curve), 0),
+               turn_b = is_turned(curve, bat_object_curve(b, two[1].curve), 1);
+    status = bat_object_with_curve(a, two[0].curve, curve, &after);
+    if (status == BAT_OK && bat_object_curve_count(a) == 1)
+        status = bat_profile_join(&after, a, turn_a, b, turn_b, share);
+    if (status != BAT_OK) {
+        bat_object_release(after);
+        return status;
+    }
     if (two[0].object == two[1].object) { /* the second comes after the first in the same object */
         status = bat_without_curve(after, two[1].curve, &rest);
         if (status == BAT_OK) status = bat_transaction_replace(c, two[0].object, rest);
@@ -268,6 +308,24 @@ bat_status bat_command_curve_join(bat_context *c, bat_command_id id) {
 
 /* ---- split ---- */
 
+/* *object, which is released, with the widths of a stretch; of several curves each keeps all of them. */
+static bat_status narrow(bat_object **object, double from, double to) {
+    bat_object *made = NULL;
+    const bat_status status = bat_profile_stretch(*object, from, to, &made);
+    if (status != BAT_OK) return status;
+    bat_object_release(*object);
+    *object = made;
+    return BAT_OK;
+}
+
+/* The share of the length before u. */
+static double share_of(const bat_curve *curve, double u) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    const double whole = bat_curve_length(curve, domain[0], domain[1], 1e-6);
+    return whole > 0 ? fmin(bat_curve_length(curve, domain[0], u, 1e-6) / whole, 1) : 0;
+}
+
 /* Splits into two pieces: the first stays in the object, the second becomes an object in front of it (index + 1). */
 static bat_status split_at(bat_context *c, int index, int curve, double u) {
     const bat_object *object = bat_document_at(c->session->document, index);
@@ -286,6 +344,11 @@ static bat_status split_at(bat_context *c, int index, int curve, double u) {
         status = bat_object_with_curve(object, curve, left, &after);
     } else {
         bat_curve_free(left);
+    }
+    const double share = share_of(whole, u);
+    if (status == BAT_OK && placed && share > 0 && share < 1) {
+        status = narrow(&placed, share, 1);
+        if (status == BAT_OK && bat_object_curve_count(object) == 1) status = narrow(&after, 0, share);
     }
     if (status == BAT_OK) status = bat_transaction_replace(c, index, after);
     if (status == BAT_OK && placed) status = bat_transaction_insert(c, index + 1, placed);

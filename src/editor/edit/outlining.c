@@ -168,13 +168,15 @@ static bool has_pen(const bat_paint *paint) {
 
 /* The outline of one stretch, as the pen draws it. */
 static bat_status outline(const bat_curve *curve, const bat_nib *nib, const bat_paint *paint,
-                          double tolerance, list *l) {
+                          const bat_width_profile *widths, double tolerance, list *l) {
     bat_curve *seen = NULL;
     size_t count = 0;
     bat_curve **all = NULL;
     bat_status status = has_pen(paint) ? map(curve, paint->pen, true, &seen) : BAT_OK;
     if (status == BAT_OK)
-        status = bat_curve_outline(seen ? seen : curve, nib, tolerance, CORNER, &count, &all, NULL);
+        status = widths->count
+                     ? bat_curve_outline_width(curve, nib, widths, tolerance, CORNER, &count, &all, NULL)
+                     : bat_curve_outline(seen ? seen : curve, nib, tolerance, CORNER, &count, &all, NULL);
     bat_curve_free(seen);
     for (size_t i = 0; i < count && status == BAT_OK && has_pen(paint); i++) {
         bat_curve *mapped = NULL;
@@ -240,6 +242,7 @@ bat_status bat_outlining_stroke(const bat_object *object, bat_object **out, bool
     const bat_style *style = bat_object_style(object);
     const bat_paint *paint = bat_object_paint(object);
     const bat_nib nib = {style->width, style->cap, style->join, fmax(style->miter_limit, 1)};
+    const bat_width_profile widths = bat_object_widths(object);
     const double tolerance = fmin(tolerance_of(object, style->width), style->width / 32);
     list lines = {0}, outlines = {0};
     bat_object *path = NULL;
@@ -247,7 +250,7 @@ bat_status bat_outlining_stroke(const bat_object *object, bat_object **out, bool
     size_t *ends = status == BAT_OK ? malloc((lines.count + 1) * sizeof *ends) : NULL;
     if (status == BAT_OK && !ends) status = BAT_MEMORY;
     for (size_t i = 0; i < lines.count && status == BAT_OK; i++) {
-        status = outline(lines.curves[i], &nib, paint, tolerance, &outlines);
+        status = outline(lines.curves[i], &nib, paint, &widths, tolerance, &outlines);
         ends[i] = outlines.count;
     }
     if (status == BAT_OK && lines.count > 1 && outlines.count > 1)

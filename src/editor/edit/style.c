@@ -1,6 +1,7 @@
 #include "editor/edit/style.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/dashes.h"
+#include "editor/edit/profile.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/session/context.h"
@@ -23,7 +24,8 @@ static double value_of(const bat_style *style, bat_property_id property) {
     case BAT_PROPERTY_OPACITY: return style->opacity;
     case BAT_PROPERTY_STROKE_CAP: return (double)style->cap;
     case BAT_PROPERTY_FILL_RULE: return style->even_odd;
-    case BAT_PROPERTY_DASHES: return 0; /* of an object: see dashes.h */
+    case BAT_PROPERTY_DASHES:
+    case BAT_PROPERTY_WIDTHS: return 0; /* of an object: see dashes.h, profile.h */
     default: return (double)style->join;
     }
 }
@@ -73,6 +75,7 @@ const bat_object *bat_styling_selected(const bat_context *c, bat_property_id pro
 }
 
 double bat_styling_of(const bat_object *object, bat_property_id property) {
+    if (property == BAT_PROPERTY_WIDTHS) return (double)bat_profile_of(object);
     return property == BAT_PROPERTY_DASHES ? (double)bat_dashing_of(object)
                                            : bat_styling_value(bat_object_style(object), property);
 }
@@ -118,12 +121,33 @@ static bat_dashing dashing_after(const bat_object *object, int count, const bat_
     return bat_dashing_of(object);
 }
 
+/* The profile asked for, or what it has. */
+static bat_profile profile_after(const bat_object *object, int count, const bat_styling *values) {
+    for (int i = 0; i < count; i++)
+        if (values[i].property == BAT_PROPERTY_WIDTHS) return (bat_profile)(int)values[i].value;
+    return bat_profile_of(object);
+}
+
+/* *object, which is released, with other widths along it. */
+static bat_status widen(bat_object **object, bat_profile profile) {
+    bat_object *made = NULL;
+    if (!bat_object_is_made_of_curves(*object) || bat_profile_of(*object) == profile) return BAT_OK;
+    const bat_status status = bat_profile_give(*object, profile, &made);
+    if (status != BAT_OK) return status;
+    bat_object_release(*object);
+    *object = made;
+    return BAT_OK;
+}
+
 static bat_status restyle(bat_context *c, int index, int count, const bat_styling *values) {
     const bat_object *object = bat_document_at(c->session->document, index);
     bat_style style = *bat_object_style(object);
     const bat_dashing before = bat_dashing_of(object), dashing = dashing_after(object, count, values);
     for (int i = 0; i < count; i++) give(&style, values[i].property, values[i].value);
-    if (same_style(&style, bat_object_style(object)) && before == dashing) return BAT_OK;
+    const bat_profile profile = profile_after(object, count, values);
+    if (same_style(&style, bat_object_style(object)) && before == dashing &&
+        profile == bat_profile_of(object))
+        return BAT_OK;
     bat_object *after = NULL, *dashed = NULL;
     bat_status status = bat_object_with_style(object, &style, &after);
     if (status == BAT_OK && bat_object_is_made_of_curves(object) && (before || dashing)) {
@@ -131,16 +155,21 @@ static bat_status restyle(bat_context *c, int index, int count, const bat_stylin
         bat_object_release(after);
         after = dashed;
     }
+    if (status == BAT_OK) status = widen(&after, profile);
     if (status == BAT_OK) status = bat_transaction_replace(c, index, after);
     bat_object_release(after);
     return status;
 }
 
+/* Dashes and widths along a stroke belong to objects alone. */
+static bool is_of_objects(bat_property_id property) {
+    return property == BAT_PROPERTY_DASHES || property == BAT_PROPERTY_WIDTHS;
+}
+
 bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values) {
-    for (int i = 0; i < count; i++) /* dashes belong to objects alone */
-        if (values[i].property != BAT_PROPERTY_DASHES)
-            c->settings->values[values[i].property] = values[i].value;
-    if (count == 1 && values->property == BAT_PROPERTY_DASHES && !c->choice->selection.count)
+    for (int i = 0; i < count; i++)
+        if (!is_of_objects(values[i].property)) c->settings->values[values[i].property] = values[i].value;
+    if (count == 1 && is_of_objects(values->property) && !c->choice->selection.count)
         bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
     if (!c->choice->selection.count || c->session->busy || c->session->transaction.open) return BAT_OK;
     int *members, member_count;

@@ -64,7 +64,7 @@ bat_status bat_styling_take(bat_context *c, const bat_object *from) {
     int *members = NULL, count = 0;
     for (int i = 0; i < BAT_PROPERTY_COUNT; i++)
         if (bat_property_at((bat_property_id)i)->group == BAT_GROUP_STYLE && i != BAT_PROPERTY_DASHES &&
-            i != BAT_PROPERTY_FILL_RULE)
+            i != BAT_PROPERTY_WIDTHS && i != BAT_PROPERTY_FILL_RULE)
             c->settings->values[i] = bat_styling_value(bat_object_style(from), (bat_property_id)i);
     bat_status status = bat_arrange_members(c, &members, &count);
     if (status == BAT_OK) {

@@ -9,7 +9,9 @@
 double bat_paint_reach(const bat_paint *paint) {
     double square = 0;
     for (int k = 0; k < 4; k++) square += paint->pen[k] * paint->pen[k];
-    return fmax(1, sqrt(square));
+    double widest = 1;
+    for (size_t i = 0; i < paint->width_count; i++) widest = fmax(widest, paint->widths[i].share);
+    return fmax(widest, sqrt(square));
 }
 
 static float *put(float *at, double number) {

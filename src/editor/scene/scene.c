@@ -2,6 +2,7 @@
 #include "editor/scene/image.h"
 #include "editor/scene/paint.h"
 #include "curve/curve.h"
+#include "document/paint.h"
 #include "document/kind.h"
 #include "document/nesting.h"
 #include "editor/scene/solid.h"
@@ -32,6 +33,7 @@ static void free_entry(bat_scene_entry *entry) {
     if (entry->solid) bat_solid_free(entry->solid);
     free(entry->path);
     free(entry->paint);
+    bat_scene_wide_free(entry->wide);
     bat_scene_regions_free(entry->regions, bat_object_clip(entry->object));
     bat_object_release(entry->posed);
     bat_object_release(entry->object);
@@ -96,6 +98,32 @@ static void show_bare(bat_item *item) {
     item->width = 1;
 }
 
+/* Whether it paints anything but widths. */
+static bool paints(const bat_paint *paint) {
+    bat_paint rest = *paint;
+    rest.width_count = 0;
+    return !bat_paint_is_plain(&rest);
+}
+
+/* What paints the entry beside its style, in place of what did before. */
+static bool make_paint(bat_scene *scene, bat_scene_entry *entry, uint32_t *count) {
+    const bat_paint *own = scene->tilted ? NULL : bat_object_paint(entry->object);
+    float *paint = NULL;
+    bat_scene_wide *wide = NULL;
+    bool failed = own && bat_object_widths(entry->object).count &&
+                  bat_scene_wide_create(entry->object, scene->origin, ++scene->versions, &wide) != BAT_OK;
+    if (own && !failed && paints(own)) failed = !(paint = bat_paint_floats(own, scene->origin, count));
+    if (failed) {
+        bat_scene_wide_free(wide);
+        return false;
+    }
+    free(entry->paint);
+    bat_scene_wide_free(entry->wide);
+    entry->paint = paint;
+    entry->wide = wide;
+    return true;
+}
+
 static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     bat_path path = {
         .origin = {scene->origin[0], scene->origin[1]}, .map = map_of(scene), .tolerance = scene->tolerance};
@@ -112,17 +140,14 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
         free(path.data);
         return false;
     }
-    float *paint = NULL;
+    const bat_paint *own = scene->tilted ? NULL : bat_object_paint(entry->object);
     uint32_t paint_count = 0;
-    if (bat_object_paint(entry->object) && !scene->tilted &&
-        !(paint = bat_paint_floats(bat_object_paint(entry->object), scene->origin, &paint_count))) {
+    if (!make_paint(scene, entry, &paint_count)) {
         free(path.data);
         return false;
     }
     free(entry->path);
-    free(entry->paint);
     entry->path = path.data;
-    entry->paint = paint;
 
     const bat_style *style = bat_object_style(entry->object);
     bat_item *item = &entry->item;
@@ -139,7 +164,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
                        .path_count = (uint32_t)path.count,
                        .path = path.data,
                        .paint_count = paint_count,
-                       .paint = paint};
+                       .paint = entry->paint};
     if (picture) {
         item->role = BAT_ROLE_IMAGE;
         item->picture = (uint32_t)bat_picture_digest(picture);
@@ -148,9 +173,9 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     if (bat_scene_is_bare(entry->object)) show_bare(item);
     if (style->filled && !bat_object_is(entry->object, BAT_FIXED)) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
-    if (paint && bat_object_paint(entry->object)->stroke_first) item->flags |= BAT_ITEM_STROKE_FIRST;
+    if (own && entry->paint && own->stroke_first) item->flags |= BAT_ITEM_STROKE_FIRST;
     double more = reach(style);
-    if (paint) more *= bat_paint_reach(bat_object_paint(entry->object));
+    if (own) more *= bat_paint_reach(own);
     for (int i = 0; i < 4; i++)
         item->bounds[i] = bat_path_float(entry->box[i] + (i < 2 ? -more : more) - scene->origin[i & 1]);
     return true;
@@ -401,8 +426,11 @@ static int show_around(bat_scene *scene, bat_scene_entry *entry, int end, layers
 /* The most items that there can be. */
 static size_t item_room(const bat_document *document) {
     size_t room = (size_t)bat_document_count(document) + 1;
-    for (int i = 0; i < bat_document_count(document); i++)
-        room += (size_t)bat_clip_count(bat_object_clip(bat_document_at(document, i)));
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        room += (size_t)bat_clip_count(bat_object_clip(object));
+        if (bat_object_paint(object)) room += BAT_WIDE_ITEMS - 1;
+    }
     return room;
 }
 
@@ -463,9 +491,12 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
             again = true; /* with the next frame */
             status = BAT_MEMORY;
         }
-        items[item_count] = bat_scene_painted(scene, entry);
-        if (is_ghost(scene, entry) && !entry->pale) items[item_count].opacity *= PALE;
-        item_count++;
+        bat_item item = bat_scene_painted(scene, entry);
+        if (is_ghost(scene, entry) && !entry->pale) item.opacity *= PALE;
+        if (entry->wide && !scene->outline)
+            item_count += bat_scene_wide_show(entry->wide, &item, items + item_count);
+        else
+            items[item_count++] = item;
     }
     end_layers(&open, items, count, item_count);
     free(scene->items);
@@ -483,7 +514,9 @@ static void lose_paths(bat_scene *scene) {
         free(scene->entries[i].path);
         free(scene->entries[i].paint);
         bat_scene_regions_free(scene->entries[i].regions, bat_object_clip(scene->entries[i].object));
+        bat_scene_wide_free(scene->entries[i].wide);
         scene->entries[i].path = scene->entries[i].paint = NULL;
+        scene->entries[i].wide = NULL;
         scene->entries[i].regions = NULL;
         scene->entries[i].item = (bat_item){0};
     }

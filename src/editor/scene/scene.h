@@ -9,6 +9,7 @@
 #include "editor/choice/isolation.h"
 #include "editor/scene/clips.h"
 #include "editor/scene/path.h"
+#include "editor/scene/wide.h"
 #include "editor/view/stage.h"
 #include <batten/nearest.h>
 
@@ -20,13 +21,14 @@ typedef struct bat_scene_line {
 } bat_scene_line;
 
 typedef struct bat_scene_entry {
-    bat_object *object;        /* retained */
-    bat_object *posed;         /* as it stands at the scene's time; NULL: as it is */
-    double posed_at;           /* the time */
-    bool moved;                /* it stands elsewhere than its path, box and lines say */
-    double box[4];             /* of the outline, drawing coordinates (editor/view/stage.h) */
-    float *path;               /* NULL until made */
-    float *paint;              /* made with the path; NULL: none */
+    bat_object *object;   /* retained */
+    bat_object *posed;    /* as it stands at the scene's time; NULL: as it is */
+    double posed_at;      /* the time */
+    bool moved;           /* it stands elsewhere than its path, box and lines say */
+    double box[4];        /* of the outline, drawing coordinates (editor/view/stage.h) */
+    float *path;          /* NULL until made */
+    float *paint;         /* made with the path; NULL: none */
+    bat_scene_wide *wide; /* made with the path; NULL: the stroke is as wide everywhere, or seen from aside */
     bat_scene_region *regions; /* of its clip; NULL until requested */
     bat_item item;
     bool hidden, locked;   /* the object or a group that contains it; what is not isolated counts as locked */

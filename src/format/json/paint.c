@@ -73,12 +73,33 @@ static bat_status read_dashes(const bat_fields *f, uint32_t node, double *dashes
                              &paint->dash_offset);
 }
 
+/* [[at, share], ...] */
+static bat_status read_widths(const bat_fields *f, uint32_t node, bat_width_stop *stops, bat_paint *paint) {
+    const uint32_t list = bat_json_member(f->json, node, "widths");
+    if (!list) return BAT_OK;
+    const uint32_t count = bat_json_count(f->json, list);
+    if (bat_json_type_of(f->json, list) != BAT_JSON_LIST || count < 1 || count > BAT_WIDTHS_MAX)
+        return bat_fields_complain(f, list, "widths", "a list of 1 to 256 stops");
+    for (uint32_t at = bat_json_first(f->json, list); at; at = f->json->nodes[at].next) {
+        const uint32_t first = bat_json_first(f->json, at);
+        const uint32_t second = first ? f->json->nodes[first].next : 0;
+        if (bat_json_type_of(f->json, first) != BAT_JSON_NUMBER ||
+            bat_json_type_of(f->json, second) != BAT_JSON_NUMBER)
+            return bat_fields_complain(f, at, "widths", "[place, share of the width]");
+        stops[paint->width_count++] = (bat_width_stop){f->json->nodes[first].value.number,
+                                                       f->json->nodes[second].value.number};
+    }
+    paint->widths = stops;
+    return BAT_OK;
+}
+
 bat_status bat_paint_from_json(const bat_fields *f, uint32_t node, bat_object **object) {
     const uint32_t at = bat_json_member(f->json, node, "paint");
     if (bat_json_type_of(f->json, at) != BAT_JSON_OBJECT)
         return bat_fields_complain(f, at, "paint", "an object");
     bat_stop stops[2][BAT_STOPS_MAX];
     double dashes[BAT_DASHES_MAX];
+    bat_width_stop widths[BAT_WIDTHS_MAX];
     bat_paint paint = {0};
     bat_status status = read_gradient(f, at, "fill", stops[0], &paint.fill);
     if (status == BAT_OK) status = read_gradient(f, at, "stroke", stops[1], &paint.stroke);
@@ -86,6 +107,7 @@ bat_status bat_paint_from_json(const bat_fields *f, uint32_t node, bat_object **
     if (status == BAT_OK && bat_json_member(f->json, at, "pen"))
         status = bat_fields_numbers(f, at, "pen", 4, "four numbers", paint.pen);
     if (status == BAT_OK) status = bat_fields_flag(f, at, "stroke_first", &paint.stroke_first);
+    if (status == BAT_OK) status = read_widths(f, at, widths, &paint);
     if (status != BAT_OK) return status;
     bat_object *made = NULL;
     status = bat_fields_say(f, at, bat_object_with_paint(*object, &paint, &made));
@@ -153,6 +175,15 @@ void bat_paint_to_json(const bat_paint *paint, bat_text *text) {
     if (paint->stroke_first) {
         bat_text_string(text, comma);
         bat_text_string(text, "\"stroke_first\":true");
+        comma = ",";
+    }
+    for (size_t i = 0; i < paint->width_count; i++) {
+        bat_text_string(text, i > 0 ? ",[" : comma);
+        if (i == 0) bat_text_string(text, "\"widths\":[[");
+        bat_text_number(text, paint->widths[i].at);
+        bat_text_string(text, ",");
+        bat_text_number(text, paint->widths[i].share);
+        bat_text_string(text, i + 1 < paint->width_count ? "]" : "]]");
     }
     bat_text_string(text, "}");
 }

@@ -19,10 +19,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with meshes or with
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with strokes whose width
+ * changes, drawings with meshes or with
  * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that
  * keep the file that they were read from, drawings with something in space, and all others. */
-enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5, BOUND = 6 };
+enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5, BOUND = 6, WIDENED = 7 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
@@ -183,7 +184,7 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (!(number >= PLAIN && number <= BOUND && number == floor(number)))
+    if (!(number >= PLAIN && number <= WIDENED && number == floor(number)))
         return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3, 4, 5 or 6",
                                  f->problem);
     bat_id next = 0;
@@ -284,7 +285,12 @@ static uint64_t version_of(const bat_document *document, bool whole) {
     uint64_t version = whole && bat_document_origin(document) ? SOURCED : PLAIN;
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
-        if (is_new(object)) return BOUND;
+        const bat_paint *paint = bat_object_paint(object);
+        if (paint && paint->width_count) return WIDENED;
+        if (is_new(object) || version == BOUND) {
+            version = BOUND;
+            continue;
+        }
         if (bat_object_sources(object, NULL) > 0)
             version = MADE;
         else if (bat_object_paint(object) && version < PAINTED)

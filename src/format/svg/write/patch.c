@@ -352,6 +352,8 @@ bat_status bat_svg_patch_write(const bat_document *document, bool with_native, d
         bat_text_add(text, same, size);
         return text->failed ? BAT_MEMORY : BAT_OK;
     }
+    for (int i = 0; i < bat_document_count(document); i++) /* no element is such a stroke */
+        if (bat_object_widths(bat_document_at(document, i)).count) return BAT_UNSUPPORTED;
     bat_svg_patch p = {.precision = precision};
     bat_status status = bat_svg_plan_make(document, &p.plan);
     if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_UNSUPPORTED;

@@ -4,6 +4,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/nesting.h"
+#include "format/svg/covered.h"
 #include "format/native/native.h"
 #include "format/svg/svg.h"
 #include "format/svg/digest.h"
@@ -136,14 +137,14 @@ static bat_status digest_object(const bat_text *text, size_t start, const bat_ob
     return BAT_OK;
 }
 
-/* Writes the path element, and adds what a reader will see of it to the digest. */
-static bat_status write_object(bat_text *text, const bat_object *object, bool as_id, bool hidden,
-                               double precision, bat_outline *outline, uint64_t *digest) {
+/* Writes the path element, and adds what a reader will see of it to the digest. number: makes ids within the object unique. */
+static bat_status write_path(bat_text *text, const bat_object *object, bool as_id, bool hidden, int number,
+                             double precision, bat_outline *outline, uint64_t *digest) {
     const bat_style *style = bat_object_style(object);
     double pen[6], back[6];
     const bool uneven = bat_svg_pen(object, pen, back);
-    bat_svg_ids ids = bat_svg_write_gradients(text, object, back, 1);
-    bat_status status = bat_svg_write_clip(text, object, back, 1, ids.clip);
+    bat_svg_ids ids = bat_svg_write_gradients(text, object, back, number);
+    bat_status status = bat_svg_write_clip(text, object, back, number, ids.clip);
     bat_text_string(text, "<path");
     bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
     bat_svg_write_state(text, object);
@@ -161,6 +162,41 @@ static bat_status write_object(bat_text *text, const bat_object *object, bool as
     if (status == BAT_OK && seen) status = digest_clip(object, pen, back, outline, digest);
     if (status == BAT_OK && seen) status = digest_object(text, start, object, outline, digest);
     bat_text_string(text, "\"/>\n");
+    return status;
+}
+
+/* A stroke whose width changes, as the path that it covers: behind or before the fill; both in a group if they are translucent as a
+ * whole. */
+static bat_status write_widened(bat_text *text, const bat_object *object, bool as_id, bool hidden,
+                                double precision, bat_outline *outline, uint64_t *digest) {
+    const double opacity = bat_object_style(object)->opacity;
+    const bool both = bat_object_style(object)->filled, group = both && opacity != 1;
+    const int stroke = bat_object_paint(object)->stroke_first ? 0 : 1;
+    bat_object *parts[2] = {NULL};
+    bat_status status = bat_object_stroke_path(object, &parts[stroke]);
+    if (status == BAT_OK && both) status = bat_object_fill_path(object, &parts[1 - stroke]);
+    if (group) {
+        bat_svg_write_number(text, "<g opacity=\"", opacity);
+        bat_text_string(text, ">\n");
+        if (!hidden) *digest = bat_svg_digest_group(*digest, opacity);
+    }
+    for (int k = 0, written = 0; k < 2 && status == BAT_OK; k++) {
+        if (!parts[k]) continue;
+        if (group) {
+            bat_object *whole = NULL;
+            bat_style style = *bat_object_style(parts[k]);
+            style.opacity = 1;
+            status = bat_object_with_style(parts[k], &style, &whole);
+            bat_object_release(parts[k]);
+            parts[k] = whole;
+        }
+        if (status == BAT_OK)
+            status = write_path(text, parts[k], as_id && !written, hidden, 1 + written, precision, outline,
+                                digest);
+        written++;
+    }
+    if (group) bat_text_string(text, "</g>\n");
+    for (int k = 0; k < 2; k++) bat_object_release(parts[k]);
     return status;
 }
 
@@ -202,8 +238,10 @@ static bat_status write_objects(const bat_document *document, double precision, 
             status = open_group(text, object, unique[i], level.hidden, &outline, digest);
         else if (bat_object_picture(object))
             status = write_image(text, object, unique[i], level.hidden, &outline, digest);
+        else if (bat_object_widths(object).count)
+            status = write_widened(text, object, unique[i], level.hidden, precision, &outline, digest);
         else if (bat_object_is_painted(object))
-            status = write_object(text, object, unique[i], level.hidden, precision, &outline, digest);
+            status = write_path(text, object, unique[i], level.hidden, 1, precision, &outline, digest);
     }
     for (int k = 0; k < nesting.depth; k++) bat_text_string(text, "</g>\n");
     bat_outline_free(&outline);

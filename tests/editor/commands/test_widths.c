@@ -1,0 +1,155 @@
+/* Widths along strokes in the editor: by name, as items, as outlines; turned, cut and joined with the curve; undone and replayed. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/editor.h"
+#include "support/selecting.h"
+#include <batten/measure.h>
+#include <batten/paint.h>
+
+#include <math.h>
+#include <string.h>
+
+static bat_curve *line(double x0, double x1, double y) {
+    const double points[4] = {x0, y, x1, y};
+    bat_curve *made;
+    assert_int_equal(bat_curve_create_clamped(2, 1, 2, points, &made), BAT_OK);
+    return made;
+}
+
+static bat_editor *lines(void) {
+    bat_curve *curves[2] = {line(100, 500, 300), line(500, 600, 300)};
+    bat_editor *editor = editor_with(2, curves);
+    assert_int_equal(bat_editor_command(editor, "tool-select"), BAT_OK);
+    return editor;
+}
+
+static void set(bat_editor *editor, const char *property, double value) {
+    assert_int_equal(bat_editor_set(editor, property, value), BAT_OK);
+    assert_null(bat_editor_check(editor));
+}
+
+static double got(bat_editor *editor, const char *property) {
+    double value;
+    assert_int_equal(bat_editor_get(editor, property, &value), BAT_OK);
+    return value;
+}
+
+static void runs(bat_editor *editor, const char *command) {
+    assert_int_equal(bat_editor_command(editor, command), BAT_OK);
+    assert_null(bat_editor_check(editor));
+}
+
+static double area(const bat_object *object) {
+    double sum = 0;
+    for (int i = 0; i < bat_object_curve_count(object); i++)
+        sum += fabs(bat_curve_area(bat_object_curve(object, i)));
+    return sum;
+}
+
+static void have_names(void **state) {
+    (void)state;
+    bat_editor *editor = lines();
+    only(editor, 1, 0);
+    set(editor, "stroke-width", 20);
+    set(editor, "stroke-cap", BAT_CAP_BUTT);
+    const uint64_t first = digest(editor);
+    assert_true(got(editor, "widths") == 0);
+    static const double areas[] = {400 * 20, 400 * 10, 400 * 10, 400 * 12.5,
+                                   400 * 20 * (0.65 - 1.5 * 1.4 / 24)};
+    for (int k = 1; k < 5; k++) {
+        set(editor, "widths", k);
+        assert_true(got(editor, "widths") == k);
+        runs(editor, "curve-outline");
+        const bat_style *style = bat_object_style(object(editor, 1));
+        assert_true(!style->stroked && style->filled && !bat_object_paint(object(editor, 1)));
+        assert_true(fabs(area(object(editor, 1)) - areas[k]) < 0.01 * areas[k]);
+        runs(editor, "undo");
+    }
+    set(editor, "widths", 5); /* as they are */
+    assert_true(got(editor, "widths") == 4);
+    set(editor, "stroke-width", 30); /* they grow with it */
+    assert_true(got(editor, "widths") == 4);
+    set(editor, "stroke-width", 20);
+    set(editor, "widths", 0);
+    assert_true(digest(editor) == first);
+    only(editor, 0, 0);
+    set(editor, "widths", 1); /* nothing is selected */
+    assert_true(digest(editor) == first);
+    replays(editor, 0);
+    bat_editor_free(editor);
+}
+
+/* How many items paint the object, and the flags of the last. */
+static int items_of(bat_editor *editor, uint32_t id, uint32_t *flags) {
+    const bat_frame *frame = bat_editor_frame(editor);
+    int count = 0;
+    for (size_t i = 0; i < frame->still_count; i++)
+        if (frame->still[i].id == id || frame->still[i].id == 0) count++, *flags = frame->still[i].flags;
+    return count;
+}
+
+static void are_painted_as_what_they_cover(void **state) {
+    (void)state;
+    bat_editor *editor = lines();
+    uint32_t flags = 0;
+    only(editor, 1, 0);
+    assert_int_equal(items_of(editor, 1, &flags), 1);
+    assert_int_equal(flags, BAT_ITEM_STROKED);
+    set(editor, "widths", 3);
+    assert_int_equal(items_of(editor, 1, &flags), 1);
+    assert_int_equal(flags, BAT_ITEM_FILLED);
+    set(editor, "filled", 1); /* the fill, and the stroke over it */
+    assert_int_equal(items_of(editor, 1, &flags), 2);
+    set(editor, "opacity", 0.5); /* as one picture */
+    assert_int_equal(items_of(editor, 1, &flags), 3);
+    set(editor, "outline", 1);
+    assert_int_equal(items_of(editor, 1, &flags), 1);
+    assert_int_equal(flags, BAT_ITEM_STROKED | BAT_ITEM_SCREEN_WIDTH);
+    bat_editor_free(editor);
+}
+
+static void turn_and_are_cut_and_joined(void **state) {
+    (void)state;
+    bat_editor *editor = lines();
+    const uint64_t first = digest(editor);
+    only(editor, 1, 0);
+    set(editor, "widths", 1);
+    runs(editor, "curve-reverse");
+    assert_true(got(editor, "widths") == 2);
+    runs(editor, "curve-reverse");
+    assert_true(got(editor, "widths") == 1);
+    only(editor, 1, 2);
+    runs(editor, "curve-join"); /* 400 of 500 narrow to a point; then the even one begins */
+    bat_width_profile profile = bat_object_widths(object(editor, 1));
+    double value[2];
+    const double shares[][2] = {{0, 1}, {0.4, 0.5}, {0.79999, 0}, {0.81, 1}, {1, 1}};
+    for (int i = 0; i < 5; i++) {
+        bat_width_eval(&profile, false, shares[i][0], value);
+        assert_true(fabs(value[0] - shares[i][1]) < 0.15);
+    }
+    runs(editor, "undo");
+    only(editor, 1, 0);
+    pen p = mouse(editor);
+    click(&p, 300, 300, 0);
+    runs(editor, "curve-split"); /* in the middle */
+    profile = bat_object_widths(object(editor, 1));
+    assert_true(profile.count == 2 && profile.stops[0].share == 1 &&
+                fabs(profile.stops[1].share - 0.5) < 0.01);
+    profile = bat_object_widths(object(editor, 3));
+    assert_true(profile.count == 2 && fabs(profile.stops[0].share - 0.5) < 0.01 &&
+                profile.stops[1].share == 0);
+    for (int i = 0; i < 4; i++) runs(editor, "undo");
+    assert_true(digest(editor) == first);
+    replays(editor, 0);
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(have_names),
+                                       cmocka_unit_test(are_painted_as_what_they_cover),
+                                       cmocka_unit_test(turn_and_are_cut_and_joined)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
