@@ -69,8 +69,7 @@ static int run_outline(const cli_arguments *arguments) {
 
 const cli_command command_curve_outline = {
     .name = "curve outline",
-    .usage =
-        "CURVE --width W|--widths S,W[;S,W...] [--cap KIND] [--join KIND] [--miter-limit R] [--tolerance T]",
+    .usage = "CURVE --width W|--widths S,W... [--cap KIND] [--join KIND] [--miter-limit R] [--tolerance T]",
     .summary = "The outline of a stroke along a planar curve.",
     .details = "The result is an array of closed CURVEs that do not cross, each with a \"report\": none is "
                "further than\n\"max_error\" from where the stroke ends; outer ones run anticlockwise where y "

@@ -41,11 +41,11 @@ class Width(ProgramTest):
         wide = self.file("wide.svg", self.done("width", name, "--widths", "0,0;0.5,8;1,0").decode())
         text = open(wide, encoding="utf8").read()
         self.assertIn('fill="#cc0000"', text)  # for others: what it covers
-        info = self.json("info", wide)
+        info = self.json("info", wide, "--json")
         native = self.file("wide.batten", self.done("convert", wide, "-", "--to", "batten").decode())
         self.assertEqual(json.load(open(native, encoding="utf8"))["batten"], 7)
         self.assertEqual(json.load(open(native, encoding="utf8"))["objects"][0]["paint"]["widths"], [[0, 0], [0.5, 1], [1, 0]])
-        self.assertEqual(self.json("info", native)["objects"][0]["widths"], [[0, 0], [0.5, 8], [1, 0]])
+        self.assertEqual(self.json("info", native, "--json")["objects"][0]["widths"], [[0, 0], [0.5, 8], [1, 0]])
         self.assertEqual(info["objects"][0]["widths"], [[0, 0], [0.5, 8], [1, 0]])
 
     def test_without_it_nothing_changes(self):
