@@ -13,104 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Relative to the curve's size: the error allowed in the cubics for a curve above degree 3. */
-static const double CUBICS = 1e-7;
-/* The same: how far handles may be off the thirds of a line, which is rounding. */
-static const double THIRDS = 1e-12;
-/* Where no precision is asked for: how far points may move in document units, of the curve's size and of its shortest leg; legs below that share
- * of the size are rounding. */
-static const double UNSEEN = 1e-3, SHARE = 1e-5, LEG = 1e-3, NOTHING = 1e-9;
-
-void bat_svg_write_pair(bat_text *text, const double *p) {
-    bat_text_number(text, p[0]);
-    bat_text_string(text, " ");
-    bat_text_number(text, p[1]);
-}
-
-/* Whether a cubic is what a reader makes of a line: its handles at the thirds. */
-static bool is_line(const double *p, int dimension, double size) {
-    const double *end = p + 3 * dimension;
-    for (int k = 1; k < 3; k++)
-        for (int i = 0; i < 2; i++)
-            if (!(fabs(p[k * dimension + i] - (p[i] + k * (end[i] - p[i]) / 3)) <= THIRDS * size))
-                return false;
-    return true;
-}
-
-/* The shortest leg of the cubics' control polygons that is no rounding. */
-static double shortest_leg(const double *points, int count, int dimension, double extent) {
-    double least = INFINITY;
-    for (int i = 0; i < count; i++, points += 4 * dimension)
-        for (int k = 0; k < 3; k++) {
-            const double *p = points + k * dimension, *q = p + dimension;
-            const double leg = bat_hypot(q[0] - p[0], q[1] - p[1]);
-            if (leg > NOTHING * extent && leg < least) least = leg;
-        }
-    return least;
-}
-
-/* How many times a number is finer than the units when it is rounded: so coarse a power of ten that no point moves by more
- * than `precision`; 0: numbers stay as they are. */
-static double fineness(double precision) {
-    if (!(precision > 0)) return 0;
-    double fine = 1;
-    while (fine <= 1e15 && sqrt(0.5) > precision * fine) fine *= 10;
-    return fine <= 1e15 ? fine : 0;
-}
-
-static void round_point(const double *p, double fine, double out[2]) {
-    for (int i = 0; i < 2; i++) {
-        const double large = p[i] * fine;
-        out[i] = fine > 0 && fabs(large) < 1e15 ? round(large) / fine + 0.0
-                                                : p[i]; /* + 0.0: no negative zero */
-    }
-}
-
-static void write_rounded(bat_text *text, const double *p, double fine) {
-    double q[2];
-    round_point(p, fine, q);
-    bat_svg_write_pair(text, q);
-}
-
-/* Whether a line from p to where the path began is what Z draws: it draws none that has no length. */
-static bool closes(const double *p, const double *start, double fine) {
-    double from[2], to[2];
-    round_point(p, fine, from);
-    round_point(start, fine, to);
-    return from[0] != to[0] || from[1] != to[1];
-}
-
-/* scale: of its units, a document unit in them. */
-static bat_status write_curve(bat_text *text, const bat_curve *curve, double precision, double scale) {
-    const double extent = bat_curve_size(curve);
-    double *points, tolerance = CUBICS * extent;
-    int count, dimension = bat_curve_dimension(curve);
-    bat_status status = bat_curve_to_cubics(curve, tolerance > 0 ? tolerance : 1, &count, &points);
-    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
-    const double *p = points;
-    if (precision < 0)
-        precision = fmin(fmin(UNSEEN, SHARE * extent / scale),
-                         LEG * shortest_leg(points, count, dimension, extent) / scale);
-    const double fine = fineness(precision * scale);
-    bat_text_string(text, "M");
-    write_rounded(text, p, fine);
-    for (int i = 0; i < count; i++, p += 4 * dimension) {
-        const bool line = bat_curve_degree(curve) == 1 || is_line(p, dimension, extent);
-        if (line && i == count - 1 && bat_curve_is_closed(curve) && closes(p, points, fine)) break;
-        bat_text_string(text, line ? "L" : "C");
-        for (int k = line ? 3 : 1; k < 4; k++) {
-            const double *q = p + k * dimension;
-            if (i == count - 1 && k == 3 && bat_curve_is_closed(curve))
-                q = points; /* the curve closes bit for bit */
-            write_rounded(text, q, fine);
-            if (k < 3) bat_text_string(text, " ");
-        }
-    }
-    if (bat_curve_is_closed(curve)) bat_text_string(text, "Z");
-    bat_free(points);
-    return BAT_OK;
-}
-
 void bat_svg_write_number(bat_text *text, const char *attribute, double number) {
     bat_text_string(text, attribute);
     bat_text_number(text, number);
@@ -224,7 +126,7 @@ bat_status bat_svg_write_region(bat_text *text, const bat_clip *region, const do
     for (int i = 0; i < bat_clip_curve_count(region) && status == BAT_OK; i++) {
         bat_curve *own = NULL;
         status = bat_curve_transform(bat_clip_curve(region, i), rows, &own);
-        if (status == BAT_OK) status = write_curve(text, own, 0, 1);
+        if (status == BAT_OK) status = bat_svg_write_curve(text, own, NULL, 0);
         bat_curve_free(own);
     }
     return status;
@@ -273,22 +175,29 @@ bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]) {
     return false;
 }
 
-/* The least factor by which the matrix scales a distance. */
-static double least_scale(const double m[6]) {
-    const double area = bat_matrix_area(m), sum = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
-    const double most = sqrt(0.5 * (sum + sqrt(fmax(0, (sum - 2 * area) * (sum + 2 * area)))));
-    return most > 0 ? area / most : 0;
-}
-
 bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve, const double m[6], double precision) {
-    bat_curve *own = NULL;
-    double rows[12];
-    if (!m) return write_curve(text, curve, precision, 1);
-    bat_matrix_rows(m, bat_curve_dimension(curve), rows);
-    bat_status status = bat_curve_transform(curve, rows, &own);
-    if (status == BAT_OK) status = write_curve(text, own, precision, least_scale(m));
-    bat_curve_free(own);
-    return status;
+    bat_svg_cubics c;
+    const bat_status status = bat_svg_cubics_make(curve, m, precision, &c);
+    if (status != BAT_OK) return status;
+    const bool closed = bat_curve_is_closed(curve);
+    double start[2], from[2], end[2];
+    bat_svg_round(&c, c.points, start);
+    bat_text_string(text, "M");
+    bat_svg_write_pair(text, start);
+    memcpy(from, start, sizeof from);
+    for (int i = 0; i < c.count; i++) {
+        const bool last = closed && i == c.count - 1; /* the curve closes bit for bit */
+        if (last)
+            memcpy(end, start, sizeof end);
+        else
+            bat_svg_round(&c, bat_svg_cubic(&c, i) + (ptrdiff_t)3 * c.dimension, end);
+        if (last && bat_svg_is_closing(&c, i, from, start)) break;
+        bat_svg_write_cubic(text, &c, i, end);
+        memcpy(from, end, sizeof from);
+    }
+    if (closed) bat_text_string(text, "Z");
+    bat_svg_cubics_free(&c);
+    return BAT_OK;
 }
 
 bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6],

@@ -5,10 +5,10 @@
 #include "document/clip.h"
 #include "document/paint.h"
 #include "format/seen/seen.h"
+#include "format/svg/cubics.h"
 #include "text/text.h"
 
 void bat_svg_write_matrix(const double m[6], bat_text *out);
-void bat_svg_write_pair(bat_text *text, const double *p);
 /* Path data: cubic Béziers of all curves of an object, exact up to degree 3, mapped by m before (NULL: as they are).
  * precision: as of bat_svg_write_within. */
 bat_status bat_svg_write_curves(bat_text *text, const bat_object *object, const double m[6],

@@ -3,14 +3,16 @@
 #include "format/svg/svg.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct parser {
     const char *data, *at, *end;
     const char *move; /* the one before, when nothing has been drawn since; NULL */
     bat_outline *outline;
-    double handle[2]; /* the last control point, for S and T */
-    char before;      /* the last command, upper case */
+    bat_svg_segments *segments; /* NULL: nobody asks */
+    double handle[2];           /* the last control point, for S and T */
+    char before;                /* the last command, upper case */
 } parser;
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
@@ -75,24 +77,51 @@ static void segment(parser *p, char command, bool relative, const double *v) {
     p->before = command;
 }
 
+/* The cubics that the outline has. */
+static size_t cubics_of(const bat_outline *o) { return (o->count - (size_t)o->subpath_count) / 3; }
+
+/* Says where the cubics come from that the outline has got. */
+static void note_segments(const parser *p, bat_svg_segment what) {
+    bat_svg_segments *all = p->segments;
+    while (!all->failed && all->count < cubics_of(p->outline)) {
+        if (all->count == all->room) {
+            const size_t room = all->room < 64 ? 64 : 2 * all->room;
+            bat_svg_segment *grown = realloc(all->list, room * sizeof *grown);
+            all->failed = !grown;
+            if (!grown) return;
+            all->list = grown;
+            all->room = room;
+        }
+        all->list[all->count++] = what;
+    }
+}
+
 /* place: where its command stands, or its arguments where the command is left out. */
 static void placed_segment(parser *p, const char *place, char command, bool relative, bool implied,
                            const double *v) {
     const int before = p->outline->subpath_count;
+    const char letter = (char)(relative ? command - 'A' + 'a' : command);
     segment(p, command, relative, v);
+    if (p->segments)
+        note_segments(
+            p, (bat_svg_segment){(size_t)(place - p->data), (size_t)(p->at - p->data), letter, implied});
     if (p->outline->subpath_count > before) {
         bat_subpath *made = &p->outline->subpaths[before];
         made->from = (size_t)((p->move ? p->move : place) - p->data);
         made->drawn = (size_t)(place - p->data);
-        made->implied = (char)(!implied ? 0 : relative ? command - 'A' + 'a' : command);
+        made->implied = implied ? letter : '\0';
     }
     p->move = command == 'M' ? place : NULL;
 }
 
 bool bat_svg_path(const char *data, size_t size, bat_outline *outline) {
+    return bat_svg_path_segments(data, size, outline, NULL);
+}
+
+bool bat_svg_path_segments(const char *data, size_t size, bat_outline *outline, bat_svg_segments *segments) {
     static const char commands[] = "MLHVCSQTAZ";
     static const int counts[] = {2, 2, 1, 1, 6, 4, 4, 2, 7, 0};
-    parser p = {.data = data, .at = data, .end = data + size, .outline = outline};
+    parser p = {.data = data, .at = data, .end = data + size, .outline = outline, .segments = segments};
     bool first = true;
     for (;;) {
         while (p.at < p.end && is_space(*p.at)) p.at++;

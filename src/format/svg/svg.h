@@ -10,6 +10,20 @@
  * added, as in SVG 2, 9.5.4. */
 bool bat_svg_path(const char *data, size_t size, bat_outline *outline);
 
+/* Where a cubic comes from: the bytes from..to of the data. One arc may have made several. */
+typedef struct bat_svg_segment {
+    size_t from, to;
+    char command; /* as written, or what stands for the one that is left out */
+    bool implied; /* it is left out */
+} bat_svg_segment;
+typedef struct bat_svg_segments {
+    bat_svg_segment *list; /* of each cubic of the outline, in order; freed by the caller */
+    size_t count, room;
+    bool failed; /* out of memory */
+} bat_svg_segments;
+/* The same, and where it all comes from; both are empty before. */
+bool bat_svg_path_segments(const char *data, size_t size, bat_outline *outline, bat_svg_segments *segments);
+
 /* Skips white space and at most one comma. */
 void bat_svg_skip(const char **at, const char *end);
 

@@ -13,7 +13,9 @@
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 #include <batten/bezier.h>
+#include <batten/drag.h>
 #include <batten/format.h>
+#include <batten/measure.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -152,6 +154,46 @@ static void the_end_draws_the_last_leg(void **state) {
     }
 }
 
+/* Moves one control point of a curve. */
+static void nudge(bat_document *document, int curve, int point, double dx, double dy) {
+    const bat_object *object = bat_document_at(document, 0);
+    bat_curve *list[CURVES];
+    const int count = bat_object_curve_count(object);
+    for (int i = 0; i < count; i++) {
+        const double delta[2] = {i == curve ? dx : 0, i == curve ? dy : 0};
+        assert_int_equal(bat_curve_move_point(bat_object_curve(object, i), point, delta, &list[i]), BAT_OK);
+    }
+    put(document, count, list);
+}
+
+static void expect_nudged(const char *data, int point, const char *head, const char *tail) {
+    bat_document *document = opened_path(data);
+    nudge(document, 0, point, 2, 3); /* a unit of the path each */
+    char *text = written(document), *at = strstr(text, " d=\"");
+    assert_non_null(at);
+    at += 4;
+    const size_t size = strcspn(at, "\""), before = strlen(head), behind = strlen(tail);
+    if (size < before + behind || memcmp(at, head, before) != 0 ||
+        memcmp(at + size - behind, tail, behind) != 0)
+        fail_msg("%.*s\nis not %s ... %s", (int)size, at, head, tail);
+    bat_free(text);
+    bat_document_free(document);
+}
+
+static void segments_that_were_not_touched_keep_their_text(void **state) {
+    (void)state;
+    /* Points: the start, and 3 for each straight segment. */
+    expect_nudged("M1 1 H9 V9 h-6", 3, "M1 1C", "9 9h-6");
+    expect_nudged("M1 1 H9 V9 h-6", 9, "M1 1 H9 V9C", "4 10");
+    expect_nudged("m1 1 h8 v8 h-6v-3", 0, "M2 2C", " 9 1v8 h-6v-3");
+    expect_nudged("m1 1 8 0 0 8-6 0 0-3", 3, "M1 1C", " 9 9l-6 0 0-3"); /* what is left out is said again */
+    expect_nudged("M1 1H20V20A8 5 10 01 9 29q-2 0-4-1t-3 2", 4, "M1 1H20C",
+                  " 20 20A8 5 10 01 9 29q-2 0-4-1t-3 2");
+    expect_nudged("M1 1H20V20H9z", 2, "M1 1C", " 20 20H9z"); /* the end draws the last leg */
+    expect_nudged("M1 1H20V20H9z", 10, "M1 1H20V20H9C", " 1 1Z");
+    expect_nudged("M1 1H20V20H9z m2 2h5v5", 4, "M1 1H20C", " 20 20H9zM3 3h5v5");
+}
+
 /* ---- random data ---- */
 
 static void add_segments(char *data, size_t *at, random_source *r) {
@@ -205,6 +247,64 @@ static void expect_curves(const bat_document *document, const bat_document *agai
     bat_object_bounds(one, a);
     bat_object_bounds(other, b);
     for (int k = 0; k < 4; k++) assert_true(fabs(a[k] - b[k]) < 4e-3);
+}
+
+/* How many cubics of the new data are some of the old data bit for bit, in order. */
+static int kept_cubics(const bat_outline *one, const bat_outline *other) {
+    int kept = 0;
+    size_t next = 0;
+    for (size_t i = 0; i + 3 < other->count; i++)
+        for (size_t k = next; k + 3 < one->count; k++)
+            if (memcmp(one->points + 2 * k, other->points + 2 * i, 8 * sizeof(double)) == 0) {
+                kept++;
+                next = k + 1;
+                break;
+            }
+    return kept;
+}
+
+/* Of a long subpath of which one point moves, most is kept; and what is drawn is what the curve is. */
+static void random_nudges_keep_most(void **state) {
+    (void)state;
+    random_source r = {1913};
+    long kept = 0, whole = 0;
+    for (int i = 0; i < 300; i++) {
+        char data[ROOM];
+        size_t at = (size_t)snprintf(data, ROOM, "M%d 7", random_int(&r, 1, 20));
+        for (int n = 0; n < 6; n++) add_segments(data, &at, &r);
+        const bool closed = random_int(&r, 0, 1);
+        if (closed) data[at++] = 'z';
+        data[at] = '\0';
+        bat_document *document = opened_path(data);
+        const bat_object *object = bat_document_at(document, 0);
+        const int points = object ? (int)bat_curve_count(bat_object_curve(object, 0)) : 0;
+        if (points < 4) {
+            bat_document_free(document);
+            continue;
+        }
+        nudge(document, 0, random_int(&r, 0, points - 1), 2, 3);
+        char *text = written(document), *d = strstr(text, " d=\"");
+        assert_non_null(d);
+        bat_outline one = {0}, other = {0};
+        assert_true(bat_svg_path(data, at, &one));
+        assert_true(bat_svg_path(d + 4, strcspn(d + 4, "\""), &other));
+        assert_int_equal(other.subpath_count, 1);
+        assert_true(other.subpaths[0].closed == closed);
+        kept += kept_cubics(&one, &other);
+        whole += one.subpaths[0].segments;
+        bat_outline_free(&one);
+        bat_outline_free(&other);
+        bat_document *again = opened(text, 1e-3);
+        const bat_curve *a = bat_object_curve(bat_document_at(document, 0), 0),
+                        *b = bat_object_curve(bat_document_at(again, 0), 0);
+        double from = 0, back = 0;
+        assert_int_equal(bat_curve_distance(a, b, 20, &from, &back), BAT_OK);
+        if (!(from < 5e-3 && back < 5e-3)) fail_msg("%s\nbecame %s", data, d);
+        bat_document_free(again);
+        bat_free(text);
+        bat_document_free(document);
+    }
+    assert_true(kept * 10 > whole * 6);
 }
 
 static void random_paths_keep_what_was_left_alone(void **state) {
@@ -275,7 +375,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(only_the_edited_subpath_is_new),
         cmocka_unit_test(the_end_draws_the_last_leg),
+        cmocka_unit_test(segments_that_were_not_touched_keep_their_text),
         cmocka_unit_test(random_paths_keep_what_was_left_alone),
+        cmocka_unit_test(random_nudges_keep_most),
         cmocka_unit_test(exact_curves_are_known_again),
         cmocka_unit_test(failed_allocations_change_nothing),
     };

@@ -4,6 +4,7 @@
 #define BATTEN_FORMAT_SVG_WRITE_PATCH_H
 
 #include "format/svg/markup.h"
+#include "format/svg/svg.h"
 #include "format/svg/write/plan.h"
 #include "format/svg/write/retag.h"
 #include "text/text.h"
@@ -60,6 +61,21 @@ void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat
  * *raw: it stands in a tag as it is. */
 bat_status bat_svg_patch_data(bat_text *out, const bat_svg_retag *r, const bat_object *object,
                               const bat_sourced *entry, const double m[6], double precision, bool *raw);
+/* ---- patch_segments.c: one subpath ---- */
+/* The text of a subpath. */
+typedef struct bat_svg_subtext {
+    const char *data;
+    size_t
+        from; /* where its text begins; SIZE_MAX: what is before it is not as it was, so that it says where it begins */
+    const bat_svg_segment *segments; /* `count` of its cubics */
+    const double *points;            /* of these, in the element's units: x y of 3 * count + 1 */
+    int count;
+    bool closed;
+} bat_svg_subtext;
+/* Writes the curve that was `before` as a reader had made it: segments that are as they were keep their text, if the segments that
+ * they continue do. *done: there are some; else nothing is written. m: to the element's units. */
+bat_status bat_svg_patch_segments(bat_text *out, const bat_svg_subtext *was, const bat_curve *before,
+                                  const bat_curve *now, const double m[6], double precision, bool *done);
 /* ---- patch_clip.c: what of it is seen ---- */
 /* Writes the clip path that the element cannot go on referring to, and gives its id. */
 void bat_svg_patch_clip(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry,

@@ -1,4 +1,4 @@
-/* Path data of an element that was edited: subpaths that nobody has touched keep their text. */
+/* Path data of an element that was edited: subpaths that nobody has touched keep their text, and so do segments of others. */
 #include "format/svg/svg.h"
 #include "format/svg/write/patch.h"
 
@@ -10,15 +10,17 @@ typedef struct was {
     const char *data;
     size_t size;
     bat_outline outline; /* in the document's units */
-    double *starts;      /* x y of each subpath, in the element's */
-    bat_curve **curves;  /* of each subpath, or NULL */
-    int *drawn, count;   /* the subpaths that have curves */
+    bat_svg_segments segments;
+    double *points;     /* of the outline, in the element's */
+    bat_curve **curves; /* of each subpath, or NULL */
+    int *drawn, count;  /* the subpaths that have curves */
 } was;
 
 static void forget(was *w) {
     for (int i = 0; w->curves && i < w->outline.subpath_count; i++) bat_curve_free(w->curves[i]);
     free(w->curves);
-    free(w->starts);
+    free(w->points);
+    free(w->segments.list);
     free(w->drawn);
     bat_outline_free(&w->outline);
 }
@@ -26,13 +28,11 @@ static void forget(was *w) {
 static bat_status make_curves(was *w, const double inner[6]) {
     const bat_svg_options options = bat_svg_merging();
     const int count = w->outline.subpath_count;
-    w->starts = malloc(2 * (size_t)count * sizeof *w->starts);
+    w->points = malloc(2 * w->outline.count * sizeof *w->points);
     w->curves = calloc((size_t)count, sizeof *w->curves);
     w->drawn = malloc((size_t)count * sizeof *w->drawn);
-    if (!w->starts || !w->curves || !w->drawn) return BAT_MEMORY;
-    for (int i = 0; i < count; i++)
-        memcpy(w->starts + 2 * (size_t)i, w->outline.points + 2 * w->outline.subpaths[i].first,
-               2 * sizeof *w->starts);
+    if (!w->points || !w->curves || !w->drawn) return BAT_MEMORY;
+    memcpy(w->points, w->outline.points, 2 * w->outline.count * sizeof *w->points);
     bat_outline_transform(&w->outline, inner);
     for (int i = 0; i < count; i++) {
         const bat_svg_drawn what = bat_svg_subpath_curve(&w->outline, i, &options, &w->curves[i]);
@@ -52,8 +52,8 @@ static bat_status recall(was *w, const bat_svg_retag *r, const bat_sourced *entr
     if (!path || !bat_svg_retag_has(r, "d", &piece)) return BAT_SYNTAX;
     w->data = r->tag + piece.value;
     w->size = piece.end - piece.value;
-    const bool good = bat_svg_path(w->data, w->size, &w->outline);
-    if (w->outline.failed) return BAT_MEMORY;
+    const bool good = bat_svg_path_segments(w->data, w->size, &w->outline, &w->segments);
+    if (w->outline.failed || w->segments.failed) return BAT_MEMORY;
     if (!good || w->outline.full || w->outline.subpath_count == 0) return BAT_SYNTAX;
     return make_curves(w, entry->inner);
 }
@@ -74,7 +74,7 @@ static void write_start(const was *w, int subpath, bat_text *out) {
     const bat_subpath *path = &w->outline.subpaths[subpath];
     const char implied[2] = {path->implied, 0};
     bat_text_string(out, "M");
-    bat_svg_write_pair(out, w->starts + 2 * (size_t)subpath);
+    bat_svg_write_pair(out, w->points + 2 * path->first);
     bat_text_string(out, implied);
 }
 
@@ -103,6 +103,32 @@ static bat_status write_fresh(const task *t, int from, int to) {
     return status;
 }
 
+/* Curve k, which subpath i has become; intact: so is the text before it. The curve that a reader made may have merged nodes or not. */
+static bat_status write_touched(const task *t, int i, int k, bool intact) {
+    const was *w = t->w;
+    const bat_subpath *path = &w->outline.subpaths[i];
+    const bool stands = intact || w->data[path->from] == 'M';
+    const bat_svg_subtext text = {.data = w->data,
+                                  .from = !stands  ? SIZE_MAX
+                                          : i == 0 ? 0
+                                                   : path->from,
+                                  .segments = w->segments.list + (path->first - (size_t)i) / 3,
+                                  .points = w->points + 2 * path->first,
+                                  .count = path->segments,
+                                  .closed = path->closed};
+    const bat_svg_options exact = bat_svg_defaults();
+    const bat_curve *now = bat_object_curve(t->object, k);
+    bat_curve *other = NULL;
+    bool done = false;
+    bat_status status = bat_svg_patch_segments(t->out, &text, w->curves[i], now, t->m, t->precision, &done);
+    if (status == BAT_OK && !done) {
+        if (bat_svg_subpath_curve(&w->outline, i, &exact, &other) == BAT_SVG_NO_MEMORY) status = BAT_MEMORY;
+        if (other) status = bat_svg_patch_segments(t->out, &text, other, now, t->m, t->precision, &done);
+        bat_curve_free(other);
+    }
+    return status == BAT_OK && !done ? write_fresh(t, k, k + 1) : status;
+}
+
 /* Subpath k of those drawn is curve k where their numbers agree; else only what begins and what ends the path is compared, and
  * the curves between stand for the subpaths between. */
 static bat_status merge(const task *t) {
@@ -121,7 +147,7 @@ static bat_status merge(const task *t) {
             if (k == head && curves != w->count) status = write_fresh(t, head, curves - tail);
             keeps = k < head || k >= w->count - tail ||
                     (curves == w->count && is_same(w, i, bat_object_curve(t->object, k), &status));
-            if (!keeps && curves == w->count && status == BAT_OK) status = write_fresh(t, k, k + 1);
+            if (!keeps && curves == w->count && status == BAT_OK) status = write_touched(t, i, k, intact);
             if (k == head && curves != w->count) intact = false;
             k++;
         }
