@@ -115,7 +115,9 @@ const cli_command command_curve_join = {
     .name = "curve join",
     .usage = "CURVE CURVE [--continuity C0|C1|C2] [--gap G]",
     .summary = "One curve from two that follow each other.",
-    .details = "The second begins where the first ends; degrees are raised to the greater.",
+    .details = "The second begins where the first ends; degrees are raised to the greater. With -o the "
+               "result takes the "
+               "place of\nthe first in its drawing, where everything else stays, the second curve, too.",
     .example = "batten curve join first.json second.json --continuity C2",
     .operands = 2,
     .options = {{"--continuity", "C0|C1|C2",

@@ -39,6 +39,17 @@ class Addresses(ProgramTest):
         self.assertIn("2 curves", self.refused(1, "curve", "length", f"{self.drawing}#two/2"))
         self.refused(1, "curve", "length", "missing.svg#roof")
 
+    def test_a_join_takes_the_place_of_the_first(self):
+        second = '<path id="b" d="M10 0h5L20 5" stroke="red" fill="none"/>'
+        drawing = self.file("two.svg", '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 30">'
+                                       f'<path id="a" d="M1 1L10 0" stroke="red" fill="none"/>{second}</svg>')
+        self.done("curve", "join", f"{drawing}#a", f"{drawing}#b", "-o", "joined.svg")
+        text = pathlib.Path(f"{self.folder}/joined.svg").read_text()
+        self.assertIn(second, text)  # everything else stays
+        self.assertEqual(text.count("<path"), 2)
+        ends = self.json("curve", "bounds", f"{self.folder}/joined.svg#a")
+        self.assertEqual((ends["low"], ends["high"]), ([1, 0], [20, 5]))
+
     def test_a_result_goes_back_to_its_place(self):
         before = self.json("eval", f"{self.drawing}#roof", "--samples", "9")["points"]
         self.assertEqual(self.done("curve", "reverse", f"{self.drawing}#roof", "-o", "out.svg"), b"")
