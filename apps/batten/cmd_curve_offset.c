@@ -28,13 +28,7 @@ static int offset(const cli_arguments *arguments, const bat_curve *a, const bat_
     if (!(tolerance > 0)) tolerance = fmax(TOLERANCE_SHARE * fabs(distance), 1e-12); /* a point */
     const bat_status status = bat_curve_offset(a, distance, tolerance, CORNER, &count, &all, &error);
     if (status != BAT_OK) return fail_near(arguments, status);
-    bat_text report = {0};
-    bat_text_string(&report, "{\"max_error\":");
-    bat_text_number(&report, error);
-    bat_text_string(&report, "}");
-    failed = write_curves(count, all, &report);
-    bat_curves_free(count, all);
-    return failed;
+    return write_curves_within(count, all, error);
 }
 
 static int run_offset(const cli_arguments *arguments) {

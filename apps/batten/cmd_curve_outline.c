@@ -47,13 +47,7 @@ static int outline(const cli_arguments *arguments, const bat_curve *a, const bat
         return fail_data(arguments->operands[0], NULL,
                          "the outline does not close with this tolerance: another --tolerance may do");
     if (status != BAT_OK) return fail_curve(arguments, status);
-    bat_text report = {0};
-    bat_text_string(&report, "{\"max_error\":");
-    bat_text_number(&report, error);
-    bat_text_string(&report, "}");
-    failed = write_curves(count, all, &report);
-    bat_curves_free(count, all);
-    return failed;
+    return write_curves_within(count, all, error);
 }
 
 static int run_outline(const cli_arguments *arguments) {

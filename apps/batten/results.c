@@ -288,6 +288,16 @@ int write_curves(size_t count, bat_curve *const *curves, bat_text *report) {
     return fail_memory();
 }
 
+int write_curves_within(size_t count, bat_curve **curves, double max_error) {
+    bat_text report = {0};
+    bat_text_string(&report, "{\"max_error\":");
+    bat_text_number(&report, max_error);
+    bat_text_string(&report, "}");
+    const int failed = write_curves(count, curves, &report);
+    bat_curves_free(count, curves);
+    return failed;
+}
+
 static int write_back(const bat_curve *curve, bat_text *report) {
     int failed = address_write(curve, back_to, back_lossy);
     char *line = NULL;

@@ -41,6 +41,8 @@ int write_mesh(const bat_polymesh *mesh, bat_text *report);
 int write_curve_reported(const bat_curve *curve, bat_text *report);
 /* An array of curves, each with the report, which is released; NULL: without one. */
 int write_curves(size_t count, bat_curve *const *curves, bat_text *report);
+/* The same with "max_error" as the report; frees the curves. */
+int write_curves_within(size_t count, bat_curve **curves, double max_error);
 /* Writes the curve with its report to standard output. */
 int write_sketch(const bat_curve *curve, const bat_sketch_report *report);
 /* The same, with the greatest distance of a raw sample. */

@@ -96,12 +96,7 @@ static bat_status each(bat_context *c, bat_status (*run)(bat_context *, int, mad
     if (open && (!done || status != BAT_OK)) bat_selection_swap(&before, &c->choice->selection);
     bat_selection_free(&before);
     if (done && status == BAT_OK) return BAT_OK;
-    const bat_string why = why_not(status, &m, unfit);
-    if (why != BAT_STRING_COUNT)
-        bat_notice(c, why);
-    else
-        bat_notice_failure(c, status);
-    return status == BAT_OK ? BAT_STATE : status;
+    return bat_notice_refuse(c, status, why_not(status, &m, unfit));
 }
 
 bat_status bat_command_curve_offset(bat_context *c, bat_command_id id) {

@@ -90,14 +90,6 @@ static bat_status put(bat_context *c, const bounded *b, size_t count, bat_curve 
     return status;
 }
 
-static bat_status give_up(bat_context *c, bat_status status, bat_string why) {
-    if (why != BAT_STRING_COUNT)
-        bat_notice(c, why);
-    else
-        bat_notice_failure(c, status);
-    return status == BAT_OK ? BAT_STATE : status;
-}
-
 bat_status bat_command_region(bat_context *c, bat_command_id id) {
     bounded b = {0};
     size_t kind = 0, count = 0;
@@ -123,5 +115,5 @@ bat_status bat_command_region(bat_context *c, bat_command_id id) {
     clear(&b);
     if (go && status == BAT_OK) return bat_transaction_commit(c, operations[kind].label, NULL);
     if (go) bat_transaction_cancel(c);
-    return give_up(c, status, why);
+    return bat_notice_refuse(c, status, why);
 }

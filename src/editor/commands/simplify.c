@@ -179,13 +179,10 @@ static void tell(bat_context *c) {
 
 static bat_status refuse(bat_context *c, bat_status status) {
     bat_simplify_free(c->simplifying);
-    if (status == BAT_STATE)
-        bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
-    else if (status == BAT_ARGUMENT)
-        bat_notice(c, BAT_STRING_NOTICE_NOT_POSSIBLE);
-    else
-        bat_notice_failure(c, status);
-    return status == BAT_ARGUMENT ? BAT_STATE : status;
+    const bat_string why = status == BAT_STATE      ? BAT_STRING_NOTICE_SELECT_FIRST
+                           : status == BAT_ARGUMENT ? BAT_STRING_NOTICE_NOT_POSSIBLE
+                                                    : BAT_STRING_COUNT;
+    return bat_notice_refuse(c, status == BAT_ARGUMENT ? BAT_STATE : status, why);
 }
 
 bat_status bat_command_curve_simplify(bat_context *c, bat_command_id id) {

@@ -46,6 +46,14 @@ void bat_notice_taken(bat_context *c) {
     c->notices->notice_version++;
 }
 
+bat_status bat_notice_refuse(bat_context *c, bat_status status, bat_string why) {
+    if (why != BAT_STRING_COUNT)
+        bat_notice(c, why);
+    else
+        bat_notice_failure(c, status);
+    return status == BAT_OK ? BAT_STATE : status;
+}
+
 void bat_notice_failure(bat_context *c, bat_status status) {
     bat_notice(c, status == BAT_MEMORY ? BAT_STRING_NOTICE_MEMORY : BAT_STRING_NOTICE_FAILED);
 }

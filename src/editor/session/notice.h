@@ -28,6 +28,9 @@ void bat_notice_edge_on(bat_context *c);
 void bat_notice_saved_view(bat_context *c);
 /* What the notice offered has been taken up: nothing is said any more. */
 void bat_notice_taken(bat_context *c);
+/* Says why a command did nothing: `why`, or where that is BAT_STRING_COUNT that it failed. Returns the status, BAT_STATE
+ * where there was none. */
+bat_status bat_notice_refuse(bat_context *c, bat_status status, bat_string why);
 void bat_notice_failure(bat_context *c, bat_status status); /* memory ran out, or no curve was made */
 
 #endif
