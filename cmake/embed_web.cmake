@@ -1,4 +1,5 @@
-# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT, joined by "|"; MODULE, its parts, and
+# Writes OUT, the C file behind apps/batten/web_files.h. FILES: paths under ROOT or beside it, joined by "|"; MODULE, its
+# parts, and
 # WORDS, from build/wasm: may be empty; MINIFY: esbuild, which strips comments and spaces from scripts and styles, or
 # empty: they are embedded as they are.
 #
@@ -50,7 +51,9 @@ if(PART)
   set(staying ${ROOT}/index.html)
 endif()
 set(staying ${pages} ${staying})
-list(APPEND files ${built} ${peers} ${demos} ${staying})
+list(APPEND files ${built} ${peers})
+list(LENGTH files first_demo) # one may be a file of the shell, too
+list(APPEND files ${demos} ${staying})
 
 set(number 0)
 set(digests "")
@@ -83,7 +86,7 @@ set(number 0)
 foreach(file ${files})
   set(content ${content_${number}})
   get_filename_component(path ${file} NAME)
-  if(file IN_LIST demos)
+  if(file IN_LIST demos AND number GREATER_EQUAL first_demo)
     string(PREPEND path "demos/")
   elseif(file IN_LIST peers)
     string(PREPEND path "${build}/peers/")
@@ -101,6 +104,7 @@ foreach(file ${files})
     string(PREPEND path "${build}/")
   else()
     file(RELATIVE_PATH path ${ROOT} ${file})
+    string(REGEX REPLACE "^\\.\\./" "" path ${path})
     string(PREPEND path "${build}/")
   endif()
   if(NOT file IN_LIST peers)

@@ -2,6 +2,7 @@
 file(GLOB_RECURSE WEB_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/web/*.html ${PROJECT_SOURCE_DIR}/web/*.js
   ${PROJECT_SOURCE_DIR}/web/*.css ${PROJECT_SOURCE_DIR}/web/*.svg ${PROJECT_SOURCE_DIR}/web/*.png
   ${PROJECT_SOURCE_DIR}/web/*.webmanifest)
+list(APPEND WEB_INPUTS ${PROJECT_SOURCE_DIR}/examples/car.svg) # which an empty page offers
 find_program(BATTEN_ESBUILD esbuild) # Debian's package; without it the files are embedded unchanged
 if(NOT BATTEN_ESBUILD)
   set(BATTEN_ESBUILD "")

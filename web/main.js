@@ -12,6 +12,7 @@ import { want } from './page/build.js';
 import { loadIcons } from './page/icons.js';
 import { Notices } from './page/notice.js';
 import './page/ring.js';
+import './page/scale.js';
 import { Settings } from './page/settings.js';
 import { Whole } from './page/whole.js';
 import { Words } from './page/words.js';

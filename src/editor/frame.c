@@ -48,6 +48,28 @@ static const char *hint(bat_context *c) {
     return tool->is->hint ? bat_word(c, tool->is->hint(c, tool->state)) : "";
 }
 
+enum { PLAIN_ROOM = 320 }; /* bytes of a hint without what stands before and behind it */
+
+/* "{tap|click}" in a hint is the first for a pen or a finger, the second for a mouse. */
+static const char *by_device(const bat_context *c, const char *text, char out[PLAIN_ROOM]) {
+    const bool mouse = c->input->points == BAT_DEVICE_MOUSE;
+    size_t used = 0;
+    int part = 0; /* 1, 2: of what is in brackets */
+    if (!strchr(text, '{')) return text;
+    for (; *text && used < PLAIN_ROOM - 1; text++) {
+        if (*text == '{')
+            part = 1;
+        else if (part && *text == '|')
+            part = 2;
+        else if (part && *text == '}')
+            part = 0;
+        else if (!part || (part == 2) == mouse)
+            out[used++] = *text;
+    }
+    out[used] = 0;
+    return out;
+}
+
 /* What a stroke lands on, in words. */
 static const char *ground_word(const bat_context *c, const bat_ground *ground) {
     const int at = bat_document_find(c->session->document, ground->object);
@@ -65,13 +87,16 @@ static const char *whole_hint(bat_editor *editor) {
     bat_context *c = &editor->context;
     const bat_slot *tool = bat_toolbox_tool(c);
     const bat_stage *stage = tool->is->lands ? tool->is->lands(c, tool->state) : NULL;
-    const char *text = hint(c), *on = bat_word(c, BAT_STRING_HINT_ON);
-    if (!stage) stage = c->stage;
-    if (!bat_toolbox_has(c, BAT_LANDS) || !bat_toolbox_faces(c) || c->input->holding_pan ||
-        (!bat_stage_tilted(stage) && bat_stage_dimension(stage) == 2))
-        return text;
+    char room[PLAIN_ROOM];
+    const char *text = by_device(c, hint(c), room), *on = bat_word(c, BAT_STRING_HINT_ON);
     const char *hole = strchr(on, '%');
-    if (!hole) return text;
+    if (!stage) stage = c->stage;
+    if (!hole || !bat_toolbox_has(c, BAT_LANDS) || !bat_toolbox_faces(c) || c->input->holding_pan ||
+        (!bat_stage_tilted(stage) && bat_stage_dimension(stage) == 2)) {
+        if (text != room) return text;
+        memcpy(editor->hint, room, sizeof room);
+        return editor->hint;
+    }
     snprintf(editor->hint, sizeof editor->hint, "%.*s%s%s%s", (int)(hole - on), on,
              ground_word(c, &stage->ground), hole + 1, text);
     return editor->hint;

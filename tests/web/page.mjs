@@ -122,6 +122,8 @@ async function watch(context) {
   contexts.push(context);
   context.setDefaultTimeout(HANG);
   await context.addInitScript(countTimers);
+  await context.addInitScript((name) => /^http/.test(location.protocol) && localStorage.getItem(name) === null &&
+    localStorage.setItem(name, 'seen'), 'batten-hands'); // pages are those of one who has been here; start.test.mjs looks at the first
   context.on('weberror', (error) => faults.push(`uncaught: ${error.error().stack}`));
   context.on('console', (message) => {
     if (message.type() === 'error') {

@@ -13,6 +13,7 @@ const WEB = path.join(ROOT, 'web');
 export const MODULE = process.env.BATTEN_MODULE ?? path.join(ROOT, 'build/wasm/batten.wasm');
 export const PROGRAM = process.env.BATTEN_PROGRAM ?? path.join(ROOT, 'build/release/batten');
 export const EXAMPLE = path.join(ROOT, 'examples/car.svg');
+const SHOWN = 'examples/car.svg'; // the shell's, too: an empty page offers it
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8',
@@ -34,7 +35,7 @@ const BUILT = ['words.en.json', 'words.ko.json', 'batten.wasm', 'batten-later.wa
 /** The files as the program would embed them. @param {string} build */
 function shellFiles(build) {
   const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(html|js|css|svg|png|webmanifest)$/.test(file));
-  return [...files.filter((file) => file !== 'engine/types.js' && !STAYING.includes(file)), ...BUILT].map((file) => `${build}/${file}`)
+  return [...files.filter((file) => file !== 'engine/types.js' && !STAYING.includes(file)), ...BUILT, SHOWN].map((file) => `${build}/${file}`)
     .concat(STAYING.slice(0, 2));
 }
 
@@ -62,8 +63,8 @@ export async function serve(document, lasting = false) {
     const [build, ...rest] = where.slice(1).split('/');
     const staying = STAYING.includes(build || 'index.html');
     const name = staying ? build || 'index.html' : rest.join('/');
-    const file = BUILT.includes(name) ? path.join(path.dirname(MODULE), name) : path.join(WEB, name);
-    if ((!staying && build !== state.version) || state.without.test(name) || !/^(web|build)/.test(path.relative(ROOT, file)) ||
+    const file = BUILT.includes(name) ? path.join(path.dirname(MODULE), name) : path.join(name === SHOWN ? ROOT : WEB, name);
+    if ((!staying && build !== state.version) || state.without.test(name) || !/^(web|build|examples)/.test(path.relative(ROOT, file)) ||
       !fs.existsSync(file)) {
       response.writeHead(404).end();
       return;

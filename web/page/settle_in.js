@@ -4,6 +4,21 @@ import { want } from './build.js';
 
 const UNTOUCHED = 3000; // milliseconds without input before the list for screen readers is loaded
 
+/** What an empty page offers is fetched with the first one. @param {import('../main.js').Shell} shell */
+function greet(shell) {
+  const welcome = /** @type {HTMLElement} */ (document.getElementById('welcome'));
+  const look = async () => {
+    if (!welcome.hidden) {
+      empty.disconnect();
+      const { Start } = await want(import('./start.js'));
+      await Start.make(shell);
+    }
+  };
+  const empty = new MutationObserver(look);
+  empty.observe(welcome, { attributeFilter: ['hidden'] });
+  void look();
+}
+
 /** @param {import('../main.js').Shell} shell */
 export async function settleIn(shell) {
   // Safari has no requestIdleCallback.
@@ -16,6 +31,9 @@ export async function settleIn(shell) {
       const { Dial } = await want(import('../stage/dial.js'));
       shell.dial = new Dial(shell.engine, shell.stage, shell.wake);
       shell.wake();
+      if (!shell.server.sole) { // else another page says what is drawn
+        greet(shell);
+      }
     }
   });
   const { Clipboard } = await want(import('../keep/clipboard.js'));
@@ -31,6 +49,8 @@ export async function settleIn(shell) {
   }
   // A screen reader may read without any input.
   setTimeout(() => void shell.mirrorDrawing(), UNTOUCHED);
+  const { tips } = await want(import('./tips.js'));
+  tips();
   const { watch } = await want(import('../keep/watch.js'));
   watch(shell.files, shell.notices);
   if (!shell.server.passing) {

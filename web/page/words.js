@@ -42,6 +42,9 @@ export function keyName(key) {
   return parts.map((piece) => known[piece] ?? piece).join(MAC ? '' : '+');
 }
 
+/** The first shortcut of a command, as this platform writes it; '' without one. @param {string} command */
+export const keyOf = (command) => (shortcuts[command] ? keyName(shortcuts[command]) : '');
+
 /** @param {HTMLElement} element */
 function speak(element) {
   const { text, label, help, value, shortcut } = element.dataset;

@@ -62,8 +62,9 @@ export class Context {
     this.#fill(offered.length > 0 ? this.#chosen(offered) : [HELD[tool] ?? [], ...EMPTY]);
     this.box.showPopover();
     const { width, height } = this.box.getBoundingClientRect();
-    this.box.style.setProperty('left', `${Math.max(EDGE, Math.min(x, innerWidth - width - EDGE))}px`);
-    this.box.style.setProperty('top', `${Math.max(EDGE, Math.min(y, innerHeight - height - EDGE))}px`);
+    const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
+    this.box.style.setProperty('left', `${Math.max(EDGE, Math.min(x, innerWidth - width - EDGE)) / scale}px`);
+    this.box.style.setProperty('top', `${Math.max(EDGE, Math.min(y, innerHeight - height - EDGE)) / scale}px`);
     this.#items()[0]?.focus();
     wake();
   }

@@ -136,7 +136,7 @@ export class Offers {
       }
     }
     const remove = offered.pop();
-    const size = (this.further.offsetWidth || 44) + 2;
+    const size = ((this.further.offsetWidth || 44) + 2) * this.#scale;
     const room = Math.max(2, Math.floor((this.stage.clientWidth - 2 * EDGE - RULER) / size) - 2);
     const first = offered.filter((button) => FIRST.some((family) => family.test(button.dataset.name ?? ''))).slice(0, room);
     const rest = offered.filter((button) => !first.includes(button));
@@ -153,7 +153,12 @@ export class Offers {
   /** How far down the drawing is free: the time strip lies over its foot. */
   #low() {
     const strip = /** @type {HTMLElement | null} */ (document.querySelector('.time:not([hidden])'));
-    return strip ? strip.offsetTop - this.stage.offsetTop : this.stage.clientHeight;
+    return strip ? strip.getBoundingClientRect().top - this.stage.getBoundingClientRect().top : this.stage.clientHeight;
+  }
+
+  /** How large it is shown: its own lengths are in smaller pixels. @returns {number} */
+  get #scale() {
+    return /** @type {any} */ (this.row).currentCSSZoom ?? 1;
   }
 
   /** Above the selection, else below it, else in the corner that hides the least of it. */
@@ -167,17 +172,18 @@ export class Offers {
     }
     this.at = now;
     const { offsetLeft, offsetTop, clientWidth } = stage;
-    const [wide, high] = [row.offsetWidth, this.main.offsetHeight + 2 * (row.clientTop + 4)];
+    const scale = this.#scale;
+    const [wide, high] = [row.offsetWidth * scale, (this.main.offsetHeight + 2 * (row.clientTop + 4)) * scale];
     const above = box[1] - AWAY - high;
     const below = box[3] + AWAY;
     const fits = above >= RULER || below + high <= low - EDGE;
     const top = above >= RULER ? above : fits ? below : RULER;
     const middle = fits ? (box[0] + box[2]) / 2 : clientWidth / 2;
     const left = Math.max(RULER, Math.min(middle - wide / 2, clientWidth - wide - EDGE));
-    const grown = row.offsetHeight - high; // what "more" adds goes down where there is room
+    const grown = row.offsetHeight * scale - high; // what "more" adds goes down where there is room
     const up = top + high + grown > low - EDGE ? Math.max(0, Math.min(grown, top - RULER)) : 0;
     row.classList.toggle('upwards', up > 0);
-    row.style.setProperty('left', `${offsetLeft + left}px`);
-    row.style.setProperty('top', `${offsetTop + top - up}px`);
+    row.style.setProperty('left', `${(offsetLeft + left) / scale}px`);
+    row.style.setProperty('top', `${(offsetTop + top - up) / scale}px`);
   }
 }

@@ -1,6 +1,7 @@
 // The settings: the properties that belong to no other sheet, by subject. Fetched when it is first opened.
 
 import { want } from '../page/build.js';
+import { rescale, scale, SCALES } from '../page/scale.js';
 import { tell } from '../page/words.js';
 import { SHEET_OF } from './controls.js';
 
@@ -26,6 +27,20 @@ function dimPaper({ theme }) {
   return row;
 }
 
+/** The size of the controls, which is the page's own, too. */
+function sizes() {
+  const row = document.createElement('div');
+  const label = tell(document.createElement('label'), { text: 'shell.scale' });
+  const choice = document.createElement('select');
+  row.className = 'control';
+  choice.id = 'setting-scale';
+  label.htmlFor = choice.id;
+  choice.append(...SCALES.map((percent) => new Option(`${percent} %`, String(percent), false, percent === scale())));
+  choice.addEventListener('change', () => rescale(Number(choice.value)));
+  row.append(label, choice);
+  return row;
+}
+
 /** @type {import('./panel.js').Filler['fill']} */
 export function fill(panel, sheet) {
   sheet.append(tell(document.createElement('h2'), { text: 'shell.settings' }));
@@ -40,7 +55,7 @@ export function fill(panel, sheet) {
     }
     sheet.append(panel.controls.control(row, 'setting'));
   }
-  sheet.append(tell(document.createElement('h3'), { text: 'shell.theme' }), dimPaper(panel));
+  sheet.append(tell(document.createElement('h3'), { text: 'shell.theme' }), dimPaper(panel), sizes());
   void drawPressure(panel);
   return { show: () => {} };
 }

@@ -18,8 +18,8 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
     box.append(mark);
     return row.type === 'colour' ? [box, swatches.make(row.name)] : [box];
   });
-  sheet.append(...rows.flat(),
-    buttons.row(tables.commands.filter(({ name }) => name.startsWith('style-') || name.startsWith('select-same-'))));
+  sheet.append(...rows.flat(), ...['style-', 'select-same-'].map((family) =>
+    buttons.row(tables.commands.filter(({ name }) => name.startsWith(family)))));
   let shown = '';
   return {
     show(frame) {

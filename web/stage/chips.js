@@ -109,9 +109,11 @@ export class Chips {
   #place() {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.stage;
     const within = (/** @type {number} */ x, /** @type {number} */ most) => Math.max(EDGE, Math.min(x, most - EDGE));
-    const left = within(this.at[0] + AWAY, offsetWidth - this.box.offsetWidth);
-    const top = within(this.at[1] + AWAY, offsetHeight - this.box.offsetHeight);
-    this.box.style.setProperty('left', `${offsetLeft + left}px`);
-    this.box.style.setProperty('top', `${offsetTop + top}px`);
+    const { width, height } = this.box.getBoundingClientRect();
+    const left = within(this.at[0] + AWAY, offsetWidth - width);
+    const top = within(this.at[1] + AWAY, offsetHeight - height);
+    const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
+    this.box.style.setProperty('left', `${(offsetLeft + left) / scale}px`);
+    this.box.style.setProperty('top', `${(offsetTop + top) / scale}px`);
   }
 }

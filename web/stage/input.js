@@ -31,7 +31,7 @@ function belongsToControl(event) {
     return false;
   }
   // The Tab key steps through the drawing only while the drawing has the focus.
-  if (event.key === 'Tab' && !target.closest('#stage')) {
+  if (event.key === 'Tab' && target.id !== 'stage') {
     return true;
   }
   if (target.matches('input[type=range], input[type=radio], input[type=checkbox]')) {

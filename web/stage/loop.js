@@ -3,6 +3,7 @@
 import { want } from '../page/build.js';
 import { word } from '../page/words.js';
 import { Cursor, Role, names } from '../engine/codes.js';
+import { isPage } from '../engine/frame.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 /** @typedef {import('../engine/types.js').Frame} Frame */
@@ -146,7 +147,7 @@ export class Loop {
     const { stage, engine, files, keeper, notices, drawings } = this.shell;
     stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     const empty = frame.still.length === 0;
-    part('welcome').hidden = !empty || frame.live.some((item) => item.role < Role.GRID);
+    part('welcome').hidden = !frame.still.every(isPage) || frame.live.some((item) => item.role < Role.GRID);
     const { ours } = drawings;
     this.selected = frame.selected;
     this.tool = frame.tool;

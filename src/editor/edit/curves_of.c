@@ -1,4 +1,7 @@
 #include "editor/edit/curves_of.h"
+#include "document/document.h"
+#include "editor/choice/choice.h"
+#include "editor/edit/style.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
@@ -45,6 +48,28 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
     bat_object_release(placed);
     bat_object_release(object);
     return status;
+}
+
+bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string label, bat_id *id) {
+    bat_status status = bat_transaction_begin(c);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    const bat_id made = bat_document_new_id(c->session->document);
+    const bat_style style = bat_styling_new(c);
+    status = bat_insert_curve(c, made, &style, c->choice->layer, curve);
+    status = bat_transaction_end(c, status, label);
+    if (status == BAT_OK && id) *id = made;
+    return status;
+}
+
+bat_status bat_commit_chosen_curve(bat_context *c, bat_curve *curve, bat_string label) {
+    bat_id id = 0;
+    const bat_status status = bat_commit_new_curve(c, curve, label, &id);
+    if (status != BAT_OK) return status;
+    bat_selection_clear(&c->choice->selection);
+    return bat_selection_add(&c->choice->selection, id);
 }
 
 /* Replaces the object at this index, within the open transaction; status: of making the new object. */

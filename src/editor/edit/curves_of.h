@@ -18,6 +18,11 @@ bat_status bat_without_curve(const bat_object *object, int index, bat_object **o
  * the curve, whatever it returns. */
 bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, bat_id parent,
                             bat_curve *curve);
+/* A new path of one curve in the active layer, with the style of new curves, as an undo step of its own; takes ownership
+ * of the curve, whatever it returns. id: gets its number, unless it is NULL. */
+bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string label, bat_id *id);
+/* The same, and it alone is selected. */
+bat_status bat_commit_chosen_curve(bat_context *c, bat_curve *curve, bat_string label);
 /* Within a transaction: replaces the object's curve `index` by `curve`; takes ownership of it, whatever it returns. */
 bat_status bat_put_curve(bat_context *c, bat_id object, int index, bat_curve *curve);
 /* Within a transaction: removes that curve from the object, or the object when no curve is left. */

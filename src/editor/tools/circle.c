@@ -6,9 +6,7 @@
  */
 #include "base/real.h"
 #include "document/document.h"
-#include "editor/choice/choice.h"
 #include "editor/edit/curves_of.h"
-#include "editor/edit/style.h"
 #include "editor/pick/spot.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -76,19 +74,8 @@ static bool find_circle(const double *p, const double *q, const double *r, doubl
 
 static bat_status commit(bat_context *c, const double box[4]) {
     bat_curve *curve = NULL;
-    bat_status status = bat_figure_ellipse(box, &curve);
-    if (status == BAT_OK) status = bat_transaction_begin(c);
-    if (status != BAT_OK) {
-        bat_curve_free(curve);
-        return status;
-    }
-    const bat_id id = bat_document_new_id(c->session->document);
-    const bat_style style = bat_styling_new(c);
-    status = bat_insert_curve(c, id, &style, c->choice->layer, curve);
-    status = bat_transaction_end(c, status, BAT_STRING_STEP_CIRCLE);
-    if (status != BAT_OK) return status;
-    bat_selection_clear(&c->choice->selection);
-    return bat_selection_add(&c->choice->selection, id);
+    const bat_status status = bat_figure_ellipse(box, &curve);
+    return status == BAT_OK ? bat_commit_chosen_curve(c, curve, BAT_STRING_STEP_CIRCLE) : status;
 }
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {

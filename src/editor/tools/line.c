@@ -9,9 +9,7 @@
  */
 #include "base/real.h"
 #include "curve/curve.h"
-#include "editor/choice/choice.h"
 #include "editor/edit/curves_of.h"
-#include "editor/edit/style.h"
 #include "editor/pick/spot.h"
 #include "editor/scene/seen.h"
 #include "editor/session/notice.h"
@@ -131,17 +129,7 @@ static bat_status commit(bat_context *c, lining *l) {
     bat_status status = straight(settle(c, l), l->dimension, l->from, l->at, &curve);
     if (status != BAT_OK) return status;
     if (l->object) return bat_commit_curve(c, l->object, 0, curve, BAT_STRING_STEP_LINE);
-    status = bat_transaction_begin(c);
-    if (status != BAT_OK) {
-        bat_curve_free(curve);
-        return status;
-    }
-    bat_id id = bat_document_new_id(c->session->document);
-    bat_style style = bat_styling_new(c);
-    status = bat_insert_curve(c, id, &style, c->choice->layer, curve);
-    status = bat_transaction_end(c, status, BAT_STRING_STEP_LINE);
-    if (status == BAT_OK) l->object = id;
-    return status;
+    return bat_commit_new_curve(c, curve, BAT_STRING_STEP_LINE, &l->object);
 }
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {

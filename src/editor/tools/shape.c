@@ -7,9 +7,7 @@
  */
 #include "base/real.h"
 #include "document/document.h"
-#include "editor/choice/choice.h"
 #include "editor/edit/curves_of.h"
-#include "editor/edit/style.h"
 #include "editor/pick/spot.h"
 #include "editor/scene/seen.h"
 #include "editor/session/notice.h"
@@ -104,20 +102,9 @@ static bat_status commit(bat_context *c, const shaping *s, form is) {
     static const bat_string labels[] = {BAT_STRING_STEP_RECTANGLE, BAT_STRING_STEP_ELLIPSE,
                                         BAT_STRING_STEP_POLYGON};
     bat_curve *curve = NULL;
-    bat_status status = make(c, s, is, &curve);
+    const bat_status status = make(c, s, is, &curve);
     if (status == BAT_COUNT) return BAT_OK; /* without a width or a height: nothing was drawn */
-    if (status == BAT_OK) status = bat_transaction_begin(c);
-    if (status != BAT_OK) {
-        bat_curve_free(curve);
-        return status;
-    }
-    const bat_id id = bat_document_new_id(c->session->document);
-    const bat_style style = bat_styling_new(c);
-    status = bat_insert_curve(c, id, &style, c->choice->layer, curve);
-    status = bat_transaction_end(c, status, labels[is]);
-    if (status != BAT_OK) return status;
-    bat_selection_clear(&c->choice->selection);
-    return bat_selection_add(&c->choice->selection, id);
+    return status == BAT_OK ? bat_commit_chosen_curve(c, curve, labels[is]) : status;
 }
 
 static void lift(bat_context *c, shaping *s, const bat_pointer *event, form is) {

@@ -32,6 +32,18 @@ static bool has_hangul(const char *text) {
     return false;
 }
 
+/* Words by device are in hints only, each "{a|b}" with both. */
+static bool well_bracketed(const char *key, const char *text) {
+    for (; (text = strpbrk(text, "{|}")); text++) {
+        const size_t first = *text == '{' ? strcspn(text + 1, "{|}") : 0;
+        if (strncmp(key, "hint.", 5) || !first || text[1 + first] != '|') return false;
+        const size_t second = strcspn(text + 2 + first, "{|}");
+        if (!second || text[2 + first + second] != '}') return false;
+        text += 2 + first + second;
+    }
+    return true;
+}
+
 static void every_string_is_there_in_every_language(void **state) {
     (void)state;
     static const char *const names[] = {"%",   "Esc",    "Enter", "Shift",  "Ctrl",      "Alt",
@@ -51,6 +63,8 @@ static void every_string_is_there_in_every_language(void **state) {
                 fail_msg("%s: %s is not in: %s", key, names[k], korean);
         if (table[i].help != !strcmp(key + strlen(key) - (strlen(key) > 5 ? 5 : 0), ".help"))
             fail_msg("%s: HELP and .help go together", key);
+        if (!well_bracketed(key, english) || !well_bracketed(key, korean))
+            fail_msg("%s: words by device are \"{tap|click}\", in hints", key);
         /* sentences stay sentences */
         if (table[i].help && (english[strlen(english) - 1] != '.' || korean[strlen(korean) - 1] != '.'))
             fail_msg("%s does not end with a stop", key);
@@ -70,6 +84,28 @@ static char *korean_words(void) {
 }
 
 static const char *hint(bat_editor *editor) { return bat_editor_frame(editor)->hint; }
+
+static void hints_have_the_words_of_the_device(void **state) {
+    (void)state;
+    static const struct {
+        bat_device device;
+        const char *words;
+    } devices[] = {{BAT_DEVICE_PEN, "Tap the first of three points of the circle"},
+                   {BAT_DEVICE_MOUSE, "Click the first of three points of the circle"},
+                   {BAT_DEVICE_PEN, "Tap the first of three points of the circle"}};
+    bat_editor *editor = pen_editor();
+    assert_int_equal(bat_editor_command(editor, "tool-circle"), BAT_OK);
+    for (size_t i = 0; i < sizeof devices / sizeof *devices; i++) {
+        const bat_pointer event = {.phase = BAT_POINTER_HOVER,
+                                   .device = devices[i].device,
+                                   .x = 100,
+                                   .y = 100,
+                                   .time = 5000.0 * (double)(i + 1)};
+        bat_editor_pointer(editor, 1, &event);
+        assert_string_equal(hint(editor), devices[i].words);
+    }
+    bat_editor_free(editor);
+}
 
 static void an_editor_speaks_korean(void **state) {
     (void)state;
@@ -138,6 +174,7 @@ static void without_memory_the_old_words_stay(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_string_is_there_in_every_language),
+        cmocka_unit_test(hints_have_the_words_of_the_device),
         cmocka_unit_test(an_editor_speaks_korean),
         cmocka_unit_test(odd_words_change_nothing),
         cmocka_unit_test(without_memory_the_old_words_stay),

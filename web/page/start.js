@@ -1,0 +1,216 @@
+// The empty page: what to begin with, and at first the three hands, once. Pens draw through all of it: only a tap on a
+// button is for the button. Fetched when a page is empty.
+
+import { addressOf, dress, want } from './build.js';
+import { keep, kept } from './kept.js';
+import { tell, word } from './words.js';
+
+/** @typedef {import('../main.js').Shell} Shell */
+
+const STORE = 'batten-hands'; // whether the hands have been seen
+const SLACK = 6; // pixels that a tap may move
+const UNIT = 96 / 25.4; // units of the drawing in a millimetre
+const MILLIMETRES = 1; // of the property unit
+/** @type {[string, number, number][]} in millimetres */
+const SIZES = [['A4', 297, 210], ['A3', 420, 297]];
+
+/** @param {string} text @param {string} [className] */
+function button(text, className = '') {
+  const made = document.createElement('button');
+  made.type = 'button';
+  made.className = className;
+  made.textContent = text;
+  return made;
+}
+
+export class Start {
+  /** @param {Shell} shell */
+  static async make(shell) {
+    await dress('styles/start.css');
+    return new Start(shell);
+  }
+
+  /** @param {Shell} shell */
+  constructor(shell) {
+    this.shell = shell;
+    this.box = /** @type {HTMLElement} */ (document.getElementById('welcome'));
+    /** Where a press on one of the buttons began. @type {{ button: HTMLElement, x: number, y: number } | null} */
+    this.press = null;
+    this.tapped = false;
+    /** The length of the journal when it was last looked at: what is longer has steps. */
+    this.steps = shell.engine.journal.length;
+    /** @type {import('./hands.js').Hands | undefined} */
+    this.hands = undefined;
+    this.form = this.#form();
+    this.row = document.createElement('div');
+    this.row.className = 'start';
+    this.row.append(...[
+      this.#button('shell.start-new', () => this.#ask(this.form.hidden)),
+      this.#button('command.open', () => void this.shell.files.pick()),
+      this.#button('shell.start-trace', () => this.#trace()),
+      this.#button('shell.start-car', () => void this.#car())]);
+    this.box.append(this.row, this.form);
+    this.#listen();
+    new MutationObserver(() => this.#turned()).observe(this.box, { attributeFilter: ['hidden'] });
+    this.#turned();
+  }
+
+  /** @param {string} key @param {() => void} act */
+  #button(key, act) {
+    const made = tell(button('', 'start-button'), { text: key });
+    made.addEventListener('click', () => {
+      if (!this.tapped) { // by a key, or by what acts for the user
+        act();
+      }
+    });
+    made.addEventListener('tap', act);
+    return made;
+  }
+
+  #listen() {
+    const { stage, engine, notices, wake } = this.shell;
+    stage.addEventListener('pointerdown', ({ target, clientX, clientY }) => {
+      const on = target instanceof Element ? /** @type {HTMLElement | null} */ (target.closest('.start-button')) : null;
+      this.press = on && { button: on, x: clientX, y: clientY };
+      this.tapped = false;
+    }, true);
+    stage.addEventListener('pointerup', ({ clientX, clientY }) => {
+      const { press } = this;
+      this.press = null;
+      if (press && Math.hypot(clientX - press.x, clientY - press.y) < SLACK) {
+        this.tapped = true;
+        requestAnimationFrame(() => { // after the drawing has seen it: a tool may have begun something
+          engine.command('cancel');
+          wake();
+          requestAnimationFrame(() => {
+            this.tapped = false;
+            press.button.dispatchEvent(new Event('tap'));
+            notices.pass(); // that it was too short for a stroke
+          });
+        });
+      }
+    }, true);
+  }
+
+  /** The empty page has come, or has gone. */
+  async #turned() {
+    if (this.box.hidden) {
+      return;
+    }
+    if (this.shell.engine.journal.length !== this.steps) { // more than a press has come and gone
+      this.#ask(false);
+      this.box.classList.remove('chosen');
+      this.hands?.end();
+    }
+    if (!kept(STORE)) {
+      keep(STORE, 'seen');
+      const { Hands } = await want(import('./hands.js'));
+      this.hands ??= new Hands(this.shell, this.box);
+      this.hands.begin();
+    }
+  }
+
+  // ---- a new page ----
+
+  /** @param {boolean} on */
+  #ask(on) {
+    this.form.hidden = !on;
+    this.row.firstElementChild?.setAttribute('aria-expanded', String(on));
+    if (on) {
+      this.form.querySelector('input')?.select();
+    }
+  }
+
+  #form() {
+    const form = document.createElement('form');
+    form.className = 'start-new';
+    form.hidden = true;
+    const fields = ['number.width', 'number.height'].map((key, i) => {
+      const input = tell(document.createElement('input'), { label: key });
+      Object.assign(input, { type: 'number', min: '1', max: '100000', step: 'any', value: String(SIZES[0][i + 1]), required: true });
+      return input;
+    });
+    const unit = tell(document.createElement('span'), { text: 'unit.mm' });
+    const make = tell(button('', 'start-make'), { text: 'shell.start-new' });
+    make.type = 'submit';
+    const sizes = SIZES.map(([name, width, height]) => {
+      const made = button(`${name} ${width} × ${height}`);
+      made.addEventListener('click', () => this.#new(width, height));
+      return made;
+    });
+    const free = tell(button(''), { text: 'shell.start-free' });
+    free.addEventListener('click', () => this.#chosen());
+    const typed = document.createElement('div');
+    typed.append(fields[0], '×', fields[1], unit, make);
+    const ready = document.createElement('div');
+    ready.append(...sizes, free);
+    form.append(typed, ready);
+    form.addEventListener('pointerdown', (event) => event.stopPropagation()); // no stroke begins in a field
+    form.addEventListener('submit', (event) => {
+      event.preventDefault();
+      this.#new(fields[0].valueAsNumber, fields[1].valueAsNumber);
+    });
+    form.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') {
+        this.#ask(false);
+        this.#focus();
+        event.stopPropagation();
+      }
+    });
+    return form;
+  }
+
+  #focus() {
+    /** @type {HTMLElement | null} */ (this.row.firstElementChild)?.focus();
+  }
+
+  /** A page of this size, in place of the empty one. @param {number} width millimetres @param {number} height */
+  async #new(width, height) {
+    const { engine, files, wake } = this.shell;
+    const { parseSvg } = await want(import('../engine/svg.js'));
+    const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}mm" height="${height}mm" ` +
+      `viewBox="0 0 ${width * UNIT} ${height * UNIT}"/>`;
+    try {
+      engine.openSvg(parseSvg(text), text, files.name);
+      files.opened = new TextEncoder().encode(text);
+      engine.set('unit', MILLIMETRES);
+      engine.command('view-fit');
+      this.#chosen();
+    } catch (error) {
+      files.complain(error);
+    }
+    wake();
+  }
+
+  /** What to begin with has been chosen: the drawing has the focus, and nothing is asked until it is empty again. */
+  #chosen() {
+    this.#ask(false);
+    this.steps = this.shell.engine.journal.length;
+    this.box.classList.add('chosen');
+    this.shell.stage.focus();
+  }
+
+  // ---- what is there already ----
+
+  #trace() {
+    const picker = document.createElement('input');
+    picker.type = 'file';
+    picker.accept = 'image/*';
+    picker.multiple = true;
+    picker.addEventListener('change', () =>
+      void this.shell.files.arrive([...picker.files ?? []].map((file) => ({ file, place: null }))));
+    picker.click();
+  }
+
+  async #car() {
+    const { files, notices } = this.shell;
+    const name = 'car.svg';
+    const answer = await fetch(addressOf(`examples/${name}`)).catch(() => null);
+    if (!answer?.ok) {
+      notices.say(word('shell.not-opened', name));
+      return;
+    }
+    await files.arrive([{ file: new File([await answer.blob()], name, { type: 'image/svg+xml' }), place: null }]);
+    files.given = !files.bound;
+  }
+}
