@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { hintFor, launch, open, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 /** A leaf of 72 cubics with scales along its rim, and a plain arch below it. */
@@ -57,7 +57,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(await page.locator('.levels').count(), 0);
 
     await key('l');
-    assert.equal((await state(page)).hint, strings['hint.levels']);
+    assert.equal((await state(page)).hint, hintFor(strings['hint.levels']));
     const rim = await place(page, 500, 90);
     await hand.stroke([rim, rim]);
     await page.waitForSelector('.levels:not([hidden])');
@@ -181,7 +181,7 @@ for (const colorScheme of ['light', 'dark']) {
     // Detail copied to the arch.
     await page.getByRole('button', { name: strings['command.levels-copy'], exact: true }).last().click();
     await settle(page);
-    assert.equal((await state(page)).hint, strings['hint.copy-to']);
+    assert.equal((await state(page)).hint, hintFor(strings['hint.copy-to']));
     const arch = await place(page, 500, 550);
     await hand.stroke([arch, arch]);
     const copied = (await objects(page))[1];
@@ -194,6 +194,48 @@ for (const colorScheme of ['light', 'dark']) {
     const found = await page.evaluate(() => globalThis.axe.run());
     assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes[0].html}`), []);
     assert.equal((await state(page)).check, '');
+    await context.close();
+  });
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`on a phone the strip is one row, and the drawing ends above it, ${colorScheme}`, async () => {
+    const { page, context } = await open(browser, server.address, { colorScheme, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    const command = (...names) => page.evaluate((all) => {
+      all.forEach((name) => batten.engine.command(name));
+      batten.wake();
+    }, names);
+    const box = (one) => page.evaluate((selector) => document.querySelector(selector).getBoundingClientRect().toJSON(), one);
+    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `levels-phone-${colorScheme}${name}.png`) });
+    await page.evaluate(() => batten.engine.act('editor_select', JSON.parse(batten.engine.ask('editor_outline', 0, 9)).rows[0].id, 0));
+    await command('tool-levels', 'take-apart');
+    await page.waitForSelector('.levels:not([hidden])');
+    await quiet(page);
+    assert.ok(await page.isVisible('#strip-apart-levels'));
+    await shot('-apart');
+    await command('accept');
+    await quiet(page);
+    const [strip, stage] = [await box('.levels'), await box('#stage')];
+    assert.ok(strip.height <= 44 + 9 && strip.right <= 390 && strip.left >= stage.left, JSON.stringify(strip));
+    assert.ok(stage.bottom <= strip.top + 0.5, `${stage.bottom} ${strip.top}`);
+    assert.ok(await rows(page).count() >= 3);
+    // The level in force is there at once, whichever it is, and so is More.
+    const chosen = page.locator('.level-row:has(:checked)');
+    for (const level of [0, 1]) {
+      await page.evaluate((at) => {
+        batten.engine.level(0, at, 0, true);
+        batten.wake();
+      }, level);
+      await quiet(page);
+      const { x, width } = await chosen.boundingBox();
+      assert.ok(x >= strip.left && x + width <= 390, `level ${level} at ${x}`);
+    }
+    await shot('');
+    await page.click('.levels summary');
+    await quiet(page);
+    assert.ok(await page.isVisible('.levels [data-text="command.take-apart"]'));
+    assert.ok((await box('.levels')).height <= 0.5 * (844 - 96));
+    await shot('-more');
     await context.close();
   });
 }

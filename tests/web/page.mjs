@@ -209,6 +209,9 @@ export function state(page) {
   }));
 }
 
+/** A hint as it is said to a pen, or to a mouse. @param {string} text of the table of strings */
+export const hintFor = (text, device = 'pen') => text.replace(/\{([^|}]*)\|([^}]*)\}/g, device === 'mouse' ? '$2' : '$1');
+
 /** The window position of a point of the document. */
 export function place(page, x, y) {
   return page.evaluate(([px, py]) => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { hintFor, launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -32,7 +32,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('a');
     await hand.hover(roof);
     await shot('hover');
-    assert.equal((await state(page)).hint, strings['hint.pull']);
+    assert.equal((await state(page)).hint, hintFor(strings['hint.pull']));
     // Pulling the curve itself: previewed while the pen is down, one step when it is lifted.
     await hand.stroke([roof, [roof[0] + 10, roof[1] - 40]], {
       during: async () => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { hintFor, launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -43,13 +43,13 @@ for (const colorScheme of ['light', 'dark']) {
     const count = await objects(page);
     await page.keyboard.press('t');
     await settle(page);
-    assert.equal((await state(page)).hint, strings['hint.place']);
+    assert.equal((await state(page)).hint, hintFor(strings['hint.place']));
     for (const spot of SPOTS.slice(0, 4)) {
       await tap(page, hand, spot);
     }
     await hand.hover([960, 560]);
     await shot('placing');
-    assert.equal((await state(page)).hint, strings['hint.place-next']);
+    assert.equal((await state(page)).hint, hintFor(strings['hint.place-next']));
     await tap(page, hand, SPOTS[4]);
     await page.keyboard.press('Enter');
     assert.equal(await objects(page), count + 1);
