@@ -57,7 +57,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(await page.locator('.levels').count(), 0);
 
     await key('l');
-    assert.equal((await state(page)).hint, hintFor(strings['hint.levels']));
+    assert.equal((await state(page)).hint, hintFor(strings['hint.levels'], 'mouse'));
     const rim = await place(page, 500, 90);
     await hand.stroke([rim, rim]);
     await page.waitForSelector('.levels:not([hidden])');
