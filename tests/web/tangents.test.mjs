@@ -43,7 +43,7 @@ for (const colorScheme of ['light', 'dark']) {
     const count = await objects(page);
     await page.keyboard.press('t');
     await settle(page);
-    assert.equal((await state(page)).hint, hintFor(strings['hint.place']));
+    assert.equal((await state(page)).hint, hintFor(strings['hint.place'], 'mouse'));
     for (const spot of SPOTS.slice(0, 4)) {
       await tap(page, hand, spot);
     }
