@@ -230,6 +230,7 @@ for (const colorScheme of ['light', 'dark']) {
       const { x, width } = await chosen.boundingBox();
       assert.ok(x >= strip.left && x + width <= 390, `level ${level} at ${x}`);
     }
+    assert.equal(await chosen.locator('.level-mute .icon').count(), 1, 'eyes are there although the inspector is shut');
     await shot('');
     await page.click('.levels summary');
     await quiet(page);

@@ -37,6 +37,12 @@ function make(tag, name) {
 }
 
 export class LevelStrip {
+  /** With its style, without which it would push the stage aside, and its icons. @param {Panel} panel @param {HTMLElement} stage */
+  static async make(panel, stage) {
+    await Promise.all([dress('styles/levels.css'), loadIcons('arrange')]);
+    return new LevelStrip(panel, stage);
+  }
+
   /** @param {Panel} panel @param {HTMLElement} stage */
   constructor(panel, stage) {
     this.panel = panel;
@@ -61,7 +67,7 @@ export class LevelStrip {
     this.further.append(tell(document.createElement('summary'), { text: 'shell.further' }), this.more, this.study);
     this.tools.append(this.apartNow, this.further);
     this.box.append(this.list, this.apart, this.tools);
-    void Promise.all([dress('styles/levels.css'), loadIcons('arrange')]).then(() => stage.after(this.box)); // unstyled, the strip would push the stage aside
+    stage.after(this.box);
     // Escape takes back the fader's step, or returns to the drawing.
     this.box.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') {

@@ -81,7 +81,7 @@ export class Panel {
 
   /** Loads the strip with the first curve whose levels are viewed. */
   async #showLevels() {
-    this.strip ??= want(import('./levels.js')).then(({ LevelStrip }) => new LevelStrip(this, part('stage')));
+    this.strip ??= want(import('./levels.js')).then(({ LevelStrip }) => LevelStrip.make(this, part('stage')));
     (await this.strip).show(this.levels > 0);
   }
 
