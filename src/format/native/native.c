@@ -185,7 +185,7 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
     if (!(number >= PLAIN && number <= WIDENED && number == floor(number)))
-        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3, 4, 5 or 6",
+        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3, 4, 5, 6 or 7",
                                  f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
