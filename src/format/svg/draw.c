@@ -133,6 +133,10 @@ void bat_svg_draw_root(bat_svg_walk *w) {
     if (page[2] > 0) none.width = page[2], none.height = page[3];
     bat_document_set_page(w->document, page);
     memcpy(w->page, page, sizeof w->page);
+    w->pixel = box ? bat_svg_pixel(page, bat_svg_attribute_of(w, 1, "width"),
+                                   bat_svg_attribute_of(w, 1, "height"),
+                                   bat_svg_attribute_of(w, 1, "preserveAspectRatio"))
+                   : 1;
     bat_svg_scope s = none;
     bat_svg_cascade(w, 1, &none, &s.style);
     s.opacity = s.style.opacity;

@@ -74,13 +74,14 @@ static void resolve_dashes(const bat_svg_scope *s, double scale, bat_svg_painted
     out->paint.dash_offset = s->style.dash_offset * scale;
 }
 
-/* The width is the mean one; where the matrix makes strokes uneven, the pen says so. */
-static void resolve_line(const bat_svg_scope *s, bat_svg_painted *out) {
+/* The width is the mean one; where the matrix makes strokes uneven, the pen says so. One that does not scale is what it is at
+ * the size of the file. */
+static void resolve_line(const bat_svg_walk *w, const bat_svg_scope *s, bat_svg_painted *out) {
     const double *m = s->matrix, scale = sqrt(fabs(m[0] * m[3] - m[1] * m[2]));
     const bool fixed = s->style.odd & BAT_SVG_BIT(BAT_SVG_EFFECT);
-    if (!fixed) out->style.width *= scale;
+    out->style.width *= fixed ? w->pixel : scale;
     if (!out->style.stroked || !(scale > 0)) return;
-    resolve_dashes(s, fixed ? 1 : scale, out);
+    resolve_dashes(s, fixed ? w->pixel : scale, out);
     for (int k = 0; k < 4 && !fixed; k++) out->paint.pen[k] = m[k] / scale;
 }
 
@@ -100,6 +101,6 @@ void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scop
     w->boxed = false;
     style->filled = resolve_paint(w, element, &from->fill, from->fill_opacity, &fill, &style->fill);
     style->stroked = resolve_paint(w, element, &from->stroke, from->stroke_opacity, &stroke, &style->stroke);
-    resolve_line(s, out);
+    resolve_line(w, s, out);
     out->paint.stroke_first = style->filled && style->stroked && from->stroke_first;
 }

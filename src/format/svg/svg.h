@@ -36,6 +36,9 @@ bool bat_svg_view_box(const char *text, double box[4]);
 /* Maps box into the viewport at x, y according to preserveAspectRatio (may be NULL). */
 void bat_svg_fit(const double box[4], double x, double y, double w, double h, const char *ratio, double m[6]);
 
+/* How long a pixel is in the units of the page, at the size that a file's root gives it (any may be NULL). */
+double bat_svg_pixel(const double page[4], const char *width, const char *height, const char *ratio);
+
 /* Reads a length into user units (px); units: px pt pc mm cm in Q em ex rem, and % of `whole`. False when it
  * does not parse or is not finite. 1 em is 16. */
 bool bat_svg_length(const char *text, double whole, double *value);

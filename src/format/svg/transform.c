@@ -121,6 +121,18 @@ void bat_svg_fit(const double box[4], double x, double y, double w, double h, co
     m[5] = y - sy * box[1] + ay * (h - sy * box[3]);
 }
 
+double bat_svg_pixel(const double page[4], const char *width, const char *height, const char *ratio) {
+    double w = 0, h = 0, m[6];
+    const bool wide = width && !strchr(width, '%') && bat_svg_length(width, 0, &w) && w > 0,
+               high = height && !strchr(height, '%') && bat_svg_length(height, 0, &h) && h > 0;
+    if (!(page[2] > 0 && page[3] > 0) || !(wide || high)) return 1;
+    if (!wide) w = h * page[2] / page[3];
+    if (!high) h = w * page[3] / page[2];
+    bat_svg_fit(page, 0, 0, w, h, ratio, m);
+    const double pixel = 1 / sqrt(m[0] * m[3]);
+    return pixel > 0 && isfinite(pixel) ? pixel : 1;
+}
+
 bool bat_svg_length(const char *text, double whole, double *value) {
     static const struct {
         const char *name;

@@ -212,8 +212,7 @@ static void a_shape_becomes_a_path(void **state) {
     char *text = written(document, false);
     const char *at = strstr(text, "<s:path d=\"M1 2");
     assert_non_null(at);
-    assert_non_null(
-        strstr(at, "L9 2L9 11L1 11Z\"></s:path><s:line")); /* what was straight is written so */
+    assert_non_null(strstr(at, "L9 2L9 11L1 11Z\"></s:path><s:line")); /* what was straight is written so */
     assert_null(strstr(text, "s:rect"));
     bat_free(text);
     bat_document_free(document);
@@ -718,6 +717,39 @@ static void gradients_do_not_gather(void **state) {
     bat_document_free(document);
 }
 
+/* A stroke that does not scale is as wide as it says at the size of the file, whatever is around it, before and after an
+ * edit. */
+static void strokes_that_do_not_scale_keep_their_width(void **state) {
+    (void)state;
+    static const char file[] =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100' width='200' height='300'>"
+        "<g transform='scale(4 5)'><path id='a' d='M1 1L9 2' fill='none' stroke='red' stroke-width='6' "
+        "stroke-dasharray='4 2' vector-effect='non-scaling-stroke'/>"
+        "<path d='M1 1L9 2' stroke='red' stroke-width='6'/></g></svg>";
+    bat_document *document = opened(file);
+    const bat_object *object = bat_document_at(document, find_drawn(document, 0));
+    bat_object *made = NULL;
+    bat_style style = *bat_object_style(object);
+    assert_true(style.width == 3); /* two pixels are a unit */
+    assert_true(bat_object_paint(object) && bat_object_paint(object)->dashes[1] == 1);
+    char *text = written(document, false);
+    assert_string_equal(text, file);
+    bat_free(text);
+    style.width = 5;
+    assert_int_equal(bat_object_with_style(object, &style, &made), BAT_OK);
+    put(document, find_drawn(document, 0), made);
+    text = written(document, false);
+    assert_non_null(strstr(text, "stroke-width=\"10\""));
+    assert_non_null(strstr(text, "vector-effect='non-scaling-stroke'"));
+    bat_document *again = opened(text);
+    assert_true(bat_object_style(bat_document_at(again, find_drawn(again, 0)))->width == 5);
+    assert_true(fabs(bat_object_style(bat_document_at(again, find_drawn(again, 1)))->width - 6 * sqrt(20)) <
+                1e-12);
+    bat_document_free(again);
+    bat_free(text);
+    bat_document_free(document);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(groups_keep_their_opacity),
@@ -733,6 +765,7 @@ int main(void) {
         cmocka_unit_test(a_tolerance_asks_for_other_data),
         cmocka_unit_test(gradients_stay_where_they_are),
         cmocka_unit_test(gradients_do_not_gather),
+        cmocka_unit_test(strokes_that_do_not_scale_keep_their_width),
         cmocka_unit_test(running_out_of_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

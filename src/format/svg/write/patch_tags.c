@@ -145,9 +145,17 @@ static void set_order(bat_svg_retag *r, const bat_object *object, const bat_sour
     if (first || says) bat_svg_retag_style(r, "paint-order", first ? "stroke" : "normal");
 }
 
+/* From the units of an element's stroke to the document's: those of one that does not scale are pixels. */
+static double line_scale(const bat_svg_retag *r, const bat_svg_plan *plan, const bat_sourced *entry,
+                         bool begun) {
+    const bool fixed = entry->lost & 1u << BAT_LOSS_EFFECT ||
+                       (begun && bat_svg_retag_says(r, "vector-effect"));
+    return fixed ? plan->pixel : sqrt(bat_matrix_area(entry->inner));
+}
+
 /* all: whatever the element does not say itself is said. */
-static void set_style(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool all,
-                      const bat_svg_ids *ids) {
+static void set_style(bat_svg_retag *r, const bat_svg_plan *plan, const bat_object *object,
+                      const bat_sourced *entry, bool all, const bat_svg_ids *ids) {
     static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
                                                                                      "bevel"};
     const bat_style *was = &entry->style, *now = bat_object_style(object);
@@ -158,7 +166,7 @@ static void set_style(bat_svg_retag *r, const bat_object *object, const bat_sour
     const bool stroke = *ids->stroke || differs(object, entry, BAT_PAINT_STROKE) ||
                         now->stroked != was->stroked || (now->stroked && now->stroke != was->stroke);
     const bool begun = now->stroked && !was->stroked;
-    const double scale = sqrt(bat_matrix_area(entry->inner));
+    const double scale = line_scale(r, plan, entry, begun);
     if (fill || (all && !bat_svg_retag_says(r, "fill")))
         set_paint(r, true, now->filled, now->fill, was->filled ? was->fill : 0xff,
                   !was->filled || fill_served, ids->fill);
@@ -282,7 +290,7 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
     if (!bat_object_is_group(object)) {
         const bool reshaped = bat_svg_reshaped(object, entry);
         if (!bat_object_is_foreign(object))
-            set_style(&r, object, entry, says_all(plan, object, entry, apart), ids);
+            set_style(&r, plan, object, entry, says_all(plan, object, entry, apart), ids);
         else
             fade_foreign(&r, bat_object_style(object)->opacity, entry);
         if (reshaped) {

@@ -2,7 +2,9 @@
 
 #include "document/clip.h"
 #include "document/nesting.h"
+#include "format/svg/svg.h"
 #include "format/svg/write/refer.h"
+#include "format/svg/write/retag.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -191,6 +193,27 @@ static bat_status decide(bat_svg_plan *plan) {
     return status;
 }
 
+/* As the reader finds it: from the root's attributes. */
+static double find_pixel(const bat_svg_plan *plan) {
+    static const char *const names[] = {"width", "height", "preserveAspectRatio"};
+    const bat_svg_tag *root = &plan->tags.list[1];
+    const char *given[3] = {NULL};
+    char values[3][64];
+    bat_svg_retag r;
+    bat_svg_piece piece;
+    bat_svg_retag_begin(&r, plan->text + root->open, root->body - root->open, plan->types, plan->types_size,
+                        plan->sheets);
+    for (int i = 0; i < 3; i++) {
+        if (!bat_svg_retag_has(&r, names[i], &piece) || piece.end - piece.value >= sizeof values[i]) continue;
+        memcpy(values[i], r.tag + piece.value, piece.end - piece.value);
+        values[i][piece.end - piece.value] = '\0';
+        given[i] = values[i];
+    }
+    const bool boxed = bat_svg_retag_has(&r, "viewBox", &piece);
+    bat_svg_retag_free(&r);
+    return boxed ? bat_svg_pixel(bat_source_page(plan->source), given[0], given[1], given[2]) : 1;
+}
+
 bat_status bat_svg_plan_make(const bat_document *document, bat_svg_plan *out) {
     bat_svg_plan plan = {
         .document = document, .source = bat_document_origin(document), .count = bat_document_count(document)};
@@ -208,6 +231,7 @@ bat_status bat_svg_plan_make(const bat_document *document, bat_svg_plan *out) {
             status = BAT_SYNTAX;
     plan.sheets = strstr(plan.text, "<style") != NULL || strstr(plan.text, ":style") != NULL;
     find_types(&plan);
+    plan.pixel = find_pixel(&plan);
     if (status == BAT_OK)
         status = plan.entry && plan.stay && plan.hidden && plan.fate ? decide(&plan) : BAT_MEMORY;
     if (status != BAT_OK)

@@ -25,7 +25,8 @@ typedef struct bat_svg_plan {
     size_t size;
     const char *types; /* the document type, NULL: none */
     size_t types_size;
-    bool sheets; /* there are style sheets */
+    bool sheets;  /* there are style sheets */
+    double pixel; /* how long one is in the document's units: of strokes that do not scale */
     bat_svg_tags tags;
     int count;
     int *entry;      /* of each object of the document, or -1 */
