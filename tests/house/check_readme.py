@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The instructions of the README work: its C program is built and run, and the commands of "The program" are run in
+"""The instructions of the README work: the first C program is built and run, and the commands of "The program" are run in
 order, on the examples, in a separate folder. The struct that docs/interface.md declares in Python matches the header.
 
 Usage: check_readme.py ROOT BUILD
@@ -60,7 +60,7 @@ def check_interface(folder):
 with tempfile.TemporaryDirectory() as folder:
     check_interface(pathlib.Path(folder))
     folder = pathlib.Path(folder)
-    (folder / "main.c").write_text(block("The library", "c"))
+    (folder / "main.c").write_text(block("The first program", "c", "docs/packages.md"))
     subprocess.run(["gcc", "-std=c17", "-Wall", "-Wextra", "-Werror", f"-I{ROOT}/include", "main.c",
                     BUILD / "libbatten.a", "-lm", "-o", "main"], cwd=folder, check=True)
     said = subprocess.run(["./main"], cwd=folder, check=True, capture_output=True, text=True).stdout
