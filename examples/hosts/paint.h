@@ -1,6 +1,6 @@
 /* Paints a frame of the editor with cairo, for the hosts beside this file. */
-#ifndef HOSTS_PAINT_H
-#define HOSTS_PAINT_H
+#ifndef BATTEN_HOSTS_PAINT_H
+#define BATTEN_HOSTS_PAINT_H
 #include <batten/batten.h>
 #include <cairo/cairo.h>
 
