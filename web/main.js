@@ -10,9 +10,9 @@ import { Server } from './keep/server.js';
 import { Tabs } from './keep/tabs.js';
 import { want } from './page/build.js';
 import { loadIcons } from './page/icons.js';
+import { kept } from './page/kept.js';
 import { Notices } from './page/notice.js';
 import './page/ring.js';
-import './page/scale.js';
 import { Settings } from './page/settings.js';
 import { Whole } from './page/whole.js';
 import { Words } from './page/words.js';
@@ -108,6 +108,9 @@ export class Shell {
 
 async function start() {
   try {
+    if (kept('batten-scale')) {
+      void want(import('./page/scale.js'));
+    }
     const embedded = document.querySelector('meta[name=batten-embedded]');
     const guest = embedded && await (await want(import('./embed/guest.js'))).meet();
     const keeper = guest?.keeper ?? new Keeper();

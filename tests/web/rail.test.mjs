@@ -19,6 +19,8 @@ const box = (page, one) => page.evaluate((selector) => document.querySelector(se
 for (const colorScheme of ['light', 'dark']) {
   test(`tools in groups; a name and a key beside what is pointed at, ${colorScheme}`, async () => {
     const { page, context } = await open(browser, server.address, { colorScheme, viewport: { width: 1280, height: 800 } });
+    await page.mouse.move(600, 500); // a sign of a user
+    await page.waitForSelector('.tip', { state: 'attached' });
     await page.evaluate(() => batten.words.load()); // titles say more then
     await quiet(page);
     const groups = await page.evaluate(() => [...document.querySelectorAll('.rail [role=group]')].map((group) =>
@@ -47,7 +49,7 @@ for (const colorScheme of ['light', 'dark']) {
     const [tip, on] = [await box(page, '.tip'), await box(page, '[data-name=tool-rectangle]')];
     assert.ok(tip.left >= on.right && Math.abs((tip.top + tip.bottom - on.top - on.bottom) / 2) < 1);
     await page.screenshot({ path: path.join(SCREENSHOTS, `rail-${colorScheme}.png`) });
-    await page.mouse.move(600, 500);
+    await page.mouse.move(1100, 300);
     await quiet(page);
     assert.equal(await page.isVisible('.tip'), false);
     assert.equal(await button.getAttribute('title'), title);
@@ -69,6 +71,7 @@ for (const colorScheme of ['light', 'dark']) {
 for (const colorScheme of ['light', 'dark']) {
   test(`controls of twice the size at 3840 x 2160, the drawing as it was, ${colorScheme}`, async () => {
     const { page, hand, context } = await open(browser, server.address, { colorScheme, viewport: { width: 3840, height: 2160 } });
+    await page.waitForSelector('.dial');
     await quiet(page);
     const parts = ['.bar', '.rail', '.inspector', '.foot', '.bar .tool', '.dial'];
     const sizes = () => Promise.all(parts.map(async (one) => {
@@ -85,6 +88,7 @@ for (const colorScheme of ['light', 'dark']) {
     parts.forEach((part, i) => assert.ok(Math.abs(twice[i] - 2 * once[i]) <= 3, `${part}: ${once[i]}, ${twice[i]}`));
     await page.reload();
     await ready(page);
+    await page.waitForSelector('.dial');
     await quiet(page);
     assert.deepEqual(await sizes(), twice, 'kept');
     // The drawing is as sharp as the screen, and a stroke is where the pen was.
@@ -126,6 +130,7 @@ test('on a narrow window nothing is larger', async () => {
   await page.evaluate(() => localStorage.setItem('batten-scale', '200'));
   await page.reload();
   await ready(page);
+  await quiet(page);
   assert.equal(await page.evaluate(() => document.documentElement.style.getPropertyValue('--scale')), '1');
   await page.setViewportSize({ width: 1170, height: 800 });
   await settle(page);

@@ -45,12 +45,11 @@ export async function settleIn(shell) {
       seen.abort();
       void (shell.engine.words ?? shell.words.load());
       void shell.mirrorDrawing();
+      void want(import('./tips.js')).then(({ tips }) => tips());
     }, { signal: seen.signal });
   }
   // A screen reader may read without any input.
   setTimeout(() => void shell.mirrorDrawing(), UNTOUCHED);
-  const { tips } = await want(import('./tips.js'));
-  tips();
   const { watch } = await want(import('../keep/watch.js'));
   watch(shell.files, shell.notices);
   if (!shell.server.passing) {

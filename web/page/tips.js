@@ -1,6 +1,7 @@
 // The name of a button with its key, beside it, as soon as it is pointed at, or reached by a key. The browser's own
-// explanation comes later and says more: it stays away while this is shown. Fetched once the page has loaded.
+// explanation comes later and says more: it stays away while this is shown. Fetched at the first sign of a user.
 
+import { dress } from './build.js';
 import { keyOf } from './words.js';
 
 const SOON = 150; // milliseconds
@@ -29,6 +30,9 @@ class Tips {
       addEventListener(event, () => this.#soon(null), { capture: true, passive: true });
     }
     document.documentElement.addEventListener('pointerleave', () => this.#soon(null));
+    if (matchMedia('(hover: hover)').matches) {
+      this.#soon(document.querySelector(`${WHERE}:hover`)); // what has been pointed at meanwhile
+    }
   }
 
   /** @param {Element | null | undefined} button */
@@ -71,4 +75,7 @@ class Tips {
   }
 }
 
-export const tips = () => new Tips();
+export async function tips() {
+  await dress('styles/tips.css');
+  return new Tips();
+}
