@@ -1,3 +1,4 @@
+#include "editor/edit/profile.h"
 #include "editor/tables/settings.h"
 #include "editor/edit/mirror.h"
 #include "editor/edit/stroke.h"
@@ -115,6 +116,20 @@ static bat_status put_several(bat_context *c, const bat_edit *edit, bat_curve *c
     return put;
 }
 
+/* The object just made, with the pen's pressure as the width along it; flat lines stay flat. */
+static bat_status press(bat_context *c, const bat_edit *edit) {
+    const int index = bat_document_find(c->session->document, edit->object);
+    bat_width_stop stops[BAT_PRESSED_STOPS];
+    bat_object *made = NULL;
+    const size_t count = bat_profile_pressed(edit->samples.count, edit->samples.pixels,
+                                             edit->samples.pressure, stops);
+    if (!count || index < 0) return BAT_OK;
+    bat_status status = bat_profile_set(bat_document_at(c->session->document, index), count, stops, &made);
+    if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
+    bat_object_release(made);
+    return status;
+}
+
 bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curve) {
     bat_text line = {0};
     bat_edit_write(edit, &line);
@@ -129,6 +144,7 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curv
         status = put_several(c, edit, curve);
     else
         status = bat_put_curve(c, edit->object, edit->curve, curve);
+    if (status == BAT_OK && edit->kind == BAT_EDIT_NEW && edit->pressed) status = press(c, edit);
     /* The joined curve replaces the first; the second has become part of it. */
     if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)
         status = bat_remove_curve(c, edit->other, edit->other_curve);

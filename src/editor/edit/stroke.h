@@ -56,6 +56,7 @@ typedef struct bat_edit {
     bat_sketch_options options;
     bat_style style;   /* NEW */
     bat_id parent;     /* NEW: the layer it goes into; 0: none */
+    bool pressed;      /* NEW: the pen's pressure becomes the width along it */
     bat_mirror mirror; /* on: the edit is made on both sides of this axis */
     bool accepted;     /* the user accepted a fit that misses the tolerance */
     bat_samples samples;

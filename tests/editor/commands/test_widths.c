@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "editor/edit/profile.h"
 #include "support/selecting.h"
 #include <batten/measure.h>
 #include <batten/paint.h>
@@ -147,8 +148,44 @@ static void turn_and_are_cut_and_joined(void **state) {
     bat_editor_free(editor);
 }
 
+static void come_from_pressure(void **state) {
+    (void)state;
+    for (int on = 0; on < 2; on++) {
+        bat_editor *editor = lines();
+        const uint64_t first = digest(editor);
+        set(editor, "pressure-width", on);
+        runs(editor, "tool-sketch");
+        pen p = pen_for(editor);
+        pen_stroke(&p, pen_arch, (const double[]){100, 600, 500, 620, 60}, 100);
+        assert_int_equal(bat_document_count(editor->session.document), 3);
+        const bat_width_profile profile = bat_object_widths(object(editor, 3));
+        assert_true(on ? profile.count > 8 : profile.count == 0); /* flat lines stay flat lines */
+        for (size_t i = 0; i < profile.count; i++) { /* the pen presses 0.5 + 0.25 sin(t / 100) */
+            const double at = profile.stops[i].at, wanted = 1 + 0.5 * sin((1004 + 400 * at) / 100);
+            assert_true(fabs(profile.stops[i].share - wanted) < 0.1);
+        }
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_editor_free(editor);
+    }
+    bat_editor *editor = lines(); /* a mouse presses evenly */
+    set(editor, "pressure-width", 1);
+    runs(editor, "tool-sketch");
+    pen p = mouse(editor);
+    drag(&p, 100, 500, 500, 520);
+    bat_editor_free(editor);
+    const double points[] = {0, 0, 1, 0, 4, 0}, even[] = {0.5, 0.5, 0.5}, more[] = {0, 0.5, 1};
+    bat_width_stop stops[BAT_PRESSED_STOPS];
+    assert_int_equal(bat_profile_pressed(3, points, even, stops), 0);
+    assert_int_equal(bat_profile_pressed(1, points, more, stops), 0);
+    assert_int_equal(bat_profile_pressed(0, NULL, NULL, stops), 0);
+    assert_int_equal(bat_profile_pressed(2, (const double[]){1, 1, 1, 1}, more, stops), 0);
+    const size_t count = bat_profile_pressed(3, points, more, stops);
+    assert_true(count >= 3 && stops[0].at == 0 && stops[0].share == 0 && stops[count - 1].at == 1 &&
+                stops[count - 1].share == 2);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(have_names),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(have_names), cmocka_unit_test(come_from_pressure),
                                        cmocka_unit_test(are_painted_as_what_they_cover),
                                        cmocka_unit_test(turn_and_are_cut_and_joined)};
     return cmocka_run_group_tests(tests, NULL, NULL);
