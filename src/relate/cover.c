@@ -28,7 +28,7 @@ static double speed_at(const void *cubic, double t) {
     return bat_hypot(d[0], d[1]);
 }
 
-static void measure(bat_stretch *s) {
+static void measure(bat_wide_stretch *s) {
     s->steps[0] = 0;
     for (int k = 0; k < BAT_STRETCH_STEPS; k++)
         s->steps[k + 1] = s->steps[k] + bat_gauss(speed_at, s->b, (double)k / BAT_STRETCH_STEPS,
@@ -55,7 +55,7 @@ static bat_status prepare(bat_widening *w, const bat_curve *curve) {
     bat_free(cubics);
     double before = 0;
     for (int i = 0; i < count; i++) {
-        bat_stretch s = w->stretches[i];
+        bat_wide_stretch s = w->stretches[i];
         s.before = before, before += s.length;
         if (s.length > NOTHING * w->length) w->stretches[w->count++] = s;
     }

@@ -24,17 +24,17 @@ static void derivatives(const double *b, double t, double *point, double *first,
 
 static double speed_at(const void *stretch, double t) {
     double point[2], first[2], second[2];
-    derivatives(((const bat_stretch *)stretch)->b, t, point, first, second);
+    derivatives(((const bat_wide_stretch *)stretch)->b, t, point, first, second);
     return bat_hypot(first[0], first[1]);
 }
 
-static double length_at(const bat_stretch *s, double t) {
+static double length_at(const bat_wide_stretch *s, double t) {
     const int k = (int)fmin(fmax(floor(t * BAT_STRETCH_STEPS), 0), BAT_STRETCH_STEPS - 1);
     return s->steps[k] + bat_gauss(speed_at, s, (double)k / BAT_STRETCH_STEPS, t);
 }
 
 /* The parameter at a length from its start. */
-static double at_length(const bat_stretch *s, double length) {
+static double at_length(const bat_wide_stretch *s, double length) {
     double low = 0, high = 1;
     for (int k = 0; k < BISECTIONS; k++) {
         const double middle = 0.5 * (low + high);
@@ -43,7 +43,7 @@ static double at_length(const bat_stretch *s, double length) {
     return 0.5 * (low + high);
 }
 
-void bat_widening_at(const bat_widening *w, const bat_stretch *s, double t, bat_wide *out) {
+void bat_widening_at(const bat_widening *w, const bat_wide_stretch *s, double t, bat_wide *out) {
     double first[2], second[2], share[2], other[2];
     derivatives(s->b, t, out->point, first, second);
     out->speed = bat_hypot(first[0], first[1]);
@@ -82,7 +82,7 @@ static void hermite(const bat_wide ends[2], int side, double h, double cubic[8])
 }
 
 /* How far the cubic is from the side at the same parameters. */
-static double error_of(const bat_widening *w, const bat_stretch *s, int side, double a, double b,
+static double error_of(const bat_widening *w, const bat_wide_stretch *s, int side, double a, double b,
                        const double *cubic) {
     static const double shares[3] = {0.25, 0.5, 0.75};
     double most = 0, made[2], first[2], second[2], wanted[2];
@@ -96,7 +96,7 @@ static double error_of(const bat_widening *w, const bat_stretch *s, int side, do
     return most;
 }
 
-static void fit(bat_widening *w, const bat_stretch *s, int side, double a, double b, int depth,
+static void fit(bat_widening *w, const bat_wide_stretch *s, int side, double a, double b, int depth,
                 bat_border *border) {
     bat_wide ends[2];
     double cubic[8];
@@ -118,7 +118,7 @@ static void fit(bat_widening *w, const bat_stretch *s, int side, double a, doubl
 }
 
 /* The centre of curvature. */
-static void centre_at(const bat_widening *w, const bat_stretch *s, double t, double out[2]) {
+static void centre_at(const bat_widening *w, const bat_wide_stretch *s, double t, double out[2]) {
     bat_wide at;
     bat_widening_at(w, s, t, &at);
     const double radius = fabs(at.bend) * at.half > 1 ? 1 / at.bend : (at.bend < 0 ? -1 : 1) * at.half;
@@ -126,7 +126,7 @@ static void centre_at(const bat_widening *w, const bat_stretch *s, double t, dou
     out[1] = at.point[1] + radius * at.tangent[0];
 }
 
-static void evolute(const bat_widening *w, const bat_stretch *s, double a, double b, int depth,
+static void evolute(const bat_widening *w, const bat_wide_stretch *s, double a, double b, int depth,
                     bat_border *border) {
     double p[2], q[2], m[2];
     centre_at(w, s, a, p);
@@ -142,8 +142,8 @@ static void evolute(const bat_widening *w, const bat_stretch *s, double a, doubl
 }
 
 /* A side that runs backwards: the sheet ends at the evolute, and the other sheet is a loop of its own. */
-static void turn_over(bat_widening *w, const bat_stretch *s, int side, double a, double b, bat_border *border,
-                      bat_border *over) {
+static void turn_over(bat_widening *w, const bat_wide_stretch *s, int side, double a, double b,
+                      bat_border *border, bat_border *over) {
     bat_border line = {0}, back = {0}, loop = {0};
     evolute(w, s, a, b, 0, &line);
     fit(w, s, side, a, b, 0, &back);
@@ -158,7 +158,7 @@ static void turn_over(bat_widening *w, const bat_stretch *s, int side, double a,
     bat_border_free(&line), bat_border_free(&back), bat_border_free(&loop);
 }
 
-static double course_at(const bat_widening *w, const bat_stretch *s, int side, double t) {
+static double course_at(const bat_widening *w, const bat_wide_stretch *s, int side, double t) {
     bat_wide at;
     bat_widening_at(w, s, t, &at);
     return course(&at, side);
@@ -170,7 +170,7 @@ static int compare(const void *a, const void *b) {
 }
 
 /* Where the stops are, and where the side turns; ascending, from 0 to 1. */
-static int cuts_of(const bat_widening *w, const bat_stretch *s, int side, double *cuts) {
+static int cuts_of(const bat_widening *w, const bat_wide_stretch *s, int side, double *cuts) {
     int count = 0;
     cuts[count++] = 0;
     for (size_t i = 0; i < w->profile->count; i++) {
@@ -193,7 +193,7 @@ static int cuts_of(const bat_widening *w, const bat_stretch *s, int side, double
     return count;
 }
 
-void bat_widening_side(bat_widening *w, const bat_stretch *s, int side, bat_border *border,
+void bat_widening_side(bat_widening *w, const bat_wide_stretch *s, int side, bat_border *border,
                        bat_border *over) {
     double cuts[CUTS];
     const int count = cuts_of(w, s, side, cuts);

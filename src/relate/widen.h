@@ -27,11 +27,11 @@ void bat_border_free(bat_border *border);
 enum { BAT_STRETCH_STEPS = 8 };
 
 /* A cubic of the curve, and where it lies along it. */
-typedef struct bat_stretch {
+typedef struct bat_wide_stretch {
     double b[8];
     double before, length;               /* of the curve in front of it, and of itself */
     double steps[BAT_STRETCH_STEPS + 1]; /* its length up to each eighth of its parameter */
-} bat_stretch;
+} bat_wide_stretch;
 
 typedef struct bat_widening {
     const bat_width_profile *profile;
@@ -39,8 +39,8 @@ typedef struct bat_widening {
     bool closed;
     double length; /* of the curve */
     int count;
-    bat_stretch *stretches; /* those without a length are left out */
-    double error;           /* measured */
+    bat_wide_stretch *stretches; /* those without a length are left out */
+    double error;                /* measured */
 } bat_widening;
 
 /* A place on the curve: its point, tangent and signed curvature times the half width there. */
@@ -50,11 +50,12 @@ typedef struct bat_wide {
     double bend;               /* curvature; infinite at a cusp */
 } bat_wide;
 
-void bat_widening_at(const bat_widening *w, const bat_stretch *s, double t, bat_wide *out);
+void bat_widening_at(const bat_widening *w, const bat_wide_stretch *s, double t, bat_wide *out);
 /* Point of a side, 1 left, -1 right. */
 void bat_wide_side(const bat_wide *at, int side, double out[2]);
 /* Adds the side along a stretch; what is turned over goes to `over` as closed loops that run as the stroke's outline does. */
-void bat_widening_side(bat_widening *w, const bat_stretch *s, int side, bat_border *border, bat_border *over);
+void bat_widening_side(bat_widening *w, const bat_wide_stretch *s, int side, bat_border *border,
+                       bat_border *over);
 
 /* bat_curve_cover_width, with the greatest error that was measured. The chains of the plain sides come first: one of an open
  * curve, two of a closed one. */
