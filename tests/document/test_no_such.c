@@ -29,6 +29,28 @@ static int wrong_index(int number, int least, int count) {
 
 static const double shift[3] = {1, 2, 3};
 
+static void of_widths(void **state) {
+    (void)state;
+    bat_width_stop stops[2] = {{0.25, 1}, {0.75, 2}};
+    size_t count = 2;
+    EACH_WRONG(0, 2) {
+        REFUSED(bat_width_move(count, stops, at, 0.5, 1));
+        REFUSED(bat_width_remove(&count, stops, at));
+    }
+    assert_int_equal(count, 2);
+    bat_curve *curve = pen_curve(0, 0, 10, 5, 7);
+    const bat_style style = bat_style_defaults();
+    const bat_paint paint = {.width_count = 2, .widths = stops};
+    bat_object *plain = NULL, *wide = NULL;
+    size_t cubics = 0;
+    double *points = NULL;
+    assert_int_equal(bat_object_create_path(1, "", &style, 1, &curve, &plain), BAT_OK);
+    assert_int_equal(bat_object_with_paint(plain, &paint, &wide), BAT_OK);
+    EACH_WRONG(0, 1) REFUSED(bat_object_cover(wide, at, &cubics, &points));
+    assert_null(points);
+    bat_object_release(plain), bat_object_release(wide);
+}
+
 static void of_shapes(void **state) {
     (void)state;
     bat_curve *base = pen_curve(0, 0, 10, 5, 7);
@@ -292,9 +314,9 @@ static void of_the_editor(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(of_shapes),  cmocka_unit_test(of_reliefs),    cmocka_unit_test(of_cameras),
-        cmocka_unit_test(of_motions), cmocka_unit_test(of_lists),      cmocka_unit_test(of_documents),
-        cmocka_unit_test(of_splines), cmocka_unit_test(of_the_editor),
+        cmocka_unit_test(of_shapes),  cmocka_unit_test(of_reliefs), cmocka_unit_test(of_cameras),
+        cmocka_unit_test(of_motions), cmocka_unit_test(of_lists),   cmocka_unit_test(of_documents),
+        cmocka_unit_test(of_splines), cmocka_unit_test(of_widths),  cmocka_unit_test(of_the_editor),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

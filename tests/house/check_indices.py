@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-INDICES = set("angle done first frame i index joint key level picture point reading segment".split())
+INDICES = set("angle curve done first frame i index joint key level picture point reading segment".split())
 OTHERS = set("axis coarsest continuity degree dimension frames levels modifiers order per_span room segments size steps "
              "times".split())  # and all that end in count or size
 TEST = "tests/document/test_no_such.c"
