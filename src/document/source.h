@@ -10,6 +10,7 @@
 typedef struct bat_sourced {
     uint32_t element; /* its number in the file: start tags counted from 1 */
     bool copied;      /* the object is one of those that `use` draws */
+    bool part;        /* it shows the object only with others: what its stroke covers, or its fill */
     bat_id id;        /* what it became; 0: nothing, it only holds others */
     double outer[6];  /* from the units around the element to the document's */
     double inner[6];  /* from its own units, after its transform, to the document's */

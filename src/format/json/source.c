@@ -57,6 +57,7 @@ static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above,
     entry->element = (uint32_t)element;
     if (status == BAT_OK) status = bat_fields_id(f, node, "id", BAT_ID_MAX, &entry->id);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "copied", &entry->copied);
+    if (status == BAT_OK) status = bat_fields_flag(f, node, "part", &entry->part);
     if (status == BAT_OK) status = read_matrix(f, node, "outer", entry->outer);
     memcpy(entry->inner, entry->outer, sizeof entry->inner);
     if (status == BAT_OK) status = read_matrix(f, node, "inner", entry->inner);
@@ -155,6 +156,7 @@ static void write_entry(const bat_sourced *entry, bat_text *text) {
     bat_text_string(text, "{\"element\":");
     bat_text_integer(text, entry->element);
     if (entry->copied) bat_text_string(text, ",\"copied\":true");
+    if (entry->part) bat_text_string(text, ",\"part\":true");
     if (!is_equal(entry->outer, SAME)) write_numbers(text, ",\"outer\":", entry->outer, 6);
     if (!is_equal(entry->inner, entry->outer)) write_numbers(text, ",\"inner\":", entry->inner, 6);
     if (entry->opacity != 1) {

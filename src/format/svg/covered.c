@@ -83,3 +83,30 @@ bat_status bat_object_fill_path(const bat_object *object, bat_object **out) {
     style.stroked = false;
     return bat_object_with_style(object, &style, out);
 }
+
+static bat_status make_opaque(bat_object **object) {
+    bat_object *made = NULL;
+    bat_style style = *bat_object_style(*object);
+    style.opacity = 1;
+    const bat_status status = bat_object_with_style(*object, &style, &made);
+    if (status != BAT_OK) return status;
+    bat_object_release(*object);
+    *object = made;
+    return BAT_OK;
+}
+
+bat_status bat_object_parts(const bat_object *object, bat_object *parts[2], bool *group) {
+    const bool both = bat_object_style(object)->filled;
+    const int stroke = bat_object_paint(object)->stroke_first ? 0 : 1;
+    parts[0] = parts[1] = NULL;
+    *group = both && bat_object_style(object)->opacity != 1;
+    bat_status status = bat_object_stroke_path(object, &parts[stroke]);
+    if (status == BAT_OK && both) status = bat_object_fill_path(object, &parts[1 - stroke]);
+    for (int k = 0; k < 2 && *group; k++)
+        if (status == BAT_OK && parts[k]) status = make_opaque(&parts[k]);
+    for (int k = 0; k < 2 && status != BAT_OK; k++) {
+        bat_object_release(parts[k]);
+        parts[k] = NULL;
+    }
+    return status;
+}

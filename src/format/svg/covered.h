@@ -9,5 +9,8 @@
 bat_status bat_object_stroke_path(const bat_object *object, bat_object **out);
 /* The object without its stroke. */
 bat_status bat_object_fill_path(const bat_object *object, bat_object **out);
+/* Both in the order in which they are painted, NULL where there is nothing to be seen; *group: they are translucent as a whole, and
+ * opaque themselves. */
+bat_status bat_object_parts(const bat_object *object, bat_object *parts[2], bool *group);
 
 #endif

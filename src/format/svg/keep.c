@@ -119,6 +119,7 @@ bat_status bat_svg_keep(const bat_svg_reader *reader, const bat_svg_walk *w, boo
         if (!object) entry->id = 0;
         if (!object && entry->copied) continue; /* a group that was not needed */
         if (object) bat_sourced_note(entry, object);
+        entry->part = object && native && bat_object_widths(object).count > 0;
         if (object && native && bat_object_is_foreign(object)) place_foreign(entry, object);
         if (simpler && object && !bat_object_is_foreign(object)) entry->shape = 0;
         w->places[count++] = *entry;

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH = 8, PLAIN = 10, STEPS_MAX = 1000, STEPS_MIN = 40, STALE = 30 };
+enum { DEPTH = 8, PLAIN = 10, STEPS_MAX = 4000, STEPS_MIN = 40, STALE = 30 };
 static const int WORK = 4000000;    /* points times steps */
 static const double CLOSE = 1e-12;  /* of parameters and shares */
 static const double T_LEAST = 1e-3; /* a point keeps so far from the ends of its piece, in its parameter */

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "document/document.h"
+#include "format/svg/covered.h"
 #include "format/svg/tags.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
@@ -283,6 +284,30 @@ static void flip(bat_document *document, int index) {
     put(document, index, made);
 }
 
+/* A stroke gets a width that changes along it, or loses it. */
+static void widen(bat_document *document, int index, double share, bool filled) {
+    const bat_object *object = bat_document_at(document, index);
+    const bat_width_stop stops[2] = {{0.1, 0.25}, {0.8, share}};
+    if (!bat_object_is_made_of_curves(object)) return;
+    bat_paint made = bat_object_paint(object) ? *bat_object_paint(object) : (bat_paint){0};
+    bat_style style = *bat_object_style(object);
+    made.width_count = made.width_count ? 0 : 2;
+    made.widths = made.width_count ? stops : NULL;
+    made.stroke_first = share > 1;
+    style.stroked = true, style.filled = filled;
+    bat_object *styled = NULL, *painted = NULL;
+    assert_int_equal(bat_object_with_style(object, &style, &styled), BAT_OK);
+    assert_int_equal(bat_object_with_paint(styled, &made, &painted), BAT_OK);
+    bat_object_release(styled);
+    put(document, index, painted);
+}
+
+static void widen_some(bat_document *document, random_source *r) {
+    const int index = random_int(r, 0, bat_document_count(document) - 1);
+    const double share = random_between(r, 0.5, 1.5);
+    widen(document, index, share, random_int(r, 0, 1) == 1);
+}
+
 static void edit(bat_document *document, random_source *r) {
     int drawn = 0;
     for (int i = 0; i < bat_document_count(document); i++)
@@ -328,26 +353,42 @@ static double seen_through(const bat_document *document, int index) {
            bat_document_level(document, index).around;
 }
 
+static void expect_same_look(const bat_object *a, const bat_object *b) {
+    double box[4], there[4];
+    bat_object_bounds(a, box);
+    bat_object_bounds(b, there);
+    for (int j = 0; j < 4; j++) assert_true(fabs(box[j] - there[j]) < 2e-3);
+    const bat_style *s = bat_object_style(a), *t = bat_object_style(b);
+    assert_int_equal(s->stroked, t->stroked);
+    assert_int_equal(s->filled, t->filled);
+    if (s->stroked) assert_int_equal(s->stroke, t->stroke);
+    if (s->filled) assert_int_equal(s->fill, t->fill);
+    if (s->stroked) assert_true(fabs(s->width - t->width) < 1e-9 * s->width);
+}
+
 static void expect_same_picture(const bat_document *one, const bat_document *other) {
     int i = 0, k = 0;
-    for (;;) {
-        const bat_object *a = next_painted(one, &i), *b = next_painted(other, &k);
-        assert_true((a != NULL) == (b != NULL));
-        if (!a) return;
-        double box[4], there[4];
-        if (bat_object_is_foreign(a) && bat_object_is_foreign(b)) continue; /* their boxes are guesses */
-        bat_object_bounds(a, box);
-        bat_object_bounds(b, there);
-        for (int j = 0; j < 4; j++) assert_true(fabs(box[j] - there[j]) < 2e-3);
-        const bat_style *s = bat_object_style(a), *t = bat_object_style(b);
-        assert_int_equal(s->stroked, t->stroked);
-        assert_int_equal(s->filled, t->filled);
-        if (s->stroked) assert_int_equal(s->stroke, t->stroke);
-        if (s->filled) assert_int_equal(s->fill, t->fill);
-        if (s->stroked) assert_true(fabs(s->width - t->width) < 1e-9 * s->width);
-        assert_true(fabs(seen_through(one, i - 1) - seen_through(other, k - 1)) < 1e-9);
-        assert_int_equal(is_hidden(one, a), is_hidden(other, b));
+    for (const bat_object *a; (a = next_painted(one, &i));) {
+        bat_object *parts[2] = {bat_object_retain(a), NULL};
+        bool group = false;
+        if (bat_object_widths(a).count) {
+            bat_object_release(parts[0]);
+            assert_int_equal(bat_object_parts(a, parts, &group), BAT_OK);
+        }
+        for (int j = 0; j < 2; j++) {
+            const bat_object *b = parts[j] ? next_painted(other, &k) : NULL;
+            if (!parts[j]) continue;
+            assert_non_null(b);
+            const bool guessed = bat_object_is_foreign(a) && bat_object_is_foreign(b); /* its box is */
+            if (!guessed) {
+                expect_same_look(parts[j], b);
+                assert_true(fabs(seen_through(one, i - 1) - seen_through(other, k - 1)) < 1e-9);
+                assert_int_equal(is_hidden(one, a), is_hidden(other, b));
+            }
+            bat_object_release(parts[j]);
+        }
     }
+    assert_null(next_painted(other, &k));
 }
 
 /* A translucent group keeps its element and attribute whatever is edited in it; taken apart, its members have the opacity. */
@@ -461,13 +502,14 @@ static void expect_kept(const char *file, const char *text) {
  * With its own data it is read back bit for bit, keeps its file again, and can be edited again. */
 static void random_edits_are_written(void **state) {
     (void)state;
-    random_source r = {77};
+    random_source r = {77}, widths = {78};
     for (int round = 0; round < 400; round++) {
         const char *file = FILES[round % FILE_COUNT];
         bat_document *document = opened(file);
         for (int again = 0; again < 3; again++) {
             const int edits = random_int(&r, 1, 5);
             for (int i = 0; i < edits; i++) edit(document, &r);
+            if (round % 2) widen_some(document, &widths);
             assert_null(bat_document_check(document));
             char *plain = written(document, false), *whole = written(document, true);
             bat_document *seen = opened(plain), *back = NULL;
@@ -493,14 +535,60 @@ static void random_edits_are_written(void **state) {
 
 /* The native document keeps the file, too, and journals begin with one. */
 static const char *begin_of(const bat_document *document) {
-    const char *begin = "{\"batten\":3";
+    static const char *const begins[] = {"{\"batten\":3", "{\"batten\":4", "{\"batten\":6", "{\"batten\":7"};
+    int most = 0;
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
-        if (bat_object_is_foreign(object)) return "{\"batten\":6";
-        if (bat_object_is_group(object) && bat_object_style(object)->opacity != 1) return "{\"batten\":6";
-        if (bat_object_paint(bat_document_at(document, i))) begin = "{\"batten\":4";
+        const bat_paint *paint = bat_object_paint(object);
+        const bool faded = bat_object_is_group(object) && bat_object_style(object)->opacity != 1;
+        const int needs = paint && paint->width_count ? 3
+                          : faded || bat_object_is_foreign(object) || (paint && paint->stroke_first)
+                              ? 2
+                              : paint != NULL;
+        most = needs > most ? needs : most;
     }
-    return begin;
+    return begins[most];
+}
+
+/* Strokes whose width changes give way to what they cover, in their place; what else is in the file stays, and nothing gathers. */
+static void widened_strokes_are_written(void **state) {
+    (void)state;
+    for (int filled = 0; filled < 2; filled++) {
+        bat_document *document = opened(RICH), *back = NULL;
+        const int index = find_drawn(document, 1);
+        char *before = written(document, false);
+        widen(document, index, 0.75, filled);
+        bat_style style = *bat_object_style(bat_document_at(document, index));
+        bat_object *faded = NULL;
+        style.opacity = 0.5;
+        assert_int_equal(bat_object_with_style(bat_document_at(document, index), &style, &faded), BAT_OK);
+        put(document, index, faded);
+        char *first = written(document, true);
+        expect_kept(before, first);
+        assert_non_null(strstr(first, "Hello <tspan>you</tspan>"));
+        for (int round = 0; round < 3; round++) {
+            assert_int_equal(read_file(first, strlen(first), &back, NULL), BAT_OK);
+            assert_true(bat_svg_is_kept(back));
+            assert_true(bat_document_digest(back) == bat_document_digest(document));
+            shift(back, find_drawn(back, 0), round % 2 ? -1 : 1, 0);
+            char *again = written(back, true);
+            if (round % 2) assert_int_equal(count_of(again, "<path"), count_of(first, "<path"));
+            if (round % 2) assert_int_equal(count_of(again, "<g"), count_of(first, "<g"));
+            bat_free(first);
+            first = again;
+            bat_document_free(document);
+            document = back;
+        }
+        widen(document, find_drawn(document, 1), 0.75, false);
+        char *flat = written(document, false);
+        bat_document *seen = opened(flat);
+        expect_same_picture(document, seen);
+        expect_kept(before, flat);
+        assert_true(count_of(flat, "<path") <= count_of(first, "<path"));
+        bat_document_free(seen);
+        bat_document_free(document);
+        bat_free(first), bat_free(before), bat_free(flat);
+    }
 }
 
 static void native_documents_keep_it(void **state) {
@@ -509,6 +597,7 @@ static void native_documents_keep_it(void **state) {
     for (int round = 0; round < 30; round++) {
         bat_document *document = opened(FILES[round % FILE_COUNT]), *back = NULL;
         for (int i = 0; i < round % 4; i++) edit(document, &r);
+        if (round % 5 == 4) widen_some(document, &r);
         char *text, *again;
         size_t size, other;
         assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
@@ -633,6 +722,7 @@ static void running_out_of_memory(void **state) {
         bat_document *document = opened(RICH);
         random_source r = {3};
         for (int i = 0; i < 6; i++) edit(document, &r);
+        widen(document, find_drawn(document, 0), 0.75, true);
         for (int n = 1;; n++) {
             char *text = NULL;
             size_t size;
@@ -759,6 +849,7 @@ int main(void) {
         cmocka_unit_test(a_shape_becomes_a_path),
         cmocka_unit_test(copies_stay_as_they_were),
         cmocka_unit_test(random_edits_are_written),
+        cmocka_unit_test(widened_strokes_are_written),
         cmocka_unit_test(native_documents_keep_it),
         cmocka_unit_test(bad_native_documents_are_refused),
         cmocka_unit_test(what_cannot_be_kept_is_not),

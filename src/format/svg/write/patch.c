@@ -4,6 +4,7 @@
 #include "document/digest.h"
 #include "document/kind.h"
 #include "format/native/native.h"
+#include "format/svg/covered.h"
 #include "format/svg/reader.h"
 
 #include <math.h>
@@ -35,6 +36,11 @@ static void keep_object(bat_svg_patch *p, int index) {
     const uint8_t fate = plan->fate[entry->element];
     const bool shared = fate & BAT_SVG_NEEDED && fate & BAT_SVG_TOUCHED && !bat_object_is_group(object);
     if (shared) copy_element(p, tag); /* what refers to it goes on showing what it was */
+    if (bat_svg_is_remade(object, entry)) {
+        bat_svg_patch_remake(p, object, entry, plan->hidden[index]);
+        bat_svg_patch_edit(p, from, tag->open, tag->end - tag->open);
+        return;
+    }
     const int mark = p->fresh_count;
     const bat_svg_ids ids = bat_svg_patch_gradients(p, object, entry, false);
     bat_svg_patch_mark(p, bat_object_id(object));
@@ -220,6 +226,31 @@ static void apply(bat_svg_patch *p, output *out) {
     if (out->text.failed || p->made.failed) p->status = BAT_MEMORY;
 }
 
+/* Two documents that ought to show the same, the second from `next` on. */
+typedef struct seen {
+    const bat_document *document, *again;
+    int next;
+    double slack;
+    bool clipped;
+} seen;
+
+/* Whether the next drawn thing of the second document is where that one is, which shows the object or a part of it. */
+static bat_status find_next(seen *s, const bat_object *object, const bat_object *shown) {
+    const bat_object *other = NULL;
+    double a[4], b[4];
+    while ((other = bat_document_at(s->again, s->next++)) && !bat_object_is_drawn(other)) {
+    }
+    if (!other) return BAT_UNSUPPORTED;
+    if (bat_object_is_foreign(shown) && bat_object_is_foreign(other))
+        return BAT_OK; /* their boxes are guesses */
+    bat_object_bounds(shown, a);
+    bat_object_bounds(other, b);
+    for (int j = 0; j < 4; j++)
+        if (!(fabs(a[j] - b[j]) <= s->slack)) return BAT_UNSUPPORTED;
+    return s->clipped && !bat_svg_same_clip(s->document, object, s->again, other, s->slack) ? BAT_UNSUPPORTED
+                                                                                            : BAT_OK;
+}
+
 /* Reads the new text as any reader will: its digest, and whether it shows what the document holds. */
 static bat_status read_again(const bat_document *document, const bat_text *text, uint64_t *digest) {
     bat_svg_reader *reader;
@@ -238,30 +269,27 @@ static bat_status read_again(const bat_document *document, const bat_text *text,
     double all[4];
     bat_document_bounds(document, all);
     const double slack = 1e-3 * fmax(1, bat_hypot(all[2] - all[0], all[3] - all[1]));
-    const bool clipped = bat_svg_is_clipped(document) || bat_svg_is_clipped(again);
-    int k = 0;
+    seen s = {document, again, 0, slack, bat_svg_is_clipped(document) || bat_svg_is_clipped(again)};
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
-        const bat_object *object = bat_document_at(document, i), *other = NULL;
+        const bat_object *object = bat_document_at(document, i);
         if (!bat_object_is_drawn(object) ||
             !(bat_object_style(object)->stroked || bat_object_style(object)->filled))
             continue;
-        while ((other = bat_document_at(again, k++)) && !bat_object_is_drawn(other)) {
+        bat_object *parts[2] = {NULL};
+        bool group = false;
+        if (!bat_object_widths(object).count) {
+            status = find_next(&s, object, object);
+            continue;
         }
-        double a[4], b[4];
-        if (!other) {
-            status = BAT_UNSUPPORTED;
-            break;
+        status = bat_object_parts(object, parts, &group);
+        for (int j = 0; j < 2; j++) {
+            if (status == BAT_OK && parts[j]) status = find_next(&s, object, parts[j]);
+            bat_object_release(parts[j]);
         }
-        if (bat_object_is_foreign(object) && bat_object_is_foreign(other))
-            continue; /* their boxes are guesses */
-        bat_object_bounds(object, a);
-        bat_object_bounds(other, b);
-        for (int j = 0; j < 4; j++)
-            if (!(fabs(a[j] - b[j]) <= slack)) status = BAT_UNSUPPORTED;
-        if (clipped && !bat_svg_same_clip(document, object, again, other, slack)) status = BAT_UNSUPPORTED;
     }
+    int k = s.next;
     for (const bat_object *other; (other = bat_document_at(again, k)); k++)
-        if (bat_object_is_drawn(other)) status = BAT_UNSUPPORTED;
+        if (status == BAT_OK && bat_object_is_drawn(other)) status = BAT_UNSUPPORTED;
     bat_document_free(again);
     return status;
 }
@@ -352,12 +380,10 @@ bat_status bat_svg_patch_write(const bat_document *document, bool with_native, d
         bat_text_add(text, same, size);
         return text->failed ? BAT_MEMORY : BAT_OK;
     }
-    for (int i = 0; i < bat_document_count(document); i++) /* no element is such a stroke */
-        if (bat_object_widths(bat_document_at(document, i)).count) return BAT_UNSUPPORTED;
     bat_svg_patch p = {.precision = precision};
     bat_status status = bat_svg_plan_make(document, &p.plan);
     if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_UNSUPPORTED;
-    const size_t room = (size_t)p.plan.count + 2;
+    const size_t room = 3 * (size_t)p.plan.count + 2; /* an object may have two parts in a group */
     output out = {.marks = malloc(2 * room * sizeof *out.marks)};
     p.kept = malloc(room * sizeof *p.kept);
     p.fresh = malloc(room * sizeof *p.fresh);

@@ -89,6 +89,8 @@ bool bat_svg_same_clip(const bat_document *one, const bat_object *a, const bat_d
 /* ---- patch_new.c: what is written anew ---- */
 /* Every object that is new or has moved is written behind the one below it. */
 void bat_svg_patch_new(bat_svg_patch *p);
+/* Writes such an object as what is new, in the place of its element. */
+void bat_svg_patch_remake(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool hides);
 
 /* The file as it is now. BAT_UNSUPPORTED: it cannot be written so. O(size). */
 bat_status bat_svg_patch_write(const bat_document *document, bool with_native, double precision,

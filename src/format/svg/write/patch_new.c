@@ -2,6 +2,7 @@
  * and order allow, so that as little as possible of what is around it has an effect on it. */
 #include "base/matrix.h"
 #include "document/kind.h"
+#include "format/svg/covered.h"
 #include "format/svg/markup.h"
 #include "format/svg/svg.h"
 #include "format/svg/write/patch.h"
@@ -88,7 +89,43 @@ static void write_hidden(bat_text *out, const bat_object *object, bool hides) {
     bat_svg_write_state(out, object);
 }
 
+static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s, bool hides);
+
+/* A stroke whose width changes, as what it covers, behind or before the fill: each element is the object's. */
+static void write_parts(bat_svg_patch *p, const bat_object *object, const spot *s, bool hides) {
+    bat_object *parts[2];
+    bool group;
+    spot inside = *s;
+    const bat_status status = bat_object_parts(object, parts, &group);
+    if (status != BAT_OK) {
+        p->status = status;
+        return;
+    }
+    const bool two = parts[0] && parts[1]; /* one element, since what it is in may count them */
+    if (two) {
+        bat_svg_patch_mark(p, bat_object_id(object));
+        bat_text_string(&p->made, "<g");
+        if (group) {
+            const double opacity = bat_object_style(object)->opacity;
+            bat_svg_write_number(&p->made, " opacity=\"",
+                                 s->opacity > 0 ? fmin(1, opacity / s->opacity) : opacity);
+            inside.opacity = 1;
+        }
+        bat_text_string(&p->made, ">");
+    }
+    for (int k = 0; k < 2; k++) {
+        if (parts[k] && p->status == BAT_OK) write_new(p, parts[k], &inside, hides);
+        if (two && p->number) p->number++; /* both have one id */
+        bat_object_release(parts[k]);
+    }
+    if (two) bat_text_string(&p->made, "</g>");
+}
+
 static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s, bool hides) {
+    if (bat_object_widths(object).count) {
+        write_parts(p, object, s, hides);
+        return;
+    }
     bat_text *out = &p->made;
     bat_style style = *bat_object_style(object);
     if (s->opacity > 0) style.opacity = fmin(1, style.opacity / s->opacity);
@@ -120,6 +157,15 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
     const bat_status status = bat_svg_write_curves(out, object, uneven ? back : NULL, p->precision);
     if (status != BAT_OK) p->status = status;
     bat_text_string(out, "\"/>");
+}
+
+void bat_svg_patch_remake(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool hides) {
+    spot s = {.in = p->plan.tags.list[entry->element].parent, .opacity = entry->opacity};
+    memcpy(s.outer, entry->outer, sizeof s.outer);
+    if (bat_svg_inverse(s.outer, s.back))
+        write_new(p, object, &s, hides);
+    else
+        p->status = BAT_UNSUPPORTED;
 }
 
 /* The element as it is, with its start tag as it has to be; where units differ, within a group that makes up for it. */
@@ -157,8 +203,9 @@ static void write_moved(bat_svg_patch *p, const bat_object *object, const bat_so
 static void write_one(bat_svg_patch *p, int index, const spot *s) {
     const bat_object *object = bat_document_at(p->plan.document, index);
     const bool hides = p->plan.hidden[index];
-    if (p->plan.stay[index] == BAT_SVG_MOVED)
-        write_moved(p, object, bat_svg_plan_entry(&p->plan, index), s, hides);
+    const bat_sourced *entry = bat_svg_plan_entry(&p->plan, index);
+    if (p->plan.stay[index] == BAT_SVG_MOVED && !bat_svg_is_remade(object, entry))
+        write_moved(p, object, entry, s, hides);
     else if (bat_object_curve_count(object) > 0 || bat_object_picture(object))
         write_new(p, object, s, hides);
 }

@@ -35,13 +35,17 @@ static void find_types(bat_svg_plan *plan) {
     }
 }
 
-/* Objects and entries find each other by the object's id. */
+bool bat_svg_is_remade(const bat_object *object, const bat_sourced *entry) {
+    return entry->part || bat_object_widths(object).count > 0;
+}
+
+/* Objects and entries find each other by the object's id; of its parts the first stands for it. */
 static void match(bat_svg_plan *plan) {
     for (int i = 0; i < plan->count; i++) plan->entry[i] = -1;
     for (int k = 0; k < bat_source_count(plan->source); k++) {
         const bat_sourced *entry = bat_source_at(plan->source, k);
         const int index = entry->id ? bat_document_find(plan->document, entry->id) : -1;
-        if (index >= 0)
+        if (index >= 0 && plan->entry[index] < 0)
             plan->entry[index] = k;
         else if (entry->id && !entry->copied)
             plan->fate[entry->element] |= BAT_SVG_GONE | BAT_SVG_TOUCHED;
@@ -70,7 +74,8 @@ static void touch_edited(bat_svg_plan *plan) {
             continue;
         }
         const bool hidden = bat_object_is_hidden(object) || plan->hidden[i];
-        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) || hidden != entry->hidden)
+        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) || hidden != entry->hidden ||
+            bat_svg_is_remade(object, entry))
             plan->fate[entry->element] |= BAT_SVG_TOUCHED;
     }
 }
@@ -145,7 +150,8 @@ static bool is_whole(const bat_svg_plan *plan, int from, int to) {
         const bat_object *object = bat_document_at(plan->document, index);
         if (!object || plan->fate[entry->element] & BAT_SVG_TOUCHED) return false;
         const bool drawn = bat_object_is_drawn(object);
-        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) || plan->hidden[index] ||
+        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) ||
+            bat_svg_is_remade(object, entry) || plan->hidden[index] ||
             bat_object_is_hidden(object) != entry->hidden || (drawn && plan->stay[index] != BAT_SVG_STAYS))
             return false;
         if (last >= 0 && index < last) return false;

@@ -170,11 +170,10 @@ static bat_status write_path(bat_text *text, const bat_object *object, bool as_i
 static bat_status write_widened(bat_text *text, const bat_object *object, bool as_id, bool hidden,
                                 double precision, bat_outline *outline, uint64_t *digest) {
     const double opacity = bat_object_style(object)->opacity;
-    const bool both = bat_object_style(object)->filled, group = both && opacity != 1;
-    const int stroke = bat_object_paint(object)->stroke_first ? 0 : 1;
-    bat_object *parts[2] = {NULL};
-    bat_status status = bat_object_stroke_path(object, &parts[stroke]);
-    if (status == BAT_OK && both) status = bat_object_fill_path(object, &parts[1 - stroke]);
+    bat_object *parts[2];
+    bool group;
+    bat_status status = bat_object_parts(object, parts, &group);
+    if (status != BAT_OK) return status;
     if (group) {
         bat_svg_write_number(text, "<g opacity=\"", opacity);
         bat_text_string(text, ">\n");
@@ -182,17 +181,8 @@ static bat_status write_widened(bat_text *text, const bat_object *object, bool a
     }
     for (int k = 0, written = 0; k < 2 && status == BAT_OK; k++) {
         if (!parts[k]) continue;
-        if (group) {
-            bat_object *whole = NULL;
-            bat_style style = *bat_object_style(parts[k]);
-            style.opacity = 1;
-            status = bat_object_with_style(parts[k], &style, &whole);
-            bat_object_release(parts[k]);
-            parts[k] = whole;
-        }
-        if (status == BAT_OK)
-            status = write_path(text, parts[k], as_id && !written, hidden, 1 + written, precision, outline,
-                                digest);
+        status = write_path(text, parts[k], as_id && !written, hidden, 1 + written, precision, outline,
+                            digest);
         written++;
     }
     if (group) bat_text_string(text, "</g>\n");
