@@ -19,7 +19,7 @@ static inline int bat_kappa_count(int n, bool closed) { return closed ? n : n > 
  * Fills the pieces of a curve through n points, each different from the one before: two at least, three of a closed
  * one. Neighbouring pieces share their joint bit for bit. The curve always passes through its points; curvature is as
  * even as a bounded number of steps makes it, which is to rounding for all but points in wild disorder. Cost O(n) a step,
- * and 1,000 steps at most (fewer with more than 4,000 points).
+ * and 4,000 steps at most (fewer with more than 1,000 points).
  */
 bat_status bat_kappa(int n, bool closed, const vec *points, bat_kappa_piece *pieces);
 
