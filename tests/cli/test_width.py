@@ -1,5 +1,6 @@
 """Widths along strokes: `curve outline --widths`, and `width` for drawings, as they are written, painted and read again."""
 import json
+import pathlib
 import unittest
 
 from program import ProgramTest
@@ -39,12 +40,12 @@ class Width(ProgramTest):
     def test_drawings_keep_it(self):
         name = self.file("a.svg", SVG)
         wide = self.file("wide.svg", self.done("width", name, "--widths", "0,0;0.5,8;1,0").decode())
-        text = open(wide, encoding="utf8").read()
-        self.assertIn('fill="#cc0000"', text)  # for others: what it covers
+        text = pathlib.Path(wide).read_text(encoding="utf8")
+        self.assertRegex(text, r'fill(="|:)#cc0000')  # for others: what it covers
         info = self.json("info", wide, "--json")
         native = self.file("wide.batten", self.done("convert", wide, "-", "--to", "batten").decode())
-        self.assertEqual(json.load(open(native, encoding="utf8"))["batten"], 7)
-        self.assertEqual(json.load(open(native, encoding="utf8"))["objects"][0]["paint"]["widths"], [[0, 0], [0.5, 1], [1, 0]])
+        self.assertEqual(json.loads(pathlib.Path(native).read_text(encoding="utf8"))["batten"], 7)
+        self.assertEqual(json.loads(pathlib.Path(native).read_text(encoding="utf8"))["objects"][0]["paint"]["widths"], [[0, 0], [0.5, 1], [1, 0]])
         self.assertEqual(self.json("info", native, "--json")["objects"][0]["widths"], [[0, 0], [0.5, 8], [1, 0]])
         self.assertEqual(info["objects"][0]["widths"], [[0, 0], [0.5, 8], [1, 0]])
 
