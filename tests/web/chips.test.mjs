@@ -86,9 +86,10 @@ test('what comes late does not push the drawing aside', async (t) => {
     new ResizeObserver(([{ contentRect: { width, height } }]) => sizes.add(`${width} ${height}`)).observe(batten.stage);
   });
   await page.keyboard.press('l');
+  await settle(page);
   const roof = await place(page, 535, 104.5);
   await hand.stroke([roof, roof]);
-  await page.waitForFunction(() => batten.panel.strip);
+  await page.waitForFunction(() => batten.panel.strip !== undefined); // it waits for its style
   await page.keyboard.press('n');
   await hand.stroke(await Promise.all(ROOF.map(([x, y]) => place(page, x, y))));
   await settle(page);
