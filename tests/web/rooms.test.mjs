@@ -16,6 +16,7 @@ const BELOW = {
   engine: ['page', 'engine'],
   stage: ['page', 'engine', 'stage'],
   keep: ['page', 'engine', 'keep'],
+  embed: ['page', 'engine', 'keep', 'embed'],
   sheets: ['page', 'engine', 'stage', 'keep', 'sheets'],
   '.': ['page', 'engine', 'stage', 'keep', 'sheets'],
   site: ['page', 'engine', 'stage', 'keep', 'sheets', 'site'],
