@@ -39,7 +39,7 @@ export class Start {
     this.tapped = false;
     /** The length of the journal when it was last looked at: what is longer has steps. */
     this.steps = shell.engine.journal.length;
-    /** @type {import('./hands.js').Hands | undefined} */
+    /** @type {import('../sheets/hands.js').Hands | undefined} */
     this.hands = undefined;
     this.form = this.#form();
     this.row = document.createElement('div');
@@ -104,7 +104,7 @@ export class Start {
     }
     if (!kept(STORE)) {
       keep(STORE, 'seen');
-      const { Hands } = await want(import('./hands.js'));
+      const { Hands } = await want(import('../sheets/hands.js'));
       this.hands ??= new Hands(this.shell, this.box);
       this.hands.begin();
     }

@@ -2,7 +2,7 @@
 // engine. Fetched with the first empty page, and never again.
 
 import { Moving } from './moving.js';
-import { tell } from './words.js';
+import { tell } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 
