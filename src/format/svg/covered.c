@@ -60,10 +60,10 @@ static bat_status fill_as_stroke(const bat_object *path, bat_object **out) {
     return status;
 }
 
-bat_status bat_object_stroke_path(const bat_object *object, bat_object **out) {
+static bat_status stroke_of(const bat_object *object, bat_object **out) {
     chains c = {0};
     bat_object *path = NULL;
-    bat_status status = bat_object_widths(object).count ? BAT_OK : BAT_ARGUMENT;
+    bat_status status = BAT_OK;
     for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++)
         status = add_cover(&c, object, i);
     if (status == BAT_OK) *out = NULL;
@@ -78,7 +78,7 @@ bat_status bat_object_stroke_path(const bat_object *object, bat_object **out) {
     return status;
 }
 
-bat_status bat_object_fill_path(const bat_object *object, bat_object **out) {
+static bat_status fill_of(const bat_object *object, bat_object **out) {
     bat_style style = *bat_object_style(object);
     style.stroked = false;
     return bat_object_with_style(object, &style, out);
@@ -96,12 +96,13 @@ static bat_status make_opaque(bat_object **object) {
 }
 
 bat_status bat_object_parts(const bat_object *object, bat_object *parts[2], bool *group) {
+    parts[0] = parts[1] = NULL;
+    if (!bat_object_widths(object).count) return BAT_ARGUMENT;
     const bool both = bat_object_style(object)->filled;
     const int stroke = bat_object_paint(object)->stroke_first ? 0 : 1;
-    parts[0] = parts[1] = NULL;
     *group = both && bat_object_style(object)->opacity != 1;
-    bat_status status = bat_object_stroke_path(object, &parts[stroke]);
-    if (status == BAT_OK && both) status = bat_object_fill_path(object, &parts[1 - stroke]);
+    bat_status status = stroke_of(object, &parts[stroke]);
+    if (status == BAT_OK && both) status = fill_of(object, &parts[1 - stroke]);
     for (int k = 0; k < 2 && *group; k++)
         if (status == BAT_OK && parts[k]) status = make_opaque(&parts[k]);
     for (int k = 0; k < 2 && status != BAT_OK; k++) {
