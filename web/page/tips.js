@@ -30,6 +30,7 @@ class Tips {
       addEventListener(event, () => this.#soon(null), { capture: true, passive: true });
     }
     document.documentElement.addEventListener('pointerleave', () => this.#soon(null));
+    new MutationObserver(() => this.#soon(null)).observe(document.documentElement, { attributeFilter: ['lang'] });
     if (matchMedia('(hover: hover)').matches) {
       this.#soon(document.querySelector(`${WHERE}:hover`)); // what has been pointed at meanwhile
     }
@@ -46,6 +47,7 @@ class Tips {
       delete this.at.dataset.title;
     }
     this.box.hidePopover();
+    this.name.textContent = ''; // in another language, perhaps, by the next time
     this.at = button instanceof HTMLElement ? button : null;
     if (this.at) {
       this.timer = setTimeout(() => this.#show(/** @type {HTMLElement} */ (button)), SOON);
