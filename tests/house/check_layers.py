@@ -15,13 +15,14 @@ ROOMS = [
     "base", "text", "curve", "relate", "relate/region", "points", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "form/relief", "form/mesh", "form/wire", "form/view", "form/sweep", "form/recipe", "form/camera", "form/motion", "form/trace", "form/sight", "form/shade", "document", "format/json",
     "kinds", "format/native", "format/seen", "format/glyph", "format/svg", "format/svg/write", "format/glif", "format/model", "format/curve", "format/points", "format/obj", "format/dxf", "format/gcode", "format/bvh", "format/stl", "format/gltf", "format/iges", "format/step", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
     "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
-    "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels", "editor/tools/surface", "editor/tools/gazes", "editor/tools/points",
+    "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels", "editor/tools/surface", "editor/tools/gazes", "editor/tools/points", "editor/tools/width",
     "editor/commands", "editor/panels", "editor",
 ]
 # Rooms on the same level, which may not use each other.
 APART = [{"hands/figures", "hands/sketch", "hands/tangents"},
          {"editor/tools", "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch",
-          "editor/tools/tangents", "editor/tools/levels", "editor/tools/surface", "editor/tools/gazes", "editor/tools/points"}]
+          "editor/tools/tangents", "editor/tools/levels", "editor/tools/surface", "editor/tools/gazes", "editor/tools/points",
+          "editor/tools/width"}]
 # Rooms whose files may not use each other either, except for the headers listed here, which all of them may use.
 TOOLBOX = {"editor/tools/tool.h", "editor/tools/toolbox.h", "editor/tools/toolbox.c"}  # for every tool
 SINGLE = {"kinds": {"kinds/kinds.h"}, "editor/tools": TOOLBOX, "editor/tools/modes": set()}

@@ -116,6 +116,12 @@ export class Panel {
     input.select();
   }
 
+  /** Lets the user type a number of what is chosen. @param {string} name */
+  async askNumber(name) {
+    await this.dock.reveal('numbers');
+    part(`number-${name}`).focus();
+  }
+
   /** Called after texts or shortcuts have changed. @param {Tables} tables */
   retold(tables) {
     this.tables = tables;

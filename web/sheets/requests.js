@@ -43,6 +43,7 @@ export class Requests {
       [Ask.KEPT, () => this.#kept()],
       [Ask.OPEN, () => files.pick()],
       [Ask.HISTORY, () => this.#history()],
+      [Ask.WIDTH, () => panel.askNumber('width-here')],
     ];
     for (const [asked, run] of requests ? ways : []) {
       if (requests & asked) {

@@ -18,6 +18,7 @@
 #include "editor/tools/tangents/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
+#include "editor/tools/width/state.h"
 #include "editor/view/unit.h"
 #include "editor/view/stage.h"
 #include "base/matrix.h"
@@ -54,6 +55,10 @@ bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
         *value = at - zero[axis];
         return true;
     }
+    case BAT_NUMBER_WIDTH_HERE:
+    case BAT_NUMBER_WIDTH_PLACE:
+        return bat_tool_at(c->choice->tool)->traits & BAT_EDITS_WIDTHS &&
+               bat_broadening_number(c, id == BAT_NUMBER_WIDTH_PLACE, value);
     case BAT_NUMBER_SURFACE_TWIST: return bat_making_get(c, BAT_MAKING_TWIST, value);
     case BAT_NUMBER_SURFACE_SCALE: return bat_making_get(c, BAT_MAKING_SCALE, value);
     case BAT_NUMBER_WIRE_RADIUS:
@@ -113,6 +118,8 @@ static bat_status change(bat_context *c, bat_number_id id, double from, double t
     if (id == BAT_NUMBER_SURFACE_ANGLE) return bat_making_set(c, BAT_MAKING_ANGLE, to);
     if (id == BAT_NUMBER_WIRE_RADIUS || id == BAT_NUMBER_WIRE_RADIUS_END)
         return bat_bind_set_radius(c, id == BAT_NUMBER_WIRE_RADIUS_END, to);
+    if (id == BAT_NUMBER_WIDTH_HERE || id == BAT_NUMBER_WIDTH_PLACE)
+        return bat_broadening_enter(c, id == BAT_NUMBER_WIDTH_PLACE, to);
     if (id == BAT_NUMBER_POINT_X || id == BAT_NUMBER_POINT_Y)
         return change_point(c, id == BAT_NUMBER_POINT_Y, to - from);
     if (id != BAT_NUMBER_GUIDE) return change_selection(c, id, from, to);
