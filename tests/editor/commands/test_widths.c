@@ -154,8 +154,16 @@ static void come_from_pressure(void **state) {
         bat_editor *editor = lines();
         const uint64_t first = digest(editor);
         set(editor, "pressure-width", on);
+        set(editor, "stroke-width", 20);
         runs(editor, "tool-sketch");
         pen p = pen_for(editor);
+        pen_begin(&p, pen_arch, (const double[]){100, 600, 500, 620, 60}, 100); /* as wide as it will be */
+        const bat_item *wide = pen_live(bat_editor_frame(editor), BAT_ROLE_OBJECT);
+        assert_true(on ? wide && wide->flags & BAT_ITEM_FILLED && wide->path_count > 100 : !wide);
+        assert_true(!wide || wide->bounds[3] - wide->bounds[1] > 60);
+        bat_editor_key(editor, "Escape", true, 0, 0);
+        pen_event(&p, BAT_POINTER_UP, 500, 620);
+        p.time = 1000;
         pen_stroke(&p, pen_arch, (const double[]){100, 600, 500, 620, 60}, 100);
         assert_int_equal(bat_document_count(editor->session.document), 3);
         const bat_width_profile profile = bat_object_widths(object(editor, 3));

@@ -2,17 +2,20 @@
 #include "base/vec.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/mirror.h"
+#include "editor/edit/profile.h"
 #include "editor/scene/path.h"
 #include "editor/show/axis.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/sketch/parts.h"
 #include "editor/view/stage.h"
+#include <batten/bezier.h>
 #include <math.h>
 #include <string.h>
 
 static const float FIT_WIDTH = 2, INK_WIDTH = 1.5F, STRETCH_WIDTH = 4;
-static const double KNOT_RADIUS = 3.5; /* px */
+static const double KNOT_RADIUS = 3.5;                    /* px */
+static const double PRESSED_WITHIN = 0.25, CORNER = 0.02; /* px, radians: of a line that is still drawn */
 static const double SURE_AFTER = 20,
                     SURE = 0.1; /* px; how much cheaper the best reading is, per pixel of stroke */
 
@@ -50,6 +53,34 @@ static void show_fit(const bat_context *c, bat_overlay *overlay, bat_role role, 
     if (c->settings->values[BAT_PROPERTY_SHOW_KNOTS] == 0) return;
     bat_overlay_item(overlay, BAT_ROLE_KNOT, BAT_ITEM_FILLED, 0);
     mark_knots(overlay, curve, range[0], range[1], KNOT_RADIUS * bat_stage_pixel(c->stage));
+}
+
+/* A new line whose width comes from the pressure is shown as wide as it is drawn. */
+static void show_pressed(const bat_edit *edit, const bat_curve *curve, bat_overlay *overlay) {
+    bat_width_stop stops[BAT_PRESSED_STOPS];
+    const bat_style *style = &edit->style;
+    if (edit->kind != BAT_EDIT_NEW || !edit->pressed || !style->stroked || !(style->width > 0) ||
+        bat_curve_dimension(curve) != 2 || bat_stage_tilted(&edit->stage))
+        return;
+    const size_t count = bat_profile_pressed(edit->samples.count, edit->samples.pixels,
+                                             edit->samples.pressure, stops);
+    const bat_nib nib = {style->width, style->cap, style->join, fmax(style->miter_limit, 1)};
+    size_t cubics = 0;
+    double *points = NULL;
+    if (!count ||
+        bat_curve_cover_width(curve, &nib, &(bat_width_profile){count, stops},
+                              PRESSED_WITHIN * edit->options.pixel, CORNER, &cubics, &points) != BAT_OK)
+        return; /* only the picture lacks it */
+    bat_overlay_item(overlay, BAT_ROLE_OBJECT, BAT_ITEM_FILLED, 0);
+    bat_item *item = &overlay->items[overlay->count - 1];
+    item->fill = style->stroke;
+    item->opacity = (float)style->opacity;
+    for (size_t i = 0; i < cubics; i++) {
+        const double *b = points + 8 * i;
+        if (i == 0 || memcmp(b, b - 2, 2 * sizeof *b) != 0) bat_path_move(&overlay->path, b[0], b[1]);
+        bat_path_cubic(&overlay->path, b + 2);
+    }
+    bat_free(points);
 }
 
 /* The stretch covers the old line, so it has to be as wide. */
@@ -106,6 +137,7 @@ void bat_sketching_show_stroke(bat_context *c, bat_sketching *s, bat_overlay *ov
     if (preview->curve && target && sure(s)) show_stretch(c, overlay, &s->edit, &preview->report);
     bat_sketching_show_ground(c, &s->edit.stage, overlay);
     bat_followers_show(c, &s->preview.followers, overlay);
+    if (preview->curve) show_pressed(&s->edit, preview->curve, overlay);
     bat_overlay_item(overlay, BAT_ROLE_INK, BAT_ITEM_STROKED, INK_WIDTH);
     bat_overlay_polyline(overlay, samples->count, samples->points);
     if (preview->blends) {
