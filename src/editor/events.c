@@ -97,7 +97,7 @@ static bat_duty assign_first(bat_context *c, const bat_pointer *event, bool only
         return BAT_DUTY_ORBIT;
     if (event->device == BAT_DEVICE_TOUCH && only_pens) return tilted ? BAT_DUTY_ORBIT : BAT_DUTY_NAVIGATE;
     if (c->session->read_only) return BAT_DUTY_NAVIGATE;
-    if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && !alt &&
+    if (event->buttons & BAT_BUTTON_PRIMARY && !c->input->holding_pan && !alt && c->input->three.on &&
         bat_three_pick(c, (double[]){event->x, event->y}))
         return BAT_DUTY_IGNORED;
     if (event->buttons & BAT_BUTTON_ERASER || barrel_is(c, event, BARREL_SMOOTHS)) {

@@ -154,6 +154,14 @@ static void show_pivot(const bat_context *c, bat_overlay *overlay) {
     bat_overlay_circle(overlay, c->stage->view.pivot, 4 * bat_stage_pixel(c->stage));
 }
 
+/* Whether curves are inspected: what does so comes with the second part of the browser's module. */
+static bool inspects(const bat_context *c) {
+    const double *values = c->settings->values;
+    return !bat_stage_tilted(c->stage) &&
+           (values[BAT_PROPERTY_SHOW_COMB] != 0 || values[BAT_PROPERTY_SHOW_KNOTS] != 0 ||
+            values[BAT_PROPERTY_SHOW_LENGTH] != 0);
+}
+
 /* Builds the overlay: guide lines, the selection, the tool's display. */
 static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout *made,
                          bat_overlay *overlay) {
@@ -171,16 +179,16 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     if (c->choice->selection.count && bat_document_has_followers(c->session->document))
         bat_reach_show(c, overlay), bat_folds_show_chosen(c, overlay);
     show_selection(c, overlay);
-    if (!bat_stage_tilted(c->stage)) bat_insight_show(c, made->curve, overlay);
+    if (inspects(c)) bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);
     bat_simplify_show(c, overlay);
     bat_sketching_show_kept(c, overlay);
     if (tool->is->overlay && faces) tool->is->overlay(c, tool->state, overlay);
-    bat_snap_show(c, overlay);
+    if (c->snap->kind != BAT_SNAP_NONE) bat_snap_show(c, overlay);
     bat_rulers_show(c, overlay);
     show_pivot(c, overlay);
     if (c->moves->camera) bat_flight_show(c, overlay), bat_gazes_show(c, overlay), bat_body_show(c, overlay);
-    bat_three_show(c, overlay);
+    if (c->input->three.on) bat_three_show(c, overlay);
     bat_overlay_end(overlay, bat_stage_pixel(c->stage));
 }
 
