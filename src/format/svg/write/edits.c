@@ -15,8 +15,24 @@ void bat_svg_patch_edit(bat_svg_patch *p, size_t from, size_t at, size_t cut) {
         p->edits = grown;
         p->edit_room = room;
     }
-    p->edits[p->edit_count] = (bat_svg_edit){at, cut, from, p->made.size, p->edit_count};
+    p->edits[p->edit_count] = (bat_svg_edit){at, cut, from, p->made.size, p->edit_count, 0};
     p->edit_count++;
+}
+
+size_t bat_svg_patch_lead(const bat_svg_patch *p, size_t at) {
+    const char *text = p->plan.text;
+    while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t')) at--;
+    if (at > 0 && text[at - 1] == '\n') at--;
+    if (at > 0 && text[at - 1] == '\r') at--;
+    return at;
+}
+
+void bat_svg_patch_carry(bat_svg_patch *p, uint32_t element, size_t at) {
+    const bat_svg_tag *tag = &p->plan.tags.list[element];
+    const size_t lead = bat_svg_patch_lead(p, tag->open);
+    bat_svg_patch_edit(p, p->made.size, lead, tag->end - lead);
+    bat_svg_patch_edit(p, p->made.size, at, 0);
+    if (p->status == BAT_OK) p->edits[p->edit_count - 1].carried = element;
 }
 
 void bat_svg_patch_mark(bat_svg_patch *p, bat_id id) {
@@ -128,4 +144,92 @@ int bat_svg_patch_sweep(bat_svg_patch *p, const bat_text *made) {
     }
     free(list);
     return swept;
+}
+
+/* ---- putting it together ---- */
+
+/* What is cut as a whole comes before what is cut in it. */
+static int compare_edits(const void *a, const void *b) {
+    const bat_svg_edit *x = a, *y = b;
+    if (x->at != y->at) return x->at < y->at ? -1 : 1;
+    if ((x->cut > 0) != (y->cut > 0)) return x->cut > 0 ? 1 : -1;
+    if (x->cut != y->cut) return x->cut > y->cut ? -1 : 1;
+    return x->order - y->order;
+}
+
+static int compare_marks(const void *a, const void *b) {
+    const bat_svg_mark *x = a, *y = b;
+    if (x->at != y->at) return x->at < y->at ? -1 : 1;
+    return (x->id > y->id) - (x->id < y->id);
+}
+
+/* The first at or behind that place. */
+static int first_mark(const bat_svg_mark *list, int count, size_t at) {
+    int low = 0, high = count;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (list[middle].at < at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static void copy_marks(const bat_svg_mark *list, int count, size_t from, size_t to, bat_svg_output *out) {
+    for (int i = first_mark(list, count, from); i < count && list[i].at < to; i++)
+        out->marks[out->count++] = (bat_svg_mark){list[i].id, out->text.size + list[i].at - from};
+}
+
+static void copy_source(bat_svg_patch *p, size_t from, size_t to, bat_svg_output *out) {
+    copy_marks(p->kept, p->kept_count, from, to, out);
+    bat_text_add(&out->text, p->plan.text + from, to - from);
+}
+
+static void copy_made(bat_svg_patch *p, const bat_svg_edit *edit, bat_svg_output *out) {
+    copy_marks(p->fresh, p->fresh_count, edit->from, edit->to, out);
+    if (edit->to > edit->from) bat_text_add(&out->text, p->made.data + edit->from, edit->to - edit->from);
+}
+
+/* The first edit at or behind that place. */
+static int first_edit(const bat_svg_patch *p, size_t at) {
+    int low = 0, high = p->edit_count;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (p->edits[middle].at < at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* A part of the file as it is now; `whole`: of all of it, else of an element that is written elsewhere. */
+static void copy_part(bat_svg_patch *p, size_t from, size_t to, bool whole, bat_svg_output *out) {
+    size_t at = from;
+    for (int i = first_edit(p, from); i < p->edit_count && (whole || p->edits[i].at < to); i++) {
+        const bat_svg_edit *edit = &p->edits[i];
+        if (!whole && edit->at == from && (edit->cut == 0 || edit->cut == to - from))
+            continue;                /* before the element, or that it is not at its place */
+        if (edit->at < at) continue; /* in something that is gone */
+        copy_source(p, at, edit->at, out);
+        copy_made(p, edit, out);
+        if (edit->carried) {
+            const bat_svg_tag *tag = &p->plan.tags.list[edit->carried];
+            copy_part(p, tag->open, tag->end, false, out);
+        }
+        at = edit->at + edit->cut;
+    }
+    copy_source(p, at, to, out);
+}
+
+void bat_svg_patch_apply(bat_svg_patch *p, bat_svg_output *out) {
+    if (p->edit_count > 1)
+        qsort(p->edits, (size_t)p->edit_count, sizeof *p->edits, compare_edits); /* no ties */
+    if (p->kept_count > 1)
+        qsort(p->kept, (size_t)p->kept_count, sizeof *p->kept, compare_marks); /* no ties */
+    copy_part(p, 0, p->plan.size, true, out);
+    if (out->count > 1)
+        qsort(out->marks, (size_t)out->count, sizeof *out->marks, compare_marks); /* no ties */
+    if (out->text.failed || p->made.failed) p->status = BAT_MEMORY;
 }

@@ -77,7 +77,6 @@ static bool is_bare(const bat_svg_patch *p, uint32_t element) {
 }
 
 static void drop_element(bat_svg_patch *p, uint32_t element) {
-    const bat_svg_plan *plan = &p->plan;
     const bat_svg_tag *tag = tag_of(p, element);
     const bool holds = bat_svg_is_called(&p->plan, element, "g") ||
                        bat_svg_is_called(&p->plan, element, "a") ||
@@ -89,13 +88,10 @@ static void drop_element(bat_svg_patch *p, uint32_t element) {
         return;
     }
     size_t from = tag->open;
-    if (plan->fate[element] & BAT_SVG_NEEDED)
+    if (p->plan.fate[element] & BAT_SVG_NEEDED)
         copy_element(p, tag);
-    else {
-        while (from > 0 && (plan->text[from - 1] == ' ' || plan->text[from - 1] == '\t')) from--;
-        if (from > 0 && plan->text[from - 1] == '\n') from--;
-        if (from > 0 && plan->text[from - 1] == '\r') from--;
-    }
+    else
+        from = bat_svg_patch_lead(p, from);
     bat_svg_patch_edit(p, made, from, tag->end - from);
 }
 
@@ -164,67 +160,7 @@ static void place_native(bat_svg_patch *p, bool with_native) {
                        native ? tag->end - tag->open : 0);
 }
 
-/* ---- putting it together ---- */
-
-static int compare_edits(const void *a, const void *b) {
-    const bat_svg_edit *x = a, *y = b;
-    if (x->at != y->at) return x->at < y->at ? -1 : 1;
-    if ((x->cut > 0) != (y->cut > 0)) return x->cut > 0 ? 1 : -1;
-    return x->order - y->order;
-}
-
-static int compare_marks(const void *a, const void *b) {
-    const bat_svg_mark *x = a, *y = b;
-    if (x->at != y->at) return x->at < y->at ? -1 : 1;
-    return (x->id > y->id) - (x->id < y->id);
-}
-
-typedef struct output {
-    bat_text text;
-    bat_svg_mark *marks; /* offsets in the text */
-    int count;
-} output;
-
-static void copy_source(bat_svg_patch *p, size_t from, size_t to, int *next, output *out) {
-    for (; *next < p->kept_count && p->kept[*next].at < to; ++*next)
-        if (p->kept[*next].at >= from)
-            out->marks[out->count++] = (bat_svg_mark){p->kept[*next].id,
-                                                      out->text.size + p->kept[*next].at - from};
-    bat_text_add(&out->text, p->plan.text + from, to - from);
-}
-
-static void copy_made(bat_svg_patch *p, const bat_svg_edit *edit, output *out) {
-    int low = 0, high = p->fresh_count;
-    while (low < high) {
-        const int middle = (low + high) / 2;
-        if (p->fresh[middle].at < edit->from)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    for (; low < p->fresh_count && p->fresh[low].at < edit->to; low++)
-        out->marks[out->count++] = (bat_svg_mark){p->fresh[low].id,
-                                                  out->text.size + p->fresh[low].at - edit->from};
-    if (edit->to > edit->from) bat_text_add(&out->text, p->made.data + edit->from, edit->to - edit->from);
-}
-
-static void apply(bat_svg_patch *p, output *out) {
-    if (p->edit_count > 1)
-        qsort(p->edits, (size_t)p->edit_count, sizeof *p->edits, compare_edits); /* no ties */
-    if (p->kept_count > 1)
-        qsort(p->kept, (size_t)p->kept_count, sizeof *p->kept, compare_marks); /* no ties */
-    size_t at = 0;
-    int next = 0;
-    for (int i = 0; i < p->edit_count; i++) {
-        const bat_svg_edit *edit = &p->edits[i];
-        if (edit->at < at) continue; /* in something that is gone */
-        copy_source(p, at, edit->at, &next, out);
-        copy_made(p, edit, out);
-        at = edit->at + edit->cut;
-    }
-    copy_source(p, at, p->plan.size, &next, out);
-    if (out->text.failed || p->made.failed) p->status = BAT_MEMORY;
-}
+/* ---- reading it again ---- */
 
 /* Two documents that ought to show the same, the second from `next` on. */
 typedef struct seen {
@@ -308,7 +244,7 @@ static uint32_t element_at(const bat_svg_tags *tags, size_t at) {
 }
 
 /* The native document, with the element of each object. */
-static bat_status write_native(const bat_document *document, const output *out, uint64_t digest,
+static bat_status write_native(const bat_document *document, const bat_svg_output *out, uint64_t digest,
                                bat_text *text) {
     bat_svg_tags tags;
     bat_status status = bat_svg_tags_scan(out->text.data, out->text.size, &tags);
@@ -343,7 +279,8 @@ static bat_status write_native(const bat_document *document, const output *out, 
     return BAT_OK;
 }
 
-static bat_status finish(const bat_document *document, const output *out, bool with_native, bat_text *text) {
+static bat_status finish(const bat_document *document, const bat_svg_output *out, bool with_native,
+                         bat_text *text) {
     uint64_t digest = 0;
     bat_status status = read_again(document, &out->text, &digest);
     size_t at = out->text.size, behind = at;
@@ -361,8 +298,7 @@ static bat_status finish(const bat_document *document, const output *out, bool w
 static void collect(bat_svg_patch *p, bool with_native) {
     const bat_svg_plan *plan = &p->plan;
     for (int i = 0; i < plan->count && p->status == BAT_OK; i++) {
-        const bool group = bat_object_is_group(bat_document_at(plan->document, i));
-        if (plan->entry[i] >= 0 && (group || plan->stay[i] == BAT_SVG_STAYS)) keep_object(p, i);
+        if (bat_svg_is_placed(plan, i)) keep_object(p, i);
     }
     if (p->status == BAT_OK) drop_elements(p);
     if (p->status == BAT_OK) bat_svg_patch_new(p);
@@ -384,17 +320,17 @@ bat_status bat_svg_patch_write(const bat_document *document, bool with_native, d
     bat_status status = bat_svg_plan_make(document, &p.plan);
     if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_UNSUPPORTED;
     const size_t room = 3 * (size_t)p.plan.count + 2; /* an object may have two parts in a group */
-    output out = {.marks = malloc(2 * room * sizeof *out.marks)};
+    bat_svg_output out = {.marks = malloc(2 * room * sizeof *out.marks)};
     p.kept = malloc(room * sizeof *p.kept);
     p.fresh = malloc(room * sizeof *p.fresh);
     if (!out.marks || !p.kept || !p.fresh) p.status = BAT_MEMORY;
     if (p.status == BAT_OK) collect(&p, with_native);
-    if (p.status == BAT_OK) apply(&p, &out);
+    if (p.status == BAT_OK) bat_svg_patch_apply(&p, &out);
     if (p.status == BAT_OK && bat_svg_patch_sweep(&p, &out.text) > 0) {
         bat_text_free(&out.text);
         out.text = (bat_text){0};
         out.count = 0;
-        apply(&p, &out);
+        bat_svg_patch_apply(&p, &out);
     }
     if (p.status == BAT_OK) p.status = finish(document, &out, with_native, text);
     status = p.status;

@@ -19,6 +19,7 @@ typedef struct bat_svg_mark {
 typedef struct bat_svg_edit {
     size_t at, cut, from, to;
     int order;
+    uint32_t carried; /* behind these bytes: that element as it is now; 0: none */
 } bat_svg_edit;
 
 typedef struct bat_svg_patch {
@@ -34,15 +35,28 @@ typedef struct bat_svg_patch {
     bat_status status;
 } bat_svg_patch;
 
+/* The file as it is now, and where in it the objects are. */
+typedef struct bat_svg_output {
+    bat_text text;
+    bat_svg_mark *marks;
+    int count;
+} bat_svg_output;
+
 /* ---- edits.c ---- */
 /* What has been added to p->made since it had `from` bytes takes the place of `cut` bytes of the file at `at`. */
 void bat_svg_patch_edit(bat_svg_patch *p, size_t from, size_t at, size_t cut);
+/* The element is written there, with all that is edited in it, and not at its place. */
+void bat_svg_patch_carry(bat_svg_patch *p, uint32_t element, size_t at);
+/* Where the line break and the spaces before that place begin. */
+size_t bat_svg_patch_lead(const bat_svg_patch *p, size_t at);
 void bat_svg_patch_mark(bat_svg_patch *p, bat_id id); /* the next thing written into p->made is this object */
 /* Cuts what was written for shapes that have other gradients now: nothing in the new text refers to it. Returns how many;
  * O(size + n log n). */
 int bat_svg_patch_sweep(bat_svg_patch *p, const bat_text *made);
 /* A number with which no id of gradients and clip paths is taken in the file. */
 int bat_svg_patch_number(bat_svg_patch *p);
+/* Makes the new text of all pieces. out->marks has room for the objects that are kept and those that are fresh, twice. */
+void bat_svg_patch_apply(bat_svg_patch *p, bat_svg_output *out);
 /* ---- patch_tags.c: elements that stay ---- */
 /* Writes the start tag of an object's element as it is now; `apart`: in another place than it was;
  * `hides`: a group without an element hides it; `anonymous`: without its id. False: it is as it

@@ -43,6 +43,7 @@ static bool find_spot(const bat_svg_plan *plan, bat_id parent, uint32_t below, u
     const bat_svg_tag *tags = plan->tags.list;
     const uint32_t group = bat_svg_plan_group(plan, parent);
     const bool within = above && bat_svg_plan_holds(plan, group, above);
+    if (below == group) below = 0; /* it is the first in it */
     if (within && below && !bat_svg_plan_holds(plan, group, below)) below = 0;
     uint32_t at = below ? below : above;
     s->in = group;
@@ -55,7 +56,11 @@ static bool find_spot(const bat_svg_plan *plan, bat_id parent, uint32_t below, u
         s->in = tags[at].parent;
         s->at = below ? tags[at].end : tags[at].open;
     }
-    if (s->in == 0 || tags[s->in].body == tags[s->in].end) return false; /* it has no inside */
+    while (s->in > 1 && tags[s->in].body == tags[s->in].end) { /* it has no inside */
+        s->at = tags[s->in].end;
+        s->in = tags[s->in].parent;
+    }
+    if (s->in == 0 || tags[s->in].body == tags[s->in].end) return false;
     return look_in(plan, s->in, s);
 }
 
@@ -212,11 +217,9 @@ static void write_one(bat_svg_patch *p, int index, const spot *s) {
 
 /* A group in which nothing stays where it was is written as one; its members are in it. */
 static bool is_new_group(const bat_svg_plan *plan, int index, int end) {
-    if (!bat_object_is_group(bat_document_at(plan->document, index)) || plan->entry[index] >= 0) return false;
-    for (int i = index + 1; i < end; i++) {
-        if (plan->stay[i] == BAT_SVG_STAYS) return false;
-        if (plan->entry[i] >= 0 && bat_object_is_group(bat_document_at(plan->document, i))) return false;
-    }
+    if (!bat_object_is_group(bat_document_at(plan->document, index))) return false;
+    for (int i = index; i < end; i++)
+        if (bat_svg_is_placed(plan, i)) return false;
     return end > index + 1;
 }
 
@@ -264,41 +267,59 @@ static void write_indent(bat_svg_patch *p, const spot *s, bool before) {
     bat_text_add(&p->made, text + at, s->at - at);
 }
 
-/* Of each place in the order: the element of the first thing from there on that stays, or 0. NULL: out of memory. */
-static uint32_t *find_above(const bat_svg_plan *plan) {
-    uint32_t *above = calloc((size_t)plan->count + 1, sizeof *above);
-    for (int i = plan->count - 1; above && i >= 0; i--)
-        above[i] = plan->stay[i] == BAT_SVG_STAYS ? bat_svg_plan_entry(plan, i)->element : above[i + 1];
+/* Of each of the places from..to: the element of the first thing from there on that stays, or 0. NULL: out of memory. */
+static uint32_t *find_above(const bat_svg_plan *plan, int from, int to) {
+    uint32_t *above = calloc((size_t)(to - from) + 1, sizeof *above);
+    for (int i = from, next; above && i < to; i = next) {
+        next = plan->stay[i] == BAT_SVG_CARRIED ? bat_document_end(plan->document, i) : i + 1;
+        if (plan->stay[i] == BAT_SVG_STAYS) above[i - from] = bat_svg_plan_entry(plan, i)->element;
+    }
+    for (int i = to - from - 1; above && i >= 0; i--)
+        if (!above[i]) above[i] = above[i + 1];
     return above;
 }
 
-void bat_svg_patch_new(bat_svg_patch *p) {
+/* The objects from..to-1, among which one is below the other in the file as well. */
+static void write_all(bat_svg_patch *p, int from, int to) {
     const bat_svg_plan *plan = &p->plan;
-    uint32_t below = 0, *above = find_above(plan);
+    uint32_t below = 0, *above = find_above(plan, from, to);
     if (!above) p->status = BAT_MEMORY;
-    for (int i = 0, end; i < plan->count && p->status == BAT_OK; i = end) {
+    for (int i = from, end; i < to && p->status == BAT_OK; i = end) {
         const bat_object *object = bat_document_at(plan->document, i);
         end = i + 1;
         if (plan->stay[i] == BAT_SVG_STAYS) below = bat_svg_plan_entry(plan, i)->element;
         const int last = bat_document_end(plan->document, i);
-        const bool group = is_new_group(plan, i, last);
+        const bool carried = plan->stay[i] == BAT_SVG_CARRIED, group = carried || is_new_group(plan, i, last);
         if (!group && (plan->stay[i] == BAT_SVG_STAYS || !bat_object_is_drawn(object))) continue;
         if (group) end = last;
+        const uint32_t element = carried ? bat_svg_plan_entry(plan, i)->element : 0;
         spot s;
-        if (!find_spot(plan, bat_object_parent(object), below, above[end], &s)) {
+        if (!find_spot(plan, bat_object_parent(object), below, above[end - from], &s) ||
+            (carried && s.in != plan->tags.list[element].parent)) {
             p->status = BAT_UNSUPPORTED;
             break;
         }
         s.opacity /= fmax(missing(plan, object, s.in), 1e-9);
-        const size_t from = p->made.size;
+        const size_t made = p->made.size;
         const bool behind = below != 0;
         if (behind) write_indent(p, &s, false);
+        if (carried) {
+            bat_svg_patch_edit(p, made, s.at, 0);
+            bat_svg_patch_carry(p, element, s.at);
+            const size_t behind_it = p->made.size;
+            if (!behind) write_indent(p, &s, true);
+            if (!behind) bat_svg_patch_edit(p, behind_it, s.at, 0);
+            if (p->status == BAT_OK) write_all(p, i + 1, last);
+            continue;
+        }
         if (group)
             write_group(p, i, end, &s);
         else
             write_one(p, i, &s);
         if (!behind) write_indent(p, &s, true);
-        bat_svg_patch_edit(p, from, s.at, 0);
+        bat_svg_patch_edit(p, made, s.at, 0);
     }
     free(above);
 }
+
+void bat_svg_patch_new(bat_svg_patch *p) { write_all(p, 0, p->plan.count); }

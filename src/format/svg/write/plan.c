@@ -80,16 +80,34 @@ static void touch_edited(bat_svg_plan *plan) {
     }
 }
 
+bool bat_svg_is_placed(const bat_svg_plan *plan, int index) {
+    const bat_sourced *entry = bat_svg_plan_entry(plan, index);
+    if (!entry) return false;
+    const bool group = bat_object_is_group(bat_document_at(plan->document, index));
+    return (group && entry->copied) || plan->stay[index] == BAT_SVG_STAYS ||
+           plan->stay[index] == BAT_SVG_CARRIED;
+}
+
 /* The element of the group that an object is in, as far as groups have elements. */
 uint32_t bat_svg_plan_group(const bat_svg_plan *plan, bat_id parent) {
     for (int depth = 0; parent && depth < BAT_NESTING_MAX; depth++) {
         const int index = bat_document_find(plan->document, parent);
         if (index < 0) return 1;
-        const bat_sourced *entry = bat_svg_plan_entry(plan, index);
-        if (entry) return entry->element;
+        if (bat_svg_is_placed(plan, index)) return bat_svg_plan_entry(plan, index)->element;
         parent = bat_object_parent(bat_document_at(plan->document, index));
     }
     return 1;
+}
+
+/* Whether a group around it that has no element is translucent or clipped: then it has to be written as one, with it. */
+static bool is_veiled(const bat_svg_plan *plan, const bat_object *object) {
+    for (int depth = 0; depth < BAT_NESTING_MAX; depth++) {
+        const int index = bat_document_find(plan->document, bat_object_parent(object));
+        if (index < 0 || bat_svg_is_placed(plan, index)) return false;
+        object = bat_document_at(plan->document, index);
+        if (bat_object_style(object)->opacity != 1 || bat_object_clip(object)) return true;
+    }
+    return false;
 }
 
 /* What has left its group cannot stay in its element. */
@@ -106,38 +124,103 @@ static void mark_groups(bat_svg_plan *plan) {
             plan->fate[bat_svg_plan_entry(plan, i)->element] |= BAT_SVG_GROUPED;
 }
 
-/* The longest row of objects whose elements stand in the order of the file stays where it is. */
-static bat_status keep_order(bat_svg_plan *plan) {
-    int *ends = malloc(((size_t)plan->count + 1) * sizeof *ends);
-    int *before = malloc(((size_t)plan->count + 1) * sizeof *before);
-    int length = 0;
-    if (!ends || !before) {
-        free(ends);
-        free(before);
-        return BAT_MEMORY;
+/* The outermost group that is drawn from another place by the same element; else the object. */
+static const bat_object *drawn_whole(const bat_svg_plan *plan, const bat_object *object,
+                                     const bat_sourced *entry) {
+    for (int depth = 0; entry->copied && depth < BAT_NESTING_MAX; depth++) {
+        const int index = bat_document_find(plan->document, bat_object_parent(object));
+        const bat_sourced *around = index < 0 ? NULL : bat_svg_plan_entry(plan, index);
+        if (!around || around->element != entry->element) break;
+        object = bat_document_at(plan->document, index);
     }
-    for (int i = 0; i < plan->count; i++) {
+    return object;
+}
+
+/* Whether it can be part of a row within an element. Groups count until it is known that they are not. */
+static bool may_stay(const bat_svg_plan *plan, int index, uint32_t within) {
+    const bat_sourced *entry = bat_svg_plan_entry(plan, index);
+    const bat_object *object = bat_document_at(plan->document, index);
+    if (!entry || !bat_svg_plan_holds(plan, within, entry->element) || is_veiled(plan, object)) return false;
+    return is_in_place(plan, drawn_whole(plan, object, entry), entry);
+}
+
+/* Rooms for as many as there are objects. */
+typedef struct rows {
+    int *ends, *before;
+} rows;
+
+/* Finds the longest row of objects from..to-1 whose elements stand in the order of the file. They stay. */
+static void find_row(bat_svg_plan *plan, int from, int to, uint32_t within, const rows *r) {
+    int length = 0;
+    for (int i = from; i < to; i++) {
         const bat_sourced *entry = bat_svg_plan_entry(plan, i);
-        const bat_object *object = bat_document_at(plan->document, i);
-        if (!entry || !bat_object_is_drawn(object)) continue;
+        const bool group = bat_object_is_group(bat_document_at(plan->document, i));
+        if (!entry || (group && entry->copied)) continue;
         plan->stay[i] = BAT_SVG_MOVED;
-        if (!entry->copied && !is_in_place(plan, object, entry)) continue;
+        if (!may_stay(plan, i, within)) continue;
+        if (group) plan->stay[i] = BAT_SVG_STAYS;
         int low = 0, high = length; /* the first row that ends behind this element */
         while (low < high) {
             const int middle = (low + high) / 2;
-            if (bat_svg_plan_entry(plan, ends[middle])->element <= entry->element)
+            if (bat_svg_plan_entry(plan, r->ends[middle])->element <= entry->element)
                 low = middle + 1;
             else
                 high = middle;
         }
-        before[i] = low > 0 ? ends[low - 1] : -1;
-        ends[low] = i;
+        r->before[i] = low > 0 ? r->ends[low - 1] : -1;
+        r->ends[low] = i;
         if (low == length) length++;
     }
-    for (int i = length > 0 ? ends[length - 1] : -1; i >= 0; i = before[i]) plan->stay[i] = BAT_SVG_STAYS;
-    free(ends);
-    free(before);
-    return BAT_OK;
+    for (int i = from; i < to; i++)
+        if (plan->stay[i] == BAT_SVG_STAYS) plan->stay[i] = BAT_SVG_CARRIED; /* groups that may not stay */
+    for (int i = length > 0 ? r->ends[length - 1] : -1; i >= 0; i = r->before[i])
+        plan->stay[i] = BAT_SVG_STAYS;
+}
+
+/* The child of `outer` that is or holds the element; 0: it is elsewhere. */
+static uint32_t child_of(const bat_svg_plan *plan, uint32_t outer, uint32_t element) {
+    while (element > outer && plan->tags.list[element].parent != outer)
+        element = plan->tags.list[element].parent;
+    return element > outer ? element : 0;
+}
+
+/* Whether a group's element can stand elsewhere as it is: what is around it there is the same. */
+static bool may_be_carried(const bat_svg_plan *plan, int index, int from, int to, uint32_t within) {
+    const bat_object *object = bat_document_at(plan->document, index);
+    const uint32_t parent = plan->tags.list[bat_svg_plan_entry(plan, index)->element].parent;
+    if (!may_stay(plan, index, within) || parent != bat_svg_plan_group(plan, bat_object_parent(object)))
+        return false;
+    int below = index - 1, above = bat_document_end(plan->document, index);
+    while (below >= from && plan->stay[below] != BAT_SVG_STAYS) below--;
+    while (above < to && plan->stay[above] != BAT_SVG_STAYS) above++;
+    if (below < from || above == to) return true;
+    const uint32_t child = child_of(plan, parent, bat_svg_plan_entry(plan, below)->element);
+    return !child || child != child_of(plan, parent, bat_svg_plan_entry(plan, above)->element);
+}
+
+/* Of a group that is not in the row nothing is; it has a row of its own when it is written elsewhere as it is. */
+static void keep_order(bat_svg_plan *plan, int from, int to, uint32_t within, const rows *r) {
+    find_row(plan, from, to, within, r);
+    for (int i = from, end; i < to; i = end) {
+        end = i + 1;
+        if (plan->stay[i] != BAT_SVG_CARRIED) continue;
+        end = bat_document_end(plan->document, i);
+        if (may_be_carried(plan, i, from, to, within))
+            keep_order(plan, end > i + 1 ? i + 1 : end, end, bat_svg_plan_entry(plan, i)->element, r);
+        else
+            for (int k = i; k < end; k++)
+                if (plan->entry[k] >= 0) plan->stay[k] = BAT_SVG_MOVED;
+    }
+}
+
+static bat_status keep_all(bat_svg_plan *plan) {
+    const size_t size = ((size_t)plan->count + 1) * sizeof(int);
+    const rows r = {malloc(size), malloc(size)};
+    const bool made = r.ends && r.before;
+    if (made) keep_order(plan, 0, plan->count, 1, &r);
+    free(r.ends);
+    free(r.before);
+    return made ? BAT_OK : BAT_MEMORY;
 }
 
 /* Whether an element drawn from another place still shows just what it showed: entries from..to-1 are its objects. */
@@ -189,13 +272,16 @@ static bat_status decide(bat_svg_plan *plan) {
     touch_edited(plan);
     bat_status status = bat_svg_refer(plan);
     mark_groups(plan);
-    if (status == BAT_OK) status = keep_order(plan);
+    if (status == BAT_OK) status = keep_all(plan);
     while (status == BAT_OK && untie(plan)) {
         status = bat_svg_refer(plan);
         find_hidden(plan);
     }
     for (int i = 0; i < plan->count; i++)
-        if (plan->stay[i] == BAT_SVG_MOVED) plan->fate[bat_svg_plan_entry(plan, i)->element] |= BAT_SVG_GONE;
+        if (plan->stay[i] == BAT_SVG_MOVED)
+            plan->fate[bat_svg_plan_entry(plan, i)->element] |=
+                BAT_SVG_GONE |
+                (bat_object_is_group(bat_document_at(plan->document, i)) ? BAT_SVG_TOUCHED : 0);
     return status;
 }
 

@@ -15,7 +15,8 @@ typedef enum bat_svg_fate {
 typedef enum bat_svg_stay {
     BAT_SVG_NEW,   /* written from the document alone */
     BAT_SVG_STAYS, /* its element stays where it is, changed or not */
-    BAT_SVG_MOVED  /* its element is written elsewhere */
+    BAT_SVG_MOVED, /* its element is written elsewhere; that of a group is not: it is written from the document */
+    BAT_SVG_CARRIED /* the element of a group stands elsewhere, with all that stays in it */
 } bat_svg_stay;
 
 typedef struct bat_svg_plan {
@@ -44,7 +45,9 @@ static inline const bat_sourced *bat_svg_plan_entry(const bat_svg_plan *plan, in
 static inline bool bat_svg_plan_holds(const bat_svg_plan *plan, uint32_t outer, uint32_t element) {
     return element >= outer && element <= plan->tags.list[outer].last;
 }
-/* The element of the nearest group around it, from its parent on, that has one; else the root. */
+/* Whether the object has its element, there or with the group around it elsewhere. */
+bool bat_svg_is_placed(const bat_svg_plan *plan, int index);
+/* The element of the nearest group around it, from its parent on, that is placed; else the root. */
 uint32_t bat_svg_plan_group(const bat_svg_plan *plan, bat_id parent);
 /* Whether that is the element's name, without its prefix. */
 bool bat_svg_is_called(const bat_svg_plan *plan, uint32_t element, const char *local);
