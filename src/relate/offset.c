@@ -87,25 +87,25 @@ static void cubic_at(const double *b, double x, double *point, double *first) {
     }
 }
 
-/* The distance from a sample to a cubic by steps from parameter x, which is brought nearer. */
-static double step_near(const double *cubic, const double *sample, double *x, int steps) {
+/* The squared distance from a sample to a cubic at parameter x, which steps bring nearer while it is above `enough`. */
+static double step_near(const double *cubic, const double *sample, double *x, int steps, double enough) {
     double point[2], first[2];
-    for (int i = 0; i < steps; i++) {
+    for (int i = 0;; i++) {
         cubic_at(cubic, *x, point, first);
-        const double along = (sample[0] - point[0]) * first[0] + (sample[1] - point[1]) * first[1];
+        const double d[2] = {sample[0] - point[0], sample[1] - point[1]}, far = d[0] * d[0] + d[1] * d[1];
         const double square = first[0] * first[0] + first[1] * first[1];
-        if (square > 0) *x = fmin(fmax(*x + along / square, 0), 1);
+        if (i == steps || far <= enough || !(square > 0)) return far;
+        *x = fmin(fmax(*x + (d[0] * first[0] + d[1] * first[1]) / square, 0), 1);
     }
-    cubic_at(cubic, *x, point, first);
-    return bat_hypot(sample[0] - point[0], sample[1] - point[1]);
 }
 
 /* Whether a cubic is within the tolerance between the samples, too. */
 static bool holds_between(const parallel *p, const bat_segment *s, const double *cubic) {
+    const double square = p->tolerance * p->tolerance;
     for (int k = 0; k < BETWEEN; k++) {
         double x = (k + 0.5) / BETWEEN, sample[2], t[2], speed;
         at(s, x, p->distance, sample, t, &speed);
-        if (!(step_near(cubic, sample, &x, 2 * ROUNDS) <= p->tolerance)) return false;
+        if (!(step_near(cubic, sample, &x, 2 * ROUNDS, square) <= square)) return false;
     }
     return true;
 }
@@ -123,10 +123,10 @@ static double fit(const double *samples, const double *s, const double *t, const
         worst = 0;
         for (int k = 1; k < SAMPLES; k++) {
             double point[2], first[2];
-            worst = fmax(worst, step_near(cubic, samples + (size_t)2 * (size_t)k, &x[k], 2));
+            worst = fmax(worst, step_near(cubic, samples + (size_t)2 * (size_t)k, &x[k], 2, 0));
             cubic_at(cubic, x[k], point, first);
             const double gap[2] = {samples[2 * k] - point[0], samples[2 * k + 1] - point[1]},
-                         v = bat_hypot(first[0], first[1]);
+                         v = sqrt(first[0] * first[0] + first[1] * first[1]);
             if (!(v > 0)) continue;
             const double n[2] = {-first[1] / v, first[0] / v}, y = 1 - x[k];
             const double ja = 3 * y * y * x[k] * (s[0] * n[0] + s[1] * n[1]),
@@ -134,12 +134,17 @@ static double fit(const double *samples, const double *s, const double *t, const
             const double r = gap[0] * n[0] + gap[1] * n[1];
             aa += ja * ja, ab += ja * jb, bb += jb * jb, ra += ja * r, rb += jb * r;
         }
+        worst = sqrt(worst);
         if (worst <= tolerance || round + 1 == ROUNDS) break;
         const double det = aa * bb - ab * ab;
         if (!(det > 1e-12 * aa * bb)) break;
         a += (ra * bb - rb * ab) / det, b += (rb * aa - ra * ab) / det;
     }
-    return a * handles[0] >= 0 && b * handles[1] >= 0 ? worst : INFINITY;
+    double length = 0; /* a cubic with longer handles is no parallel, whatever lies near it */
+    for (int k = 0; k < SAMPLES; k++)
+        length += bat_hypot(samples[2 * k + 2] - samples[2 * k], samples[2 * k + 3] - samples[2 * k + 1]);
+    const bool fits = fabs(a) <= length && fabs(b) <= length;
+    return fits && a * handles[0] >= 0 && b * handles[1] >= 0 ? worst : INFINITY;
 }
 
 static bat_status straight(bat_chain *chain, const double *from, const double *to) {

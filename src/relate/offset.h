@@ -24,10 +24,10 @@ bat_status bat_chain_add(bat_chain *chain, const double cubic[8]);
 /* ---- trim.c ---- */
 /* Shares of the tolerance that the raw parallel may take, and the removal of its knots. */
 extern const double bat_offset_fit, bat_offset_removal;
-/* What is left of a raw parallel of the curve that the finder has, or (brim) of its brim; *max_error (may be NULL) as
+/* What is left of a raw parallel of the curve, whose places the finder finds, or (brim) of its brim; *max_error (may be NULL) as
  * bat_curve_offset. */
-bat_status bat_offset_trim(const bat_curve *raw, bat_finder *finder, double distance, double tolerance,
-                           double corner, const bat_brim *brim, size_t *count, bat_curve ***out,
-                           double *max_error);
+bat_status bat_offset_trim(const bat_curve *raw, const bat_curve *curve, const bat_finder *finder,
+                           double distance, double tolerance, double corner, const bat_brim *brim,
+                           size_t *count, bat_curve ***out, double *max_error);
 
 #endif

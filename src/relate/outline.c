@@ -18,8 +18,9 @@ static const double SAME = 4;      /* tolerances: as near to another outline, on
 static const double BEHIND = 1.01; /* half widths: what is further behind an end does not reach beyond it */
 
 typedef struct outline {
-    const bat_curve *curve;
+    const bat_curve *curve, *whole; /* curve: the whole, or the whole opened */
     double half, tolerance, corner, error;
+    bool measured; /* the error is asked for */
     bat_brim brim;
     bat_finder *finder;
     size_t count;
@@ -53,8 +54,8 @@ static bat_status add_trimmed(outline *o, const bat_curve *raw, double distance,
     size_t count = 0;
     bat_curve **all = NULL;
     double error = 0;
-    bat_status status = bat_offset_trim(raw, o->finder, distance, o->tolerance, o->corner, &o->brim, &count,
-                                        &all, &error);
+    bat_status status = bat_offset_trim(raw, o->whole, o->finder, distance, o->tolerance, o->corner, &o->brim,
+                                        &count, &all, o->measured ? &error : NULL);
     if (status != BAT_OK || count == 0) return status;
     o->error = fmax(o->error, error);
     bat_curve **more = realloc(o->out, (o->count + count) * sizeof *more);
@@ -212,7 +213,12 @@ bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double 
         (unsigned)nib->join > 2)
         return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
-    outline o = {.curve = curve, .half = 0.5 * nib->width, .tolerance = tolerance, .corner = corner};
+    outline o = {.curve = curve,
+                 .whole = curve,
+                 .half = 0.5 * nib->width,
+                 .tolerance = tolerance,
+                 .corner = corner,
+                 .measured = max_error};
     bat_status status = bat_finder_create(curve, &o.finder), made = BAT_SINGULAR;
     for (int i = 0; i < TRIES && status == BAT_OK && made == BAT_SINGULAR; i++) {
         forget(&o);

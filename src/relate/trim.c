@@ -7,6 +7,7 @@
 #include <batten/relate.h>
 
 #include "base/real.h"
+#include "relate/clear.h"
 #include "relate/offset.h"
 #include "relate/segment.h"
 
@@ -38,6 +39,7 @@ typedef struct trim {
     const bat_curve *raw;
     const bat_finder *finder; /* of the curve itself */
     const bat_brim *brim;     /* NULL: all round */
+    bat_clearance *clearance;
     double distance, tolerance, domain[2];
     bool closed;
     int change_count, change_room;
@@ -50,22 +52,23 @@ typedef struct trim {
 
 /* A place on the raw parallel. */
 typedef struct place {
-    double u, depth; /* depth: distance to the curve less that of the parallel */
-    double bend;     /* how much the distance may bend upwards there, along the parallel */
+    double u, x[2], depth; /* depth: distance to the curve less that of the parallel */
+    double bend;           /* how much the distance may bend upwards there, along the parallel */
+    bat_near foot;         /* the place of the curve nearest to it */
 } place;
 
 /* How far a point is outside of what lies within the distance, or (brim) of the brim. */
-static double depth_at(const trim *t, const double *x) {
-    bat_near near;
-    bat_finder_nearest(t->finder, x, &near);
-    return t->brim ? bat_brim_depth(t->brim, x, &near, fabs(t->distance)) : near.distance - fabs(t->distance);
+static double depth_at(const trim *t, const double *x, bat_near *foot) {
+    bat_finder_nearest(t->finder, x, foot);
+    return t->brim ? bat_brim_depth(t->brim, x, foot, fabs(t->distance)) : foot->distance - fabs(t->distance);
 }
 
 static place place_at(const trim *t, double u) {
     place p = {.u = u};
     double x[6];
     bat_curve_eval(t->raw, u, 2, x);
-    p.depth = depth_at(t, x);
+    p.x[0] = x[0], p.x[1] = x[1];
+    p.depth = depth_at(t, x, &p.foot);
     const double v = bat_hypot(x[2], x[3]), own = v > 0 ? fabs(x[2] * x[5] - x[3] * x[4]) / (v * v * v) : 0;
     p.bend = own + 1 / fabs(t->distance);
     return p;
@@ -73,20 +76,23 @@ static place place_at(const trim *t, double u) {
 
 static bool is_valid(const trim *t, const place *p) { return p->depth >= -NEARER * t->tolerance; }
 
-/* Where validity changes between two places, to the last bit but few. */
+/* Where validity changes between two places, to the last bit but few: by false position after Illinois, and every third time
+ * by halving, as the depth has kinks. */
 static double between(const trim *t, const place *a, const place *b) {
-    double low = a->u, high = b->u;
+    double ends[2] = {a->u, b->u},
+           over[2] = {a->depth + NEARER * t->tolerance, b->depth + NEARER * t->tolerance};
     const bool first = is_valid(t, a);
+    int before = -1;
     for (int i = 0; i < BISECTIONS; i++) {
-        const double middle = 0.5 * (low + high);
-        if (!(low < middle && middle < high)) break;
+        double middle = ends[0] + (ends[1] - ends[0]) * (over[0] / (over[0] - over[1]));
+        if (i % 3 == 2 || !(ends[0] < middle && middle < ends[1])) middle = 0.5 * (ends[0] + ends[1]);
+        if (!(ends[0] < middle && middle < ends[1])) break;
         const place m = place_at(t, middle);
-        if (is_valid(t, &m) == first)
-            low = middle;
-        else
-            high = middle;
+        const int side = is_valid(t, &m) == first ? 0 : 1;
+        if (side == before) over[1 - side] *= 0.5;
+        ends[side] = middle, over[side] = m.depth + NEARER * t->tolerance, before = side;
     }
-    return first ? low : high;
+    return first ? ends[0] : ends[1];
 }
 
 static bat_status add_change(trim *t, double u) {
@@ -111,6 +117,9 @@ static bat_status find_changes(trim *t, const place *a, const place *b, double l
     if (is_same && a->depth + b->depth + length < -2 * NEARER * t->tolerance)
         return BAT_OK; /* all too near */
     const place m = place_at(t, 0.5 * (a->u + b->u));
+    if (is_same && is_valid(t, a) && is_valid(t, &m) &&
+        bat_clearance_holds(t->clearance, m.x, 0.5 * length, &m.foot))
+        return BAT_OK;
     const double half = 0.5 * length, bend = fmax(m.bend, fmax(a->bend, b->bend)),
                  missed = MISSED * t->tolerance;
     if ((depth > 1 && (bend * half * half <= 8 * missed || half <= 2 * missed)) || depth == DEPTH_MAX) {
@@ -230,7 +239,7 @@ static bool nearest_meeting(const bat_meeting *meeting, const run *a, const run 
     return least < INFINITY;
 }
 
-/* Whether the end of a stretch crosses the start of another; they are cut there then. */
+/* Whether the end of a stretch crosses the start of another, or its own but not at a bend within it; they are cut there then. */
 static bat_status cross(trim *t, run *a, run *b, bool *crossed) {
     bat_curve *tail, *head = NULL;
     bat_meeting meeting = {0};
@@ -241,8 +250,9 @@ static bat_status cross(trim *t, run *a, run *b, bool *crossed) {
     double at[2], u[2], v[2];
     if (status == BAT_OK && nearest_meeting(&meeting, a, b, at)) {
         bat_curve_domain(tail, u), bat_curve_domain(head, v);
-        a->ends[1] += at[0] - u[1], b->ends[0] += at[1] - v[0];
-        *crossed = true;
+        const double ends[2] = {at[0] - u[1], at[1] - v[0]};
+        *crossed = a != b || ends[1] - ends[0] <= 0.5 * (a->ends[1] - a->ends[0]);
+        if (*crossed) a->ends[1] += ends[0], b->ends[0] += ends[1];
     }
     bat_meeting_free(&meeting);
     bat_curve_free(tail), bat_curve_free(head);
@@ -379,18 +389,21 @@ static double measured(const trim *t) {
         const int n = PROBES * bat_curve_segment_count(curve);
         for (int k = 0; k <= n; k++) {
             double point[2];
+            bat_near foot;
             bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * k / n, 0, point);
-            worst = fmax(worst, fabs(depth_at(t, point)));
+            worst = fmax(worst, fabs(depth_at(t, point, &foot)));
         }
     }
     return worst;
 }
 
-bat_status bat_offset_trim(const bat_curve *raw, bat_finder *finder, double distance, double tolerance,
-                           double corner, const bat_brim *brim, size_t *count, bat_curve ***out,
-                           double *max_error) {
+bat_status bat_offset_trim(const bat_curve *raw, const bat_curve *curve, const bat_finder *finder,
+                           double distance, double tolerance, double corner, const bat_brim *brim,
+                           size_t *count, bat_curve ***out, double *max_error) {
     trim t = {.raw = raw, .finder = finder, .brim = brim, .distance = distance, .tolerance = tolerance};
-    const bat_status status = cut_off(&t, corner);
+    bat_status status = bat_clearance_create(curve, fabs(distance), tolerance, brim, &t.clearance);
+    if (status == BAT_OK) status = cut_off(&t, corner);
+    bat_clearance_free(t.clearance);
     free(t.changes), free(t.runs);
     if (status != BAT_OK) {
         bat_curves_free(t.count, t.out);
@@ -413,7 +426,8 @@ static bat_status parallels(const bat_curve *curve, double distance, double tole
     free(chain.points);
     if (status == BAT_OK && raw) status = bat_finder_create(curve, &finder);
     if (status == BAT_OK && raw)
-        status = bat_offset_trim(raw, finder, distance, tolerance, corner, NULL, count, out, max_error);
+        status = bat_offset_trim(raw, curve, finder, distance, tolerance, corner, NULL, count, out,
+                                 max_error);
     bat_curve_free(raw);
     bat_finder_free(finder);
     return status;

@@ -14,6 +14,7 @@
 #include <batten/relate.h>
 #include "support/random_curve.h"
 
+enum { ROUNDS = 800 };
 static const double CORNER = 0.02;
 
 /* Twice the area inside a closed curve, by 64 chords a span and Richardson's step. */
@@ -33,17 +34,21 @@ static double area_of(const bat_curve *curve) {
     return (4 * sums[1] - sums[0]) / 6;
 }
 
-/* Each point of the curve's parallel that is nowhere nearer to it lies on what was handed over, and the other way. */
+/* Each point of the curve's parallel that is nowhere nearer to it lies on what was handed over, but for specks of a few
+ * tolerances; and the other way. */
 static void check(const bat_curve *curve, double distance, double tolerance, size_t count, bat_curve **out,
                   double error) {
-    enum { SAMPLES = 500 };
+    enum { SAMPLES = 500, CURVES = 200 };
     const double size = bat_curve_size(curve) + fabs(distance), hidden = 1e-12 * size;
-    bat_finder *finder;
+    bat_finder *finder, *found[CURVES];
     assert_int_equal(bat_finder_create(curve, &finder), BAT_OK);
     bat_near near;
-    double u[SAMPLES];
+    double u[SAMPLES], first[2] = {0};
+    bool missing = false;
     assert_true(error <= tolerance * 1.06 + hidden);
+    assert_true(count <= CURVES);
     for (size_t i = 0; i < count; i++) {
+        assert_int_equal(bat_finder_create(out[i], &found[i]), BAT_OK);
         bat_curve_spread(out[i], SAMPLES, u);
         for (int k = 0; k < SAMPLES; k++) {
             double x[2];
@@ -60,21 +65,29 @@ static void check(const bat_curve *curve, double distance, double tolerance, siz
         if (!(v > 0)) continue;
         const double at[2] = {x[0] - distance * x[3] / v, x[1] + distance * x[2] / v};
         bat_finder_nearest(finder, at, &near);
-        if (near.distance < fabs(distance) * (1 - 1e-9)) continue;
-        for (size_t i = 0; i < count; i++) {
-            assert_int_equal(bat_curve_nearest(out[i], at, &near), BAT_OK);
+        const bool asked = near.distance >= fabs(distance) * (1 - 1e-9);
+        for (size_t i = 0; i < count && asked; i++) {
+            bat_finder_nearest(found[i], at, &near);
             best = fmin(best, near.distance);
         }
-        assert_true(best <= 2 * tolerance + hidden);
+        const bool misses = asked && !(best <= 2 * tolerance + hidden);
+        if (misses && !missing) memcpy(first, at, sizeof first);
+        missing = misses;
+        assert_true(!misses || hypot(at[0] - first[0], at[1] - first[1]) <= 6 * tolerance + hidden);
     }
+    for (size_t i = 0; i < count; i++) bat_finder_free(found[i]);
     bat_finder_free(finder);
 }
 
+/* One round in a thousand needs a rare way through the code: of these seeds the second has an island whose curve has a cusp
+ * within, the third a stretch that a cubic with a handle as long as the drawing seems to fit. */
 static void offsets_are_at_the_distance(void **state) {
     (void)state;
-    random_source r = {61};
+    const uint64_t seeds[] = {61, 8, 12};
+    random_source r = {seeds[0]};
     int several = 0;
-    for (int round = 0; round < 100; round++) {
+    for (int round = 0; round < 3 * ROUNDS; round++) {
+        if (round % ROUNDS == 0) r = (random_source){seeds[round / ROUNDS]};
         const int p = random_int(&r, 1, 6), kind = random_int(&r, 0, 2);
         bat_curve *curve = random_curve(&r, p, 2, kind, random_int(&r, 0, 7)), **out;
         const double size = bat_curve_size(curve), tolerance = size * pow(10, -random_between(&r, 2.5, 5));
