@@ -61,6 +61,7 @@ FILES = {
     "currentColor": '<linearGradient id="a" color="#a0f"><stop stop-color="currentColor"/><stop offset="1" stop-color="#fff"/>'
                     f'</linearGradient><g color="#0a5">{BOX}fill="url(#a)" stroke="currentColor" stroke-width="6"/></g>',
     "fallback": BOX + 'fill="url(#none) #0a5"/>',
+    "no fallback": BOX + 'fill="#0a5"/><path d="M40 30H95V95Z" fill="url(#none)" stroke="#246"/>' + STAR + 'stroke="url(#none)"/>',
     "radial": radial(),
     "radial, focus": radial('fx=".3" fy=".35"'),
     "radial, user units": radial(USER + 'cx="50" cy="40" r="30"'),

@@ -21,6 +21,7 @@ static void resolve_server(bat_svg_walk *w, uint32_t element, const bat_svg_pain
     const uint32_t server = bat_svg_tree_refer(w->tree, paint->server);
     if (!server || w->tree->elements[server].kind != BAT_SVG_GRADIENT) {
         bat_svg_note(&w->notes, element, server ? BAT_LOSS_PATTERN : BAT_LOSS_BROKEN);
+        if (!server && paint->bare) *painted = false; /* it is as if it said none (SVG 2, 13.2) */
         return;
     }
     const bat_svg_served served = bat_svg_gradient(w, server, to->scope, to->box, share, to->stops,

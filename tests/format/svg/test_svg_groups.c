@@ -164,6 +164,48 @@ static void groups_stay_when_all_in_them_is_new(void **state) {
     bat_document_free(document);
 }
 
+/* A copy that is edited is written in the place of its element, and nothing else is touched. */
+static void copies_give_way_at_their_place(void **state) {
+    (void)state;
+    static const char head[] = SVG "<defs><path id='p' d='M1 1H3V4Z'/></defs>" LINE
+                                   "\n <g class='w' transform='scale(2)'>"
+                                   "<g>\n   ",
+                      copy[] = "<use href='#p' x='3'/>", tail[] = "\n  </g><!-- w --></g>\n" LAST "</svg>";
+    char file[sizeof head + sizeof copy + sizeof tail];
+    snprintf(file, sizeof file, "%s%s%s", head, copy, tail);
+    bat_document *document = opened(file);
+    assert_true(bat_document_count(document) > 2);
+    shift(document, 1, 4);
+    char *text = written(document, false);
+    const size_t size = strlen(text);
+    assert_int_equal(strncmp(text, head, sizeof head - 1), 0);
+    assert_string_equal(text + size - (sizeof tail - 1), tail);
+    assert_int_equal(strncmp(text + sizeof head - 1, "<path", 5), 0);
+    bat_document *seen = opened(text);
+    double box[4];
+    bat_object_bounds(bat_document_at(seen, 1), box);
+    assert_true(fabs(box[0] - 12) < 1e-6 && fabs(box[1] - 6) < 1e-6 && fabs(box[2] - 16) < 1e-6);
+    bat_document_free(seen);
+    bat_free(text);
+
+    bat_object *other = NULL; /* and what is new below it stays below it */
+    assert_int_equal(bat_object_with_id(bat_document_at(document, 2), bat_document_new_id(document), &other),
+                     BAT_OK);
+    assert_int_equal(bat_document_remove(document, 0), BAT_OK);
+    assert_int_equal(bat_document_insert(document, 0, other), BAT_OK);
+    bat_object_release(other);
+    text = written(document, false);
+    seen = opened(text);
+    bat_object_bounds(bat_document_at(seen, 0), box);
+    assert_true(fabs(box[0] - 9) < 1e-6 && fabs(box[2] - 50) < 1e-6);
+    bat_object_bounds(bat_document_at(seen, 1), box);
+    assert_true(fabs(box[0] - 12) < 1e-6);
+    assert_non_null(strstr(text, "<!-- w -->"));
+    bat_document_free(seen);
+    bat_free(text);
+    bat_document_free(document);
+}
+
 /* A new group around what stays is written when it has something to say of them all. */
 static void new_groups_are_translucent(void **state) {
     (void)state;
@@ -307,6 +349,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(groups_go_along),
         cmocka_unit_test(groups_stay_when_all_in_them_is_new),
+        cmocka_unit_test(copies_give_way_at_their_place),
         cmocka_unit_test(new_groups_are_translucent),
         cmocka_unit_test(random_edits_of_groups),
     };

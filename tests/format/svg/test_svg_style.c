@@ -213,6 +213,8 @@ static void no_values(void **state) {
     must_look_alike("<path style='\tfill :\tlime ; ' " PATH "/>", "<path fill='lime' " PATH "/>", true);
     must_look_alike("<path color='lime' fill='currentcolor' " PATH "/>", "<path fill='lime' " PATH "/>",
                     true);
+    must_look_alike("<path fill='url(#none)' stroke='red' " PATH "/>",
+                    "<path fill='none' stroke='red' " PATH "/>", true);
     must_look_alike("<path fill='url(#none) lime' " PATH "/>", "<path fill='lime' " PATH "/>", true);
     must_look_alike("<path fill-opacity='150%' " PATH "/>", "<path " PATH "/>", true);
 }

@@ -39,7 +39,8 @@ static bool look_in(const bat_svg_plan *plan, uint32_t element, spot *s) {
 }
 
 /* below, above: the elements that stay on either side in the order; 0: none. */
-static bool find_spot(const bat_svg_plan *plan, bat_id parent, uint32_t below, uint32_t above, spot *s) {
+static bool find_spot(const bat_svg_patch *p, bat_id parent, uint32_t below, uint32_t above, spot *s) {
+    const bat_svg_plan *plan = &p->plan;
     const bat_svg_tag *tags = plan->tags.list;
     const uint32_t group = bat_svg_plan_group(plan, parent);
     const bool within = above && bat_svg_plan_holds(plan, group, above);
@@ -55,6 +56,7 @@ static bool find_spot(const bat_svg_plan *plan, bat_id parent, uint32_t below, u
             at = tags[at].parent;
         s->in = tags[at].parent;
         s->at = below ? tags[at].end : tags[at].open;
+        if (!below && p->plan.fate[at] & BAT_SVG_GONE) s->at = bat_svg_patch_lead(p, s->at);
     }
     while (s->in > 1 && tags[s->in].body == tags[s->in].end) { /* it has no inside */
         s->at = tags[s->in].end;
@@ -254,6 +256,14 @@ static void write_group(bat_svg_patch *p, int index, int end, const spot *s) {
     while (depth-- > 0) bat_text_string(&p->made, "</g>");
 }
 
+/* The place of the element that drew something from another place, which gives way to it. */
+static bool find_copy(const bat_svg_patch *p, uint32_t element, spot *s) {
+    const bat_svg_tag *tag = &p->plan.tags.list[element];
+    s->in = tag->parent;
+    s->at = tag->end;
+    return look_in(&p->plan, s->in, s);
+}
+
 /* The line breaks and spaces before an element, so that what is put beside it looks like it. */
 static void write_indent(bat_svg_patch *p, const spot *s, bool before) {
     const char *text = p->plan.text;
@@ -272,7 +282,7 @@ static uint32_t *find_above(const bat_svg_plan *plan, int from, int to) {
     uint32_t *above = calloc((size_t)(to - from) + 1, sizeof *above);
     for (int i = from, next; above && i < to; i = next) {
         next = plan->stay[i] == BAT_SVG_CARRIED ? bat_document_end(plan->document, i) : i + 1;
-        if (plan->stay[i] == BAT_SVG_STAYS) above[i - from] = bat_svg_plan_entry(plan, i)->element;
+        above[i - from] = bat_svg_plan_anchor(plan, i);
     }
     for (int i = to - from - 1; above && i >= 0; i--)
         if (!above[i]) above[i] = above[i + 1];
@@ -287,14 +297,17 @@ static void write_all(bat_svg_patch *p, int from, int to) {
     for (int i = from, end; i < to && p->status == BAT_OK; i = end) {
         const bat_object *object = bat_document_at(plan->document, i);
         end = i + 1;
-        if (plan->stay[i] == BAT_SVG_STAYS) below = bat_svg_plan_entry(plan, i)->element;
+        const uint32_t anchor = bat_svg_plan_anchor(plan, i);
+        if (anchor) below = anchor;
         const int last = bat_document_end(plan->document, i);
         const bool carried = plan->stay[i] == BAT_SVG_CARRIED, group = carried || is_new_group(plan, i, last);
         if (!group && (plan->stay[i] == BAT_SVG_STAYS || !bat_object_is_drawn(object))) continue;
         if (group) end = last;
         const uint32_t element = carried ? bat_svg_plan_entry(plan, i)->element : 0;
+        const uint32_t copy = plan->copy[i];
         spot s;
-        if (!find_spot(plan, bat_object_parent(object), below, above[end - from], &s) ||
+        if (!(copy ? find_copy(p, copy, &s)
+                   : find_spot(p, bat_object_parent(object), below, above[end - from], &s)) ||
             (carried && s.in != plan->tags.list[element].parent)) {
             p->status = BAT_UNSUPPORTED;
             break;
@@ -302,7 +315,11 @@ static void write_all(bat_svg_patch *p, int from, int to) {
         s.opacity /= fmax(missing(plan, object, s.in), 1e-9);
         const size_t made = p->made.size;
         const bool behind = below != 0;
-        if (behind) write_indent(p, &s, false);
+        if (copy) {
+            const size_t open = plan->tags.list[copy].open, lead = bat_svg_patch_lead(p, open);
+            bat_text_add(&p->made, plan->text + lead, open - lead);
+        } else if (behind)
+            write_indent(p, &s, false);
         if (carried) {
             bat_svg_patch_edit(p, made, s.at, 0);
             bat_svg_patch_carry(p, element, s.at);

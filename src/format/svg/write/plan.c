@@ -255,9 +255,13 @@ static bool untie(bat_svg_plan *plan) {
         }
         if (to == from + 1 || plan->fate[element] & BAT_SVG_GONE || is_whole(plan, from, to)) continue;
         plan->fate[element] |= BAT_SVG_GONE | BAT_SVG_TOUCHED;
-        for (int k = from; k < to; k++) {
+        for (int k = to - 1; k >= from; k--) { /* what is in a group before the group */
             const int index = bat_document_find(plan->document, bat_source_at(plan->source, k)->id);
             if (index < 0 || plan->entry[index] < 0) continue;
+            if (plan->stay[index] == BAT_SVG_STAYS)
+                plan->copy[index] = element;
+            else if (index + 1 < bat_document_end(plan->document, index))
+                plan->copy[index] = plan->copy[index + 1];
             plan->entry[index] = -1;
             plan->stay[index] = BAT_SVG_NEW;
         }
@@ -315,6 +319,7 @@ bat_status bat_svg_plan_make(const bat_document *document, bat_svg_plan *out) {
     plan.entry = malloc(((size_t)plan.count + 1) * sizeof *plan.entry);
     plan.stay = calloc((size_t)plan.count + 1, 1);
     plan.hidden = calloc((size_t)plan.count + 1, 1);
+    plan.copy = calloc((size_t)plan.count + 1, sizeof *plan.copy);
     plan.fate = calloc(plan.tags.count, 1);
     for (int k = 0; k < bat_source_count(plan.source);
          k++) /* a list that was read with the document may be anything */
@@ -325,7 +330,8 @@ bat_status bat_svg_plan_make(const bat_document *document, bat_svg_plan *out) {
     find_types(&plan);
     plan.pixel = find_pixel(&plan);
     if (status == BAT_OK)
-        status = plan.entry && plan.stay && plan.hidden && plan.fate ? decide(&plan) : BAT_MEMORY;
+        status = plan.entry && plan.stay && plan.hidden && plan.copy && plan.fate ? decide(&plan)
+                                                                                  : BAT_MEMORY;
     if (status != BAT_OK)
         bat_svg_plan_free(&plan);
     else
@@ -337,6 +343,7 @@ void bat_svg_plan_free(bat_svg_plan *plan) {
     free(plan->entry);
     free(plan->stay);
     free(plan->hidden);
+    free(plan->copy);
     free(plan->fate);
     bat_svg_tags_free(&plan->tags);
 }

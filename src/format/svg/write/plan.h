@@ -33,7 +33,9 @@ typedef struct bat_svg_plan {
     int *entry;      /* of each object of the document, or -1 */
     uint8_t *stay;   /* bat_svg_stay of each */
     uint8_t *hidden; /* whether groups without an element hide it */
-    uint8_t *fate;   /* bat_svg_fate of each element */
+    uint32_t
+        *copy; /* the element that drew it from another place, and gives way to it at its place; 0: none */
+    uint8_t *fate; /* bat_svg_fate of each element */
 } bat_svg_plan;
 
 /* O(n log n) in objects and elements. */
@@ -44,6 +46,10 @@ static inline const bat_sourced *bat_svg_plan_entry(const bat_svg_plan *plan, in
 }
 static inline bool bat_svg_plan_holds(const bat_svg_plan *plan, uint32_t outer, uint32_t element) {
     return element >= outer && element <= plan->tags.list[outer].last;
+}
+/* The element at whose place an object stays; 0: it is written elsewhere, or it is new. */
+static inline uint32_t bat_svg_plan_anchor(const bat_svg_plan *plan, int index) {
+    return plan->stay[index] == BAT_SVG_STAYS ? bat_svg_plan_entry(plan, index)->element : plan->copy[index];
 }
 /* Whether the object has its element, there or with the group around it elsewhere. */
 bool bat_svg_is_placed(const bat_svg_plan *plan, int index);
