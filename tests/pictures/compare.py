@@ -94,8 +94,9 @@ def size_of(batten, path):
         return SIDE, SIDE
     if not (wide > 0 and high > 0):
         return SIDE, SIDE
-    sizes = [(side, side * min(wide, high) / max(wide, high)) for side in range(SIDE, SIDE + 64)]
-    long, short = min(sizes, key=lambda pair: (round(abs(pair[1] - round(pair[1])), 2), pair[0]))
+    sizes = [(side, side * min(wide, high) / max(wide, high)) for side in range(SIDE, SIDE + 400)]
+    near = [pair for pair in sizes if abs(pair[1] - round(pair[1])) < 0.05]
+    long, short = near[0] if near else min(sizes[:64], key=lambda pair: abs(pair[1] - round(pair[1])))
     short = max(1, round(short))
     return (long, short) if wide >= high else (short, long)
 
@@ -111,8 +112,8 @@ def compare(batten, path, written=None):
         if not theirs.exists() or not theirs.stat().st_size:
             return None
         expected = pixels(theirs.read_bytes())
-        if 0 < max(abs(expected.shape[1] - wide), abs(expected.shape[0] - high)) <= 1:
-            run(command)  # a side was rounded up: without that the page fills it
+        if max(abs(expected.shape[1] - wide), abs(expected.shape[0] - high)) <= 1:
+            run(command)  # a side was rounded: without that the page fills it
             expected = pixels(theirs.read_bytes())
         if numpy.ptp(expected, (0, 1)).max() == 0:
             return None
