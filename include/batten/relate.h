@@ -55,9 +55,8 @@ typedef struct bat_meeting {
  */
 BAT_API bat_status bat_curve_intersect(const bat_curve *a, const bat_curve *b, double tolerance,
                                        bat_meeting *out);
-/* Where one curve meets itself, u < v; overlaps are not looked for: a curve
- * that runs back over itself gives crossings along the way. The ends of a closed curve, and of an open one
- * whose ends meet, do not count. */
+/* Where one curve meets itself, u < v; where it runs over itself, one way or back, an overlap, as bat_curve_intersect. The ends of
+ * a closed curve, and of an open one whose ends meet, do not count. */
 BAT_API bat_status bat_curve_self_intersect(const bat_curve *curve, double tolerance, bat_meeting *out);
 BAT_API void bat_meeting_free(bat_meeting *meeting); /* NULL is fine; leaves it empty */
 

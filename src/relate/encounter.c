@@ -90,6 +90,10 @@ static double angle_of(const double *a, const double *b, int size) {
 static bool run_together(const bat_encounter *m, const bat_segment *a, const bat_segment *b, double angle,
                          double turn) {
     if (angle + turn >= 0.25 * BAT_PI) return false;
+    if (m->a == m->b && a->from > b->from) {
+        const bat_segment *first = b;
+        b = a, a = first;
+    }
     for (size_t i = 0; i < m->overlap_count; i++) {
         const bat_overlap *o = m->overlaps + i;
         const double low = fmin(o->v[0], o->v[1]), high = fmax(o->v[0], o->v[1]);
@@ -277,10 +281,13 @@ static bool touch_around(const bat_curve *curve, const double x[2], const double
 }
 
 static bool within(const bat_encounter *m, const bat_candidate *x) {
+    const bool itself = m->a == m->b;
     for (size_t i = 0; i < m->overlap_count; i++) {
         const bat_overlap *o = m->overlaps + i;
         const double v[2] = {fmin(o->v[0], o->v[1]), fmax(o->v[0], o->v[1])};
         if (touch_around(m->a, x->u, o->u, m->gap) && touch_around(m->b, x->v, v, m->gap)) return true;
+        if (itself && touch_around(m->a, x->v, o->u, m->gap) && touch_around(m->b, x->u, v, m->gap))
+            return true;
     }
     return false;
 }

@@ -14,16 +14,16 @@ enum { PAIRS_MAX = 2 * 1000 * 1000 };
 static double hidden(const bat_curve *curve) { return 64 * DBL_EPSILON * bat_segments_reach_of(curve); }
 
 static bat_status meet(bat_encounter *m, bat_meeting *out) {
-    bat_segment *a = NULL, *b = NULL;
+    bat_segment *own = NULL, *others = NULL;
     int a_count = 0, b_count = 0;
-    const bool itself = m->a == m->b;
-    bat_status status = bat_segments_of(m->a, &a_count, &a);
-    if (status == BAT_OK && !itself) status = bat_segments_of(m->b, &b_count, &b);
-    if (status == BAT_OK && !itself) status = bat_encounter_overlaps(m, a_count, a, b_count, b);
-    if (status == BAT_OK)
-        status = bat_encounter_search(m, a_count, a, itself ? a_count : b_count, itself ? a : b);
+    bat_status status = bat_segments_of(m->a, &a_count, &own);
+    if (status == BAT_OK && m->a != m->b) status = bat_segments_of(m->b, &b_count, &others);
+    const bat_segment *a = own, *b = others ? others : own;
+    if (!others) b_count = a_count;
+    if (status == BAT_OK) status = bat_encounter_overlaps(m, a_count, a, b_count, b);
+    if (status == BAT_OK) status = bat_encounter_search(m, a_count, a, b_count, b);
     if (status == BAT_OK) status = bat_encounter_settle(m, out);
-    free(a), free(b), free(m->candidates), free(m->overlaps);
+    free(own), free(others), free(m->candidates), free(m->overlaps);
     return status;
 }
 

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { FEET_MAX = 32 };
+enum { FEET_MAX = 32, DEPTH_MAX = 60 };
 
 typedef struct place {
     double u, v;
@@ -54,6 +54,44 @@ static bat_status ends_on(const bat_curve *other, int count, const bat_segment *
         }
     }
     return status;
+}
+
+/* ---- a curve that runs over itself ---- */
+
+/* Where a piece turns back on the spot: halved until no more is left than a point. */
+static bat_status put_folds(const bat_segment *s, double gap, int depth, places *to) {
+    double axis[3], half;
+    bat_segment left, right;
+    bat_segment_cone(s, axis, &half);
+    if (half < 0.49 * BAT_PI) return BAT_OK;
+    bat_segment_halve(s, &left, &right);
+    const double middle = left.to;
+    if (depth == DEPTH_MAX || bat_segment_reach(s) <= 0.25 * gap || !(s->from < middle && middle < s->to))
+        return put(to, middle, middle, true);
+    double other[3], wide;
+    bat_segment_cone(&left, axis, &half), bat_segment_cone(&right, other, &wide);
+    bat_status status = axis[0] * other[0] + axis[1] * other[1] + (s->size == 3 ? axis[2] * other[2] : 0) < 0
+                            ? put(to, middle, middle, true)
+                            : BAT_OK;
+    if (status == BAT_OK) status = put_folds(&left, gap, depth + 1, to);
+    return status == BAT_OK ? put_folds(&right, gap, depth + 1, to) : status;
+}
+
+/* Each overlap once, with u before v. What is one place of the curve is an end of an overlap where the curve turns back, as it
+ * may at every end of a span. */
+static bat_status places_of_own(const bat_encounter *m, int count, const bat_segment *all, places *at) {
+    bat_status status = ends_on(m->a, count, all, m->gap, false, at);
+    if (status == BAT_OK) status = ends_on(m->a, count, all, m->gap, true, at);
+    size_t kept = 0;
+    for (size_t i = 0; i < at->count; i++)
+        if (at->all[i].u < at->all[i].v && !bat_encounter_at(m->a, at->all[i].u, at->all[i].v, m->gap))
+            at->all[kept++] = at->all[i];
+    at->count = kept;
+    for (int i = 0; i < count && status == BAT_OK; i++) {
+        status = put(at, all[i].from, all[i].from, true);
+        if (status == BAT_OK) status = put_folds(&all[i], m->gap, 0, at);
+    }
+    return status == BAT_OK ? put(at, all[count - 1].to, all[count - 1].to, true) : status;
 }
 
 static int by_u(const void *a, const void *b) {
@@ -142,8 +180,10 @@ static bat_status keep(bat_encounter *m, place x, place y) {
 bat_status bat_encounter_overlaps(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
                                   const bat_segment *b) {
     places at = {0};
-    bat_status status = ends_on(m->b, a_count, a, m->gap, false, &at);
-    if (status == BAT_OK) status = ends_on(m->a, b_count, b, m->gap, true, &at);
+    const bool itself = m->a == m->b;
+    bat_status status = itself ? places_of_own(m, a_count, a, &at)
+                               : ends_on(m->b, a_count, a, m->gap, false, &at);
+    if (status == BAT_OK && !itself) status = ends_on(m->a, b_count, b, m->gap, true, &at);
     if (status == BAT_OK && at.count) {
         qsort(at.all, at.count, sizeof *at.all, by_u); /* no ties but of equals */
         unite(m, &at);
@@ -155,7 +195,7 @@ bat_status bat_encounter_overlaps(bat_encounter *m, int a_count, const bat_segme
         /* the next place of the same two spans: further ones lie behind it */
         for (size_t j = i + 1; j < at.count && at.all[j].u <= s->to; j++) {
             const place y = at.all[j];
-            if (y.u <= x.u || y.v == x.v) continue;
+            if (y.u <= x.u || y.v == x.v || (itself && x.u == x.v && y.u == y.v)) continue;
             const bat_segment *t = segment_at(b_count, b, 0.5 * x.v + 0.5 * y.v);
             if (fmin(x.v, y.v) < t->from || fmax(x.v, y.v) > t->to || !together(m, x, y, tries)) continue;
             status = keep(m, x, y);

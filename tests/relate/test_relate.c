@@ -400,6 +400,58 @@ static void own_crossings_are_those_of_fine_polylines(void **state) {
     assert_true(differ == 0);
 }
 
+/* A curve that turns back at its end and returns by other pieces, and one that goes round twice. */
+static void curves_run_over_themselves(void **state) {
+    (void)state;
+    random_source r = {47};
+    for (int round = 0; round < 60; round++) {
+        const int p = random_int(&r, 1, 5), m = random_int(&r, 2, 3);
+        const bool back = round % 2;
+        bat_curve *there = NULL, *way = NULL, *both = NULL;
+        do {
+            bat_meeting own;
+            bat_curve_free(there);
+            there = random_curve(&r, p, m, back ? 0 : 2, 3);
+            assert_int_equal(bat_curve_self_intersect(there, 1e-9 * bat_curve_size(there), &own), BAT_OK);
+            const bool plain = own.count == 0 && own.overlap_count == 0;
+            bat_meeting_free(&own);
+            if (plain) break;
+        } while (true);
+        const double size = bat_curve_size(there);
+        bat_curve *first = there;
+        double domain[2];
+        bat_curve_domain(there, domain);
+        if (!back) assert_int_equal(bat_curve_open_at(there, domain[0], &first), BAT_OK);
+        assert_int_equal(back ? bat_curve_reverse(first, &way) : bat_curve_copy(first, &way), BAT_OK);
+        assert_int_equal(bat_curve_join(first, way, 0, 1e-9 * size, &both, NULL), BAT_OK);
+        bat_meeting meeting;
+        assert_int_equal(bat_curve_self_intersect(both, 1e-9 * size, &meeting), BAT_OK);
+        assert_int_equal(meeting.count, 0);
+        assert_int_equal(meeting.overlap_count, 1);
+        const bat_overlap o = meeting.overlaps[0];
+        double whole[2], x[3], y[3];
+        bat_curve_domain(both, whole);
+        assert_true(o.u[0] == whole[0] && o.v[back ? 0 : 1] == whole[1]);
+        assert_true(fabs(o.u[1] - o.v[back ? 1 : 0]) <= 1e-6 * (whole[1] - whole[0]));
+        for (int k = 0; k < 2; k++) {
+            bat_curve_eval(both, o.u[k], 0, x), bat_curve_eval(both, o.v[k], 0, y);
+            assert_true(distance_of(x, y, m) <= 1e-9 * size);
+        }
+        bat_meeting_free(&meeting);
+        if (first != there) bat_curve_free(first);
+        bat_curve_free(there), bat_curve_free(way), bat_curve_free(both);
+    }
+    /* within one span: x = 4 t (1 - t) turns back at t = 1/2 */
+    bat_curve *fold = bezier(2, (const double[]){0, 0, 2, 0, 0, 0});
+    bat_meeting meeting;
+    assert_int_equal(bat_curve_self_intersect(fold, 1e-9, &meeting), BAT_OK);
+    assert_int_equal(meeting.count, 0);
+    assert_int_equal(meeting.overlap_count, 1);
+    const bat_overlap o = meeting.overlaps[0];
+    assert_true(o.u[0] == 0 && o.v[0] == 1 && fabs(o.u[1] - 0.5) <= 1e-4 && fabs(o.v[1] - 0.5) <= 1e-4);
+    bat_meeting_free(&meeting), bat_curve_free(fold);
+}
+
 /* ---- what is refused ---- */
 
 static void bad_arguments(void **state) {
@@ -450,6 +502,7 @@ int main(void) {
         cmocka_unit_test(overlaps_are_found),
         cmocka_unit_test(seams_lie_in_overlaps),
         cmocka_unit_test(loops_have_closed_forms),
+        cmocka_unit_test(curves_run_over_themselves),
         cmocka_unit_test(own_crossings_are_those_of_fine_polylines),
         cmocka_unit_test(bad_arguments),
     };
