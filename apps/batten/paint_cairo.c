@@ -4,6 +4,7 @@
 
 #include "document/clip.h"
 #include "document/kind.h"
+#include "document/markers.h"
 #include "document/nesting.h"
 
 #include <batten/bezier.h>
@@ -198,36 +199,6 @@ static bat_status stroke_path(cairo_t *cairo, const bat_object *object) {
     return BAT_OK;
 }
 
-static bat_status paint_object(cairo_t *cairo, const bat_object *object, double tolerance) {
-    const bat_style *style = bat_object_style(object);
-    const bat_paint *paint = bat_object_paint(object);
-    bool stroked = style->stroked && style->width > 0;
-    if ((!stroked && !style->filled) || style->opacity <= 0) return BAT_OK;
-    cairo_new_path(cairo);
-    for (int i = 0; i < bat_object_curve_count(object); i++) {
-        bat_status status = trace(cairo, bat_object_curve(object, i), tolerance);
-        if (status != BAT_OK) return status;
-    }
-    bool group = style->opacity <
-                 1; /* opacity of the object as a whole: fill and stroke do not show through each other */
-    if (group) {
-        cairo_save(cairo);
-        clip_to_path(cairo, style, paint, stroked);
-        cairo_push_group(cairo);
-    }
-    const bool first = paint && paint->stroke_first;
-    bat_status status = stroked && first ? stroke_path(cairo, object) : BAT_OK;
-    if (style->filled) fill_path(cairo, style, paint);
-    if (stroked && !first) status = stroke_path(cairo, object);
-    cairo_new_path(cairo);
-    if (group) {
-        cairo_pop_group_to_source(cairo);
-        cairo_paint_with_alpha(cairo, style->opacity);
-        cairo_restore(cairo);
-    }
-    return status;
-}
-
 /* From now on only what lies in all regions is painted, until cairo_restore. */
 static bat_status clip_to(cairo_t *cairo, const bat_clip *clip, double tolerance) {
     bat_status status = BAT_OK;
@@ -239,6 +210,81 @@ static bat_status clip_to(cairo_t *cairo, const bat_clip *clip, double tolerance
                             bat_clip_is_even_odd(clip) ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
         cairo_clip(cairo);
     }
+    return status;
+}
+
+static bat_status trace_all(cairo_t *cairo, const bat_object *object, double tolerance) {
+    bat_status status = BAT_OK;
+    cairo_new_path(cairo);
+    for (int i = 0; i < bat_object_curve_count(object) && status == BAT_OK; i++)
+        status = trace(cairo, bat_object_curve(object, i), tolerance);
+    return status;
+}
+
+/* The markers of an object, each as an object of its own. */
+typedef struct marks {
+    bat_object **list;
+    int count;
+    bat_marker_order order;
+} marks;
+
+static bat_status paint_object(cairo_t *cairo, const bat_object *object, const marks *m, double tolerance);
+
+static bat_status paint_marks(cairo_t *cairo, const marks *m, double tolerance) {
+    bat_status status = BAT_OK;
+    for (int i = 0; i < m->count && status == BAT_OK; i++) {
+        cairo_save(cairo);
+        status = clip_to(cairo, bat_object_clip(m->list[i]), tolerance);
+        if (status == BAT_OK) status = paint_object(cairo, m->list[i], NULL, tolerance);
+        cairo_restore(cairo);
+    }
+    return status;
+}
+
+/* Fill, stroke and markers, in their order. */
+static bat_status paint_parts(cairo_t *cairo, const bat_object *object, const marks *m, double tolerance) {
+    const bat_style *style = bat_object_style(object);
+    const bat_paint *paint = bat_object_paint(object);
+    const bool first = paint && paint->stroke_first, stroked = style->stroked && style->width > 0;
+    bat_status status = BAT_OK;
+    for (int step = 0; step < 3 && status == BAT_OK; step++) {
+        if (m && (int)m->order == (step + 1) % 3) status = paint_marks(cairo, m, tolerance);
+        if (step == 2 || status != BAT_OK) continue;
+        status = trace_all(cairo, object, tolerance);
+        if (status == BAT_OK && stroked && first == (step == 0)) status = stroke_path(cairo, object);
+        if (status == BAT_OK && style->filled && first == (step == 1)) fill_path(cairo, style, paint);
+    }
+    cairo_new_path(cairo);
+    return status;
+}
+
+/* marks: NULL: it has none. */
+static bat_status paint_object(cairo_t *cairo, const bat_object *object, const marks *m, double tolerance) {
+    const bat_style *style = bat_object_style(object);
+    const bool stroked = style->stroked && style->width > 0;
+    if ((!stroked && !style->filled && !m) || style->opacity <= 0) return BAT_OK;
+    if (style->opacity == 1) return paint_parts(cairo, object, m, tolerance);
+    /* Opacity of the object as a whole: fill and stroke do not show through each other. */
+    bat_status status = trace_all(cairo, object, tolerance);
+    if (status != BAT_OK) return status;
+    cairo_save(cairo);
+    if (!m) clip_to_path(cairo, style, bat_object_paint(object), stroked);
+    cairo_push_group(cairo);
+    status = paint_parts(cairo, object, m, tolerance);
+    cairo_pop_group_to_source(cairo);
+    cairo_paint_with_alpha(cairo, style->opacity);
+    cairo_restore(cairo);
+    return status;
+}
+
+static bat_status paint_marked(cairo_t *cairo, const bat_object *object, double tolerance) {
+    marks m = {0};
+    if (!bat_object_markers(object)) return paint_object(cairo, object, NULL, tolerance);
+    m.order = bat_markers_marked(bat_object_markers(object))->order;
+    bat_status status = bat_object_mark(object, &m.count, &m.list);
+    if (status == BAT_OK) status = paint_object(cairo, object, &m, tolerance);
+    for (int i = 0; i < m.count; i++) bat_object_release(m.list[i]);
+    free(m.list);
     return status;
 }
 
@@ -298,7 +344,7 @@ static bat_status paint_clipped(cairo_t *cairo, const bat_object *object, double
     if (status == BAT_OK && bat_object_is_foreign(object))
         *whole = paint_foreign(cairo, object) && *whole;
     else if (status == BAT_OK)
-        status = paint_object(cairo, object, tolerance);
+        status = paint_marked(cairo, object, tolerance);
     cairo_restore(cairo);
     return status;
 }

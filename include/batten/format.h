@@ -194,9 +194,9 @@ typedef enum bat_loss {
     BAT_LOSS_CLIP,
     BAT_LOSS_MASK,
     BAT_LOSS_FILTER,
-    BAT_LOSS_MARKER,
+    BAT_LOSS_MARKER, /* of which a part is not shown */
     BAT_LOSS_DASH,
-    BAT_LOSS_ORDER,     /* a stroke or markers painted before the fill */
+    BAT_LOSS_ORDER,     /* no longer: it is kept */
     BAT_LOSS_EFFECT,    /* a stroke that does not scale: its width is kept as it is */
     BAT_LOSS_UNEVEN,    /* a stroke that a transform makes thicker one way than another */
     BAT_LOSS_BLEND,     /* blend modes, isolation */

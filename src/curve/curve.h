@@ -89,6 +89,15 @@ bat_status bat_curve_unwind(const bat_curve *curve, int first, int last, bat_cur
 bat_status bat_curve_rotate(const bat_curve *curve, int shift, bat_curve **out);
 /* Closed: the same curve with all copies of the seam at the start of the period. Open: a copy. */
 bat_status bat_curve_gather_seam(const bat_curve *curve, bat_curve **out);
+/* bat_curve_from_bezier with joints that stay knots, if their tangents turn or not. */
+typedef enum bat_seams {
+    BAT_SEAMS_MERGED, /* none: those that are not needed go */
+    BAT_SEAMS_ENDS,   /* where a closed path begins */
+    BAT_SEAMS_KEPT    /* all */
+} bat_seams;
+bat_status bat_curve_from_seams(int dimension, int degree, bool closed, int segments, const double *points,
+                                double corner, double tolerance, bat_seams joints, bat_curve **out,
+                                double *error);
 /* bat_curve_from_bezier with a range of its own: the speed leaves 1/range..range times that of the segments' lengths
  * nowhere, at the price of joints of multiplicity p. */
 bat_status bat_curve_from_chain(int dimension, int degree, bool closed, int segments, const double *points,

@@ -95,15 +95,42 @@ static bat_status assemble(int degree, int size, int count, const double *points
     return bat_curve_finish(curve, out);
 }
 
-bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int segments, const double *points,
-                                 double corner, double tolerance, bat_curve **out, double *error) {
-    return bat_curve_from_chain(dimension, degree, closed, segments, points, corner, SPEED_RANGE, tolerance,
-                                out, error);
+/* Puts knots back at the ends of spans where there are none left; takes the curve over. */
+static bat_status keep_joints(int count, const double *spans, bat_curve **curve) {
+    double *knots = malloc((size_t)count * sizeof *knots), t = 0;
+    bat_curve *refined = NULL;
+    int missing = 0;
+    if (!knots) return BAT_MEMORY;
+    for (int i = 0; i + 1 < count; i++) {
+        t += spans[i];
+        if (bat_knot_multiplicity(*curve, t) == 0) knots[missing++] = t;
+    }
+    const bat_status status = missing ? bat_curve_insert_knots(*curve, missing, knots, &refined) : BAT_OK;
+    free(knots);
+    if (!refined) return status;
+    bat_curve_free(*curve);
+    *curve = refined;
+    return BAT_OK;
 }
 
-bat_status bat_curve_from_chain(int dimension, int degree, bool closed, int segments, const double *points,
-                                double corner, double range, double tolerance, bat_curve **out,
-                                double *error) {
+/* The seam of a closed curve is a joint like any other, and goes where it is not needed. */
+static bat_status merge_seam(double tolerance, bat_curve **curve, double *removal) {
+    bat_curve *whole = NULL;
+    const double seam = (*curve)->knots[(*curve)->degree];
+    double more = 0;
+    int removed = 0;
+    if (bat_knot_multiplicity(*curve, seam) != 1) return BAT_OK;
+    const bat_status status = bat_curve_remove_knot(*curve, seam, 1, tolerance, &whole, &removed, &more);
+    if (!whole) return status;
+    bat_curve_free(*curve);
+    *curve = whole;
+    *removal += more;
+    return BAT_OK;
+}
+
+static bat_status from_chain(int dimension, int degree, bool closed, int segments, const double *points,
+                             double corner, double range, double tolerance, bat_seams joints, bat_curve **out,
+                             double *error) {
     if (!points || !out || !(corner >= 0) || !(tolerance >= 0)) return BAT_ARGUMENT;
     if (degree < 1 || degree > BAT_DEGREE_MAX) return BAT_DEGREE;
     if (dimension < 2 || dimension > BAT_DIMENSION_MAX) return BAT_DIMENSION;
@@ -128,30 +155,43 @@ bat_status bat_curve_from_chain(int dimension, int degree, bool closed, int segm
         choose_spans(degree, dimension, kept, copy, closed, corner, range, spans);
         status = assemble(degree, dimension, kept, copy, closed, spans, &exact);
     }
+    if (status != BAT_OK) {
+        free(copy);
+        return status;
+    }
+    /* Exact means to rounding. */
+    const double least = 64 * DBL_EPSILON * greatest;
+    status = bat_curve_simplify(exact, fmax(tolerance, least), corner, &simple, &removal);
+    bat_curve_free(exact);
+    if (status == BAT_OK) {
+        if (closed && joints == BAT_SEAMS_MERGED)
+            status = merge_seam(fmax(tolerance - removal, least), &simple, &removal);
+        if (joints == BAT_SEAMS_KEPT) status = keep_joints(kept, spans, &simple);
+        if (status != BAT_OK) bat_curve_free(simple);
+    }
     free(copy);
     if (status != BAT_OK) return status;
-    /* Exact means to rounding. */
-    status = bat_curve_simplify(exact, fmax(tolerance, 64 * DBL_EPSILON * greatest), corner, &simple,
-                                &removal);
-    bat_curve_free(exact);
-    if (status != BAT_OK) return status;
-    if (closed) { /* the seam is a joint like any other */
-        bat_curve *whole = NULL;
-        double seam = simple->knots[degree], more = 0;
-        int removed = 0;
-        double left = fmax(tolerance - removal, 64 * DBL_EPSILON * greatest);
-        if (bat_knot_multiplicity(simple, seam) == 1)
-            status = bat_curve_remove_knot(simple, seam, 1, left, &whole, &removed, &more);
-        if (status != BAT_OK) {
-            bat_curve_free(simple);
-            return status;
-        }
-        if (whole) {
-            bat_curve_free(simple);
-            simple = whole, removal += more;
-        }
-    }
     *out = simple;
     if (error) *error = moved + removal;
     return BAT_OK;
+}
+
+bat_status bat_curve_from_chain(int dimension, int degree, bool closed, int segments, const double *points,
+                                double corner, double range, double tolerance, bat_curve **out,
+                                double *error) {
+    return from_chain(dimension, degree, closed, segments, points, corner, range, tolerance, BAT_SEAMS_MERGED,
+                      out, error);
+}
+
+bat_status bat_curve_from_seams(int dimension, int degree, bool closed, int segments, const double *points,
+                                double corner, double tolerance, bat_seams joints, bat_curve **out,
+                                double *error) {
+    return from_chain(dimension, degree, closed, segments, points, corner, SPEED_RANGE, tolerance, joints,
+                      out, error);
+}
+
+bat_status bat_curve_from_bezier(int dimension, int degree, bool closed, int segments, const double *points,
+                                 double corner, double tolerance, bat_curve **out, double *error) {
+    return bat_curve_from_chain(dimension, degree, closed, segments, points, corner, SPEED_RANGE, tolerance,
+                                out, error);
 }

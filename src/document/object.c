@@ -9,6 +9,7 @@
 #include "document/document.h"
 #include "document/kind.h"
 #include "document/levelled.h"
+#include "document/markers.h"
 #include "document/paint.h"
 #include "document/style.h"
 #include "text/utf8.h"
@@ -34,8 +35,9 @@ typedef struct head {
     bat_id parent; /* id of the group that it is in; 0: none */
     bool hidden, locked;
     bat_style style;
-    bat_painted *paint; /* NULL: none */
-    bat_clip *clip;     /* NULL: none */
+    bat_painted *paint;   /* NULL: none */
+    bat_clip *clip;       /* NULL: none */
+    bat_markers *markers; /* NULL: none */
 } head;
 
 struct bat_object {
@@ -107,6 +109,7 @@ static void set_head(bat_object *object, const head *with) {
     object->head = *with;
     bat_painted_retain(with->paint);
     bat_clip_retain(with->clip);
+    bat_markers_retain(with->markers);
 }
 
 static bat_status make(const bat_kind_type *type, const head *with, const char *name, const void *own,
@@ -286,6 +289,18 @@ bat_status bat_object_with_clip(const bat_object *object, const bat_clip *clip, 
 
 const bat_clip *bat_object_clip(const bat_object *object) { return object->head.clip; }
 
+bat_status bat_object_with_markers(const bat_object *object, const bat_markers *markers, bat_object **out) {
+    if (!object || !out || !bat_object_is_made_of_curves(object)) return BAT_ARGUMENT;
+    bat_object *copy = share(object);
+    if (!copy) return BAT_MEMORY;
+    bat_markers_release(copy->head.markers);
+    copy->head.markers = bat_markers_retain(markers);
+    *out = copy;
+    return BAT_OK;
+}
+
+const bat_markers *bat_object_markers(const bat_object *object) { return object->head.markers; }
+
 const bat_paint *bat_object_paint(const bat_object *object) { return bat_painted_paint(object->head.paint); }
 
 bat_status bat_object_with_parent(const bat_object *object, bat_id parent, bat_object **out) {
@@ -334,6 +349,7 @@ void bat_object_release(bat_object *object) {
     if (!object || !bat_users_drop(&object->users)) return;
     bat_painted_release(object->head.paint);
     bat_clip_release(object->head.clip);
+    bat_markers_release(object->head.markers);
     for (int i = 0; i < object->count; i++) part_release(object->parts[i]);
     if (object->type->end) object->type->end(object->own);
     free(object);
@@ -414,5 +430,6 @@ uint64_t bat_digest_object(uint64_t digest, const bat_object *object) {
     if (object->head.locked) digest = bat_digest_number(digest, 3);
     if (object->head.paint) digest = bat_digest_number(digest, bat_painted_digest(object->head.paint));
     if (object->head.clip) digest = bat_digest_number(digest, bat_clip_digest(object->head.clip));
+    if (object->head.markers) digest = bat_digest_number(digest, bat_markers_digest(object->head.markers));
     return object->type->digest ? object->type->digest(digest, object->own) : digest;
 }

@@ -5,6 +5,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/kind.h"
+#include "document/markers.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -120,6 +121,7 @@ void bat_sourced_note(bat_sourced *entry, const bat_object *object) {
     for (int k = 0; k < BAT_PAINT_PARTS; k++)
         entry->paint[k] = bat_paint_digest(bat_object_paint(object), (bat_paint_part)k);
     entry->clip = bat_clip_digest(bat_object_clip(object));
+    entry->markers = bat_markers_digest(bat_object_markers(object));
     entry->hidden = bat_object_is_hidden(object);
     entry->locked = bat_object_is_locked(object);
 }

@@ -21,7 +21,7 @@ typedef struct bat_sourced {
     uint64_t shape, name; /* digests */
     bat_style style;
     uint64_t paint[BAT_PAINT_PARTS]; /* digests */
-    uint64_t clip;                   /* digest */
+    uint64_t clip, markers;          /* digests */
     bool boxed;                      /* a gradient or its clip path is placed by its box */
     bool hidden, locked;
     uint32_t lost; /* what of its look in the file is not shown: a bit 1 << bat_loss each */

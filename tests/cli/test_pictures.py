@@ -158,6 +158,47 @@ FILES = {
 }
 
 
+ARROW, RING = '<path d="M0 0L10 5L0 10Z"/>', '<circle cx="5" cy="5" r="4" fill="orange" stroke="blue"/>'
+TILTED = '<g fill="green" transform="rotate(20 5 5)"><path d="M1 2H9V8H1Z"/><path d="M0 0L10 10" stroke="red"/></g>'
+CONTEXT = '<path d="M-4 5H14" stroke="context-stroke" stroke-width="3"/><circle cx="5" cy="5" r="4" fill="context-fill"/>'
+VIEW = 'viewBox="0 0 10 10" refX="5" refY="5" markerWidth="4" markerHeight="4" '
+USER_VIEW = 'viewBox="0 0 10 10" refX="10" refY="5" markerWidth="20" markerHeight="12" markerUnits="userSpaceOnUse" '
+ANGLES = '<path d="M10 30H50V70L90 90" fill="none" stroke="#444" stroke-width="4" '
+EACH = 'marker-start="url(#m)" marker-mid="url(#m)" marker-end="url(#m)"'
+
+
+def marked(attributes, content, shape=ANGLES, more=EACH):
+    return f'<marker id="m" {attributes}>{content}</marker>{shape}{more}/>'
+
+
+FILES |= {
+    "marker": marked(VIEW + 'orient="auto"', ARROW),
+    "marker, turned about": marked(VIEW + 'orient="auto-start-reverse"', ARROW, WAVE),
+    "marker, at an angle": marked(VIEW + 'orient="-75"', TILTED, WAVE),
+    "marker, not turned": marked(VIEW, TILTED, '<g transform="rotate(25 50 50)">' + ANGLES) + "</g>",
+    "marker, as it is": marked('refX="2" refY="5" markerWidth="6" markerHeight="10"', ARROW),
+    "marker, cut off": marked('refX="5" refY="5" markerWidth="7" markerHeight="6" orient="auto"', RING, WAVE),
+    "marker, seen whole": marked('refX="5" refY="5" style="overflow:visible" orient="auto"', TILTED, WAVE),
+    "marker, user units": marked(USER_VIEW + 'orient="auto"', ARROW),
+    "marker, squeezed": marked(USER_VIEW + 'preserveAspectRatio="none"', RING, WAVE),
+    "marker, aligned": marked(USER_VIEW + 'preserveAspectRatio="xMinYMax meet" overflow="visible"', TILTED),
+    "marker, of the line's colours": marked(VIEW + 'overflow="visible" orient="auto"', CONTEXT, ANGLES.replace("none", "#fed")),
+    "marker, slanted": marked(VIEW + 'orient="auto"', TILTED, ANGLES + 'transform="scale(1 .6) skewX(20)" '),
+    "marker, slanted without a stroke": marked(USER_VIEW + 'orient="auto"', TILTED, '<path d="M30 30H80V70H30" fill="#fed" '
+                                               'transform="scale(1 .6) skewX(20)" '),
+    "marker, mirrored": marked(VIEW + 'orient="30"', TILTED, '<g transform="translate(100) scale(-1 1)">' + ANGLES) + "</g>",
+    "marker, first": marked(VIEW, RING, ANGLES.replace("none", "#fed"), EACH + ' paint-order="markers"'),
+    "marker, between": marked(VIEW, RING, ANGLES.replace("none", "#fed"), EACH + ' paint-order="fill markers"'),
+    "marker, above the stroke": marked(VIEW, RING, ANGLES.replace("none", "#fed"), EACH + ' paint-order="stroke markers"'),
+    "marker, translucent": marked(VIEW, RING, ANGLES, EACH + ' opacity=".5" stroke-dasharray="6 3"'),
+    "marker, clipped": '<clipPath id="c"><circle cx="50" cy="50" r="38"/></clipPath>' + marked(VIEW, RING, ANGLES, EACH + ' clip-path="url(#c)"'),
+    "marker, gradient": f'<linearGradient id="a" {USER}x2="10" y2="4">{STOPS}</linearGradient>' + marked(VIEW + 'orient="auto"', '<path d="M0 0H10V10H0Z" fill="url(#a)"/>', WAVE),
+    "marker, of a group": f'<marker id="m" {VIEW}orient="auto">{ARROW}</marker><g style="marker-end:url(#m)" stroke="#246" '
+                          'stroke-width="3"><line x1="10" y1="10" x2="60" y2="30"/><polyline points="10,40 60,50 80,90" fill="none"/>'
+                          '<polygon points="70,10 95,20 80,40" fill="#fed"/><circle cx="30" cy="80" r="9"/></g>',
+}
+
+
 def main():
     batten, failed = os.environ["BATTEN"], []
     with tempfile.TemporaryDirectory() as folder:

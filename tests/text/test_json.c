@@ -305,7 +305,8 @@ static void bad_documents_are_told(void **state) {
         bat_status status;
     } cases[] = {
         {"{}", "version", BAT_SYNTAX},
-        {"{\"batten\":8,\"objects\":[]}", "version 1, 2, 3, 4, 5, 6 or 7, found number 8", BAT_UNSUPPORTED},
+        {"{\"batten\":9,\"objects\":[]}", "version 1, 2, 3, 4, 5, 6, 7 or 8, found number 9",
+         BAT_UNSUPPORTED},
         {"{\"batten\":1}", "objects", BAT_SYNTAX},
         {"{\"batten\":1,\"objects\":[{\"id\":1,\"kind\":\"blob\"}]}", "\"path\"", BAT_UNSUPPORTED},
         {"{\"batten\":1,\"objects\":[{\"id\":1.5,\"kind\":\"path\",\"curves\":[" CURVE "]}]}", "whole",

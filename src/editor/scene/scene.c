@@ -4,6 +4,7 @@
 #include "curve/curve.h"
 #include "document/paint.h"
 #include "document/kind.h"
+#include "document/markers.h"
 #include "document/nesting.h"
 #include "editor/scene/solid.h"
 #include <math.h>
@@ -28,12 +29,18 @@ static void free_lines(bat_scene_entry *entry) {
     entry->lines = NULL;
 }
 
+static void drop_marks(bat_scene_entry *entry) {
+    if (entry->marks) bat_scene_marks_free(entry->marks);
+    entry->marks = NULL;
+}
+
 static void free_entry(bat_scene_entry *entry) {
     free_lines(entry);
     if (entry->solid) bat_solid_free(entry->solid);
     free(entry->path);
     free(entry->paint);
     bat_scene_wide_free(entry->wide);
+    drop_marks(entry);
     bat_scene_regions_free(entry->regions, bat_object_clip(entry->object));
     bat_object_release(entry->posed);
     bat_object_release(entry->object);
@@ -124,6 +131,17 @@ static bool make_paint(bat_scene *scene, bat_scene_entry *entry, uint32_t *count
     return true;
 }
 
+/* Its markers, in place of those that it had. */
+static bool make_marks(bat_scene *scene, bat_scene_entry *entry) {
+    bat_scene_marks *marks = NULL;
+    if (!scene->tilted && bat_object_markers(entry->object) &&
+        bat_scene_marks_create(entry->object, scene->origin, &marks) != BAT_OK)
+        return false;
+    drop_marks(entry);
+    entry->marks = marks;
+    return true;
+}
+
 static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     bat_path path = {
         .origin = {scene->origin[0], scene->origin[1]}, .map = map_of(scene), .tolerance = scene->tolerance};
@@ -142,7 +160,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     }
     const bat_paint *own = scene->tilted ? NULL : bat_object_paint(entry->object);
     uint32_t paint_count = 0;
-    if (!make_paint(scene, entry, &paint_count)) {
+    if (!make_marks(scene, entry) || !make_paint(scene, entry, &paint_count)) {
         free(path.data);
         return false;
     }
@@ -178,6 +196,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     if (own) more *= bat_paint_reach(own);
     for (int i = 0; i < 4; i++)
         item->bounds[i] = bat_path_float(entry->box[i] + (i < 2 ? -more : more) - scene->origin[i & 1]);
+    if (entry->marks) bat_box_add(item->bounds, entry->marks->bounds);
     return true;
 }
 
@@ -461,10 +480,31 @@ static int show_page(bat_scene *scene, const bat_document *document, bat_item *i
     return 1;
 }
 
+/* Adds what is painted of an entry, as the item says; returns how many items there are in all. Markers may need more room; without
+ * memory for it they are not shown. */
+static int show_entry(const bat_scene *scene, const bat_scene_entry *entry, const bat_item *item,
+                      bat_item **items, size_t *room, int count) {
+    bat_item own[BAT_WIDE_ITEMS] = {*item};
+    const bool marked = entry->marks && !scene->outline;
+    if (marked) own[0].opacity = 1;
+    const bat_item base = own[0];
+    const int made = entry->wide && !scene->outline ? bat_scene_wide_show(entry->wide, &base, own) : 1;
+    const size_t more = marked ? (size_t)entry->marks->count + BAT_MARKS_ITEMS : 0;
+    bat_item *grown = more ? realloc(*items, (*room + more) * sizeof *grown) : NULL;
+    if (grown) {
+        *items = grown;
+        *room += more;
+        return count + bat_scene_marks_show(entry->marks, item, own, made, grown + count);
+    }
+    memcpy(*items + count, own, (size_t)made * sizeof *own);
+    return count + made;
+}
+
 bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64_t revision) {
     if (scene->revision == revision && !scene->stale) return BAT_OK;
     int count = bat_document_count(document);
-    bat_item *items = calloc(item_room(document), sizeof *items);
+    size_t room = item_room(document);
+    bat_item *items = calloc(room, sizeof *items);
     bat_status status = items ? BAT_OK : BAT_MEMORY;
     if (scene->revision != revision) {
         if (status == BAT_OK) status = mirror(scene, document);
@@ -493,10 +533,7 @@ bat_status bat_scene_sync(bat_scene *scene, const bat_document *document, uint64
         }
         bat_item item = bat_scene_painted(scene, entry);
         if (is_ghost(scene, entry) && !entry->pale) item.opacity *= PALE;
-        if (entry->wide && !scene->outline)
-            item_count += bat_scene_wide_show(entry->wide, &item, items + item_count);
-        else
-            items[item_count++] = item;
+        item_count = show_entry(scene, entry, &item, &items, &room, item_count);
     }
     end_layers(&open, items, count, item_count);
     free(scene->items);
@@ -515,6 +552,7 @@ static void lose_paths(bat_scene *scene) {
         free(scene->entries[i].paint);
         bat_scene_regions_free(scene->entries[i].regions, bat_object_clip(scene->entries[i].object));
         bat_scene_wide_free(scene->entries[i].wide);
+        drop_marks(&scene->entries[i]);
         scene->entries[i].path = scene->entries[i].paint = NULL;
         scene->entries[i].wide = NULL;
         scene->entries[i].regions = NULL;

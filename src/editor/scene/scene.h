@@ -8,6 +8,7 @@
 
 #include "editor/choice/isolation.h"
 #include "editor/scene/clips.h"
+#include "editor/scene/marks.h"
 #include "editor/scene/path.h"
 #include "editor/scene/wide.h"
 #include "editor/view/stage.h"
@@ -29,6 +30,7 @@ typedef struct bat_scene_entry {
     float *path;          /* NULL until made */
     float *paint;         /* made with the path; NULL: none */
     bat_scene_wide *wide; /* made with the path; NULL: the stroke is as wide everywhere, or seen from aside */
+    bat_scene_marks *marks;    /* made with the path; NULL: none, or seen from aside */
     bat_scene_region *regions; /* of its clip; NULL until requested */
     bat_item item;
     bool hidden, locked;   /* the object or a group that contains it; what is not isolated counts as locked */

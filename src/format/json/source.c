@@ -72,6 +72,8 @@ static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above,
     if (status == BAT_OK) status = read_paint(f, node, entry);
     if (status == BAT_OK && bat_json_member(f->json, node, "clip"))
         status = read_digest(f, node, "clip", &entry->clip);
+    if (status == BAT_OK && bat_json_member(f->json, node, "markers"))
+        status = read_digest(f, node, "markers", &entry->markers);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "boxed", &entry->boxed);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "hidden", &entry->hidden);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "locked", &entry->locked);
@@ -139,6 +141,7 @@ static void write_paint(const bat_sourced *entry, bat_text *text) {
         write_digest(text, k > 0 ? ",\"" : ",\"paint\":[\"", entry->paint[k]);
     if (any) bat_text_string(text, "]");
     if (entry->clip) write_digest(text, ",\"clip\":\"", entry->clip);
+    if (entry->markers) write_digest(text, ",\"markers\":\"", entry->markers);
     if (entry->boxed && (any || entry->clip)) bat_text_string(text, ",\"boxed\":true");
 }
 

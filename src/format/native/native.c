@@ -10,6 +10,7 @@
 #include "format/json/clip.h"
 #include "format/json/paint.h"
 #include "format/json/source.h"
+#include "format/native/markers.h"
 #include "kinds/kinds.h"
 #include "text/json.h"
 
@@ -19,11 +20,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with strokes whose width
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with markers, with strokes whose width
  * changes, drawings with meshes or with
  * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that
  * keep the file that they were read from, drawings with something in space, and all others. */
-enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5, BOUND = 6, WIDENED = 7 };
+enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5, BOUND = 6, WIDENED = 7, MARKED = 8 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
@@ -34,6 +35,8 @@ static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status
     *object = made;
     return BAT_OK;
 }
+
+static bat_status read_object(const bat_fields *f, uint32_t node, bat_object **out);
 
 /* Reads group, visibility and lock; takes `object` over. */
 static bat_status place_object(const bat_fields *f, uint32_t node, bat_object *object, bat_object **out) {
@@ -47,6 +50,8 @@ static bat_status place_object(const bat_fields *f, uint32_t node, bat_object *o
         status = bat_paint_from_json(f, node, &object);
     if (status == BAT_OK && bat_json_member(f->json, node, "clip"))
         status = bat_clip_from_json(f, node, &object);
+    if (status == BAT_OK && bat_json_member(f->json, node, "markers"))
+        status = bat_markers_from_json(f, node, read_object, &object);
     if (status == BAT_OK && parent > 0) {
         status = bat_object_with_parent(object, parent, &placed);
         status = exchange(f, node, status, "parent: not itself", placed, &object);
@@ -184,9 +189,9 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (!(number >= PLAIN && number <= WIDENED && number == floor(number)))
-        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1, 2, 3, 4, 5, 6 or 7",
-                                 f->problem);
+    if (!(number >= PLAIN && number <= MARKED && number == floor(number)))
+        return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten",
+                                 "version 1, 2, 3, 4, 5, 6, 7 or 8", f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
     if (status == BAT_OK) status = read_objects(f, bat_json_member(f->json, 1, "objects"), document);
@@ -251,6 +256,7 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     if (bat_object_is_locked(object)) bat_text_string(text, ",\"locked\":true");
     if (bat_object_paint(object)) bat_paint_to_json(bat_object_paint(object), text);
     if (bat_object_clip(object)) bat_clip_to_json(bat_object_clip(object), text);
+    if (bat_object_markers(object)) bat_markers_to_json(bat_object_markers(object), bat_object_to_json, text);
     if (type->write) type->write(object, text);
     bat_text_string(text, "}");
 }
@@ -286,7 +292,11 @@ static uint64_t version_of(const bat_document *document, bool whole) {
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_paint *paint = bat_object_paint(object);
-        if (paint && paint->width_count) return WIDENED;
+        if (bat_object_markers(object)) return MARKED;
+        if ((paint && paint->width_count) || version == WIDENED) {
+            version = WIDENED;
+            continue;
+        }
         if (is_new(object) || version == BOUND) {
             version = BOUND;
             continue;

@@ -1,5 +1,7 @@
 #include "format/svg/covered.h"
 
+#include "document/markers.h"
+
 #include <batten/bezier.h>
 
 #include <stdlib.h>
@@ -60,6 +62,17 @@ static bat_status fill_as_stroke(const bat_object *path, bat_object **out) {
     return status;
 }
 
+/* Markers are at the vertices of the curve, not of what covers its stroke. */
+static bat_status unmark(bat_object **path) {
+    bat_object *made = NULL;
+    if (!bat_object_markers(*path)) return BAT_OK;
+    const bat_status status = bat_object_with_markers(*path, NULL, &made);
+    if (status != BAT_OK) return status;
+    bat_object_release(*path);
+    *path = made;
+    return BAT_OK;
+}
+
 static bat_status stroke_of(const bat_object *object, bat_object **out) {
     chains c = {0};
     bat_object *path = NULL;
@@ -71,7 +84,8 @@ static bat_status stroke_of(const bat_object *object, bat_object **out) {
         status = bat_object_with_curves(object, (int)c.count, c.curves, &path);
         c.count = 0; /* they are the object's, or gone */
     }
-    if (path) status = fill_as_stroke(path, out);
+    if (path) status = unmark(&path);
+    if (path && status == BAT_OK) status = fill_as_stroke(path, out);
     bat_object_release(path);
     for (size_t i = 0; i < c.count; i++) bat_curve_free(c.curves[i]);
     free(c.curves);

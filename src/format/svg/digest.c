@@ -52,6 +52,18 @@ uint64_t bat_svg_digest_image(uint64_t digest, const bat_picture *picture, const
     return bat_digest_double(digest, opacity);
 }
 
+uint64_t bat_svg_digest_marking(uint64_t digest, const bat_marking *m) {
+    digest = bat_digest_number(digest, (uint64_t)m->turn << 2 | (uint64_t)m->by_width << 1 | m->clipped);
+    digest = bat_digest_double(digest, m->angle + 0.0);
+    for (int i = 0; i < 6; i++) digest = bat_digest_double(digest, m->matrix[i] + 0.0);
+    for (int i = 0; i < 4 && m->clipped; i++) digest = bat_digest_double(digest, m->clip[i] + 0.0);
+    return digest;
+}
+
+uint64_t bat_svg_digest_inks(uint64_t digest, bat_marker_ink fill, bat_marker_ink stroke) {
+    return bat_digest_number(digest, (uint64_t)fill << 2 | (uint64_t)stroke);
+}
+
 void bat_svg_page(const bat_document *document, double page[4]) {
     bat_document_page(document, page);
     if (page[2] > 0 && page[3] > 0) return;

@@ -2,6 +2,7 @@
 #ifndef BATTEN_FORMAT_SVG_DIGEST_H
 #define BATTEN_FORMAT_SVG_DIGEST_H
 
+#include "document/markers.h"
 #include "document/paint.h"
 #include "format/svg/outline.h"
 
@@ -14,6 +15,9 @@ uint64_t bat_svg_digest_group(uint64_t digest, double opacity);
 uint64_t bat_svg_digest_region(uint64_t digest, const bat_outline *outline, bool even_odd);
 uint64_t bat_svg_digest_image(uint64_t digest, const bat_picture *picture, const double matrix[6],
                               double opacity);
+/* What an element of a marker says; before it, from a new digest, each of its shapes with where its inks come from. */
+uint64_t bat_svg_digest_marking(uint64_t digest, const bat_marking *marking);
+uint64_t bat_svg_digest_inks(uint64_t digest, bat_marker_ink fill, bat_marker_ink stroke);
 /* The page as written: the document's own, or, when it has none, the box of the drawing with its strokes. */
 void bat_svg_page(const bat_document *document, double page[4]);
 

@@ -33,6 +33,15 @@ static void fade_member(bat_svg_walk *w, int index, double opacity) {
     if (status != BAT_OK && w->status == BAT_OK) w->status = status;
 }
 
+/* In a marker: it is no group of the document. */
+static void draw_collected(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    const int before = w->collected->count;
+    bat_svg_draw_children(w, element, s);
+    if (s->style.opacity < 1 && w->collected->count > before + 1)
+        bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
+    if (s->boxed) bat_svg_note(&w->notes, element, BAT_LOSS_CLIP);
+}
+
 /* A group in the file becomes a group in the document when it is a layer, has several members, or has one
  * member and a name or is hidden or locked. The others only carry a transform or a style. */
 void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
@@ -40,6 +49,10 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     bat_object *group = NULL;
     const bat_object *outer = bat_document_at(w->document, bat_document_find(w->document, w->group));
     bool layer = mode && !strcmp(mode, "layer") && (!outer || bat_object_is(outer, BAT_LAYER));
+    if (w->collected) {
+        draw_collected(w, element, s);
+        return;
+    }
     if (w->groups == BAT_NESTING_MAX) {
         const long before = w->put;
         bat_svg_draw_children(w, element, s);

@@ -1,4 +1,5 @@
 /* A shape becomes a path object with one curve per subpath. */
+#include "curve/curve.h"
 #include "document/digest.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
@@ -26,8 +27,14 @@ static double tolerance_for(const bat_svg_options *options, int segments, const 
     return fmin(options->tolerance, options->share * fmax(high[0] - low[0], high[1] - low[1]));
 }
 
+/* Where there are markers, their vertices stay: the seam of what is closed, and all if those between are marked. */
+static bat_seams joints_for(const bat_markers *markers) {
+    if (!markers) return BAT_SEAMS_MERGED;
+    return bat_markers_marked(markers)->markers[BAT_MARKER_MID] ? BAT_SEAMS_KEPT : BAT_SEAMS_ENDS;
+}
+
 bat_svg_drawn bat_svg_subpath_curve(const bat_outline *outline, int index, const bat_svg_options *options,
-                                    bat_curve **out) {
+                                    const bat_markers *markers, bat_curve **out) {
     const bat_subpath *path = &outline->subpaths[index];
     const double *points = outline->points + 2 * path->first;
     bool moves = false, good = true;
@@ -38,19 +45,20 @@ bat_svg_drawn bat_svg_subpath_curve(const bat_outline *outline, int index, const
     if (good && !moves) return BAT_SVG_DOT;
     if (!good) return BAT_SVG_BROKEN;
     double error;
-    const bat_status status = bat_curve_from_bezier(
+    const bat_status status = bat_curve_from_seams(
         2, 3, path->closed, path->segments, points, options->corner,
-        tolerance_for(options, path->segments, points), out, &error);
+        tolerance_for(options, path->segments, points), joints_for(markers), out, &error);
     if (status == BAT_MEMORY) return BAT_SVG_NO_MEMORY;
     return status == BAT_OK || status == BAT_TOLERANCE ? BAT_SVG_CURVE : BAT_SVG_BROKEN;
 }
 
 /* Makes one curve for each subpath of nonzero length. */
-static int make_curves(bat_svg_walk *w, uint32_t element, const bat_style *style, bat_curve **curves) {
+static int make_curves(bat_svg_walk *w, uint32_t element, const bat_style *style, const bat_markers *markers,
+                       bat_curve **curves) {
     const bool dot = style->stroked && style->cap != BAT_CAP_BUTT;
     int count = 0;
     for (int i = 0; i < w->outline.subpath_count && w->status == BAT_OK; i++)
-        switch (bat_svg_subpath_curve(&w->outline, i, w->options, &curves[count])) {
+        switch (bat_svg_subpath_curve(&w->outline, i, w->options, markers, &curves[count])) {
         case BAT_SVG_CURVE: count++; break;
         case BAT_SVG_NO_MEMORY: w->status = BAT_MEMORY; break;
         case BAT_SVG_DOT: bat_svg_note(&w->notes, element, dot ? BAT_LOSS_BROKEN : BAT_LOSS_COUNT); break;
@@ -72,8 +80,32 @@ static bat_object *with_paint(bat_svg_walk *w, uint32_t element, bat_object *obj
     return made;
 }
 
+/* The object with its markers. Takes the object over. */
+static bat_object *with_markers(bat_svg_walk *w, bat_object *object, const bat_markers *markers) {
+    bat_object *made = NULL;
+    if (bat_object_with_markers(object, markers, &made) != BAT_OK) w->status = BAT_MEMORY;
+    if (!made) return object;
+    bat_object_release(object);
+    return made;
+}
+
+/* Into the document, or into the marker that is drawn. Takes the object over. */
+static void put(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bat_object *object, int curves) {
+    if (w->collected && !w->unseen) {
+        bat_svg_collect(w, s, object);
+    } else if (w->collected) {
+        bat_object_release(object);
+    } else {
+        bat_svg_put_object(w, element, s->style.shown, object);
+        if (w->unseen)
+            w->report->hidden++;
+        else
+            count_paths(w->report, curves);
+    }
+}
+
 static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
-                       const bat_svg_painted *painted) {
+                       const bat_svg_painted *painted, const bat_markers *markers) {
     const bat_style *style = &painted->style;
     const char *name = bat_svg_find_name(w, element);
     bat_curve **curves = malloc((size_t)w->outline.subpath_count * sizeof *curves);
@@ -81,23 +113,20 @@ static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
         w->status = BAT_MEMORY;
         return;
     }
-    int count = make_curves(w, element, style, curves);
+    int count = make_curves(w, element, style, markers, curves);
     bat_object *object = NULL;
     bat_status status = w->status;
     if (status == BAT_OK && count > 0)
-        status = bat_object_create_path(bat_document_new_id(w->document), name, style, count, curves,
-                                        &object);
+        status = bat_object_create_path(w->collected ? 1 : bat_document_new_id(w->document), name, style,
+                                        count, curves, &object);
     else
         for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
     if (object && !bat_paint_is_plain(&painted->paint))
         object = with_paint(w, element, object, &painted->paint);
+    if (object && markers) object = with_markers(w, object, markers);
     if (object && bat_svg_clip_object(s, box, &object) == BAT_MEMORY) status = BAT_MEMORY;
     if (object) {
-        bat_svg_put_object(w, element, s->style.shown, object);
-        if (w->unseen)
-            w->report->hidden++;
-        else
-            count_paths(w->report, count);
+        put(w, element, s, object, count);
     } else if (count > 0 && status != BAT_OK) { /* a stroke width out of bounds */
         bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
     }
@@ -115,18 +144,9 @@ static const char *shape_attribute(const void *element, const char *name) {
     return bat_svg_tree_attribute(e->tree, e->element, name);
 }
 
-void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
-    if (!s->style.visible) {
-        bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
-        return;
-    }
-    element_of holder = {w->tree, element};
-    bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
-    bat_outline_clear(&w->outline);
-    if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
-        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
-    if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
-    if (w->outline.subpath_count == 0 || w->status != BAT_OK) return;
+/* As bat_svg_draw_shape, what is in w->outline. */
+static void draw_outline(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
+                         const bat_markers *markers, uint64_t marked) {
     bat_svg_painted painted;
     double box[4];
     bat_outline_box(&w->outline, box);
@@ -134,12 +154,32 @@ void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     bat_svg_resolve_style(w, element, s, box, &painted);
     w->boxed = w->boxed || s->boxed;
     const bat_style style = painted.style;
-    if (!style.stroked && !style.filled) {
+    if (!style.stroked && !style.filled && !markers) {
         bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
         return;
     }
     bat_svg_note_style(w, element, s, &painted);
     if (s->clip_digest && !w->unseen) w->digest = bat_digest_number(w->digest, s->clip_digest);
     if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style, &painted.paint);
-    add_object(w, element, s, box, &painted);
+    if (markers && !w->unseen) w->digest = bat_digest_number(w->digest, marked);
+    add_object(w, element, s, box, &painted, markers);
+}
+
+void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    if (!s->style.visible) {
+        bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
+        return;
+    }
+    uint64_t marked = 0;
+    const char *const *named = s->style.markers;
+    const bool some = named[BAT_MARKER_START] || named[BAT_MARKER_MID] || named[BAT_MARKER_END];
+    bat_markers *markers = some ? bat_svg_markers(w, element, s, &marked) : NULL;
+    element_of holder = {w->tree, element};
+    bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
+    bat_outline_clear(&w->outline);
+    if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
+        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+    if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
+    if (w->outline.subpath_count > 0 && w->status == BAT_OK) draw_outline(w, element, s, markers, marked);
+    bat_markers_release(markers);
 }

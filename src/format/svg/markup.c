@@ -163,13 +163,27 @@ bat_status bat_svg_write_clip(bat_text *text, const bat_object *object, const do
     return status;
 }
 
+/* The frame of its markers, where that slants them; else NULL. */
+static const double *slant(const bat_object *object) {
+    const bat_markers *markers = bat_object_markers(object);
+    const double *f = markers ? bat_markers_marked(markers)->frame : NULL;
+    double round[4];
+    if (!f) return NULL;
+    const bat_paint as_pen = {.pen = {f[0], f[1], f[2], f[3]}};
+    bat_paint_pen(&as_pen, round);
+    return round[0] == f[0] && round[1] == f[1] && round[2] == f[2] && round[3] == f[3] ? f : NULL;
+}
+
 bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]) {
     double own[4];
     bat_paint_pen(bat_object_paint(object), own);
+    const double *f = bat_object_style(object)->stroked ? NULL : slant(object);
+    const double scale = f ? sqrt(fabs(f[0] * f[3] - f[1] * f[2])) : 1;
+    for (int k = 0; k < 4 && f; k++) own[k] = f[k] / scale;
     const double m[6] = {own[0], own[1], own[2], own[3], 0, 0};
     const bool uneven = own[0] != 1 || own[1] != 0 || own[2] != 0 || own[3] != 1;
     memcpy(pen, m, sizeof m);
-    if (uneven && bat_object_style(object)->stroked && bat_svg_inverse(m, back)) return true;
+    if (uneven && (f || bat_object_style(object)->stroked) && bat_svg_inverse(m, back)) return true;
     bat_matrix_identity(pen);
     bat_matrix_identity(back);
     return false;
@@ -212,6 +226,26 @@ void bat_svg_write_dashes(bat_text *text, const bat_paint *paint, double scale) 
     for (size_t i = 0; i < paint->dash_count; i++) {
         if (i > 0) bat_text_string(text, " ");
         bat_text_number(text, paint->dashes[i] * scale);
+    }
+}
+
+const char *bat_svg_order(const bat_object *object) {
+    static const char *const words[BAT_MARKER_ORDERS][2] = {
+        {"normal", "stroke"}, {"markers", "markers stroke"}, {"fill markers", "stroke markers"}};
+    const bat_markers *markers = bat_object_markers(object);
+    const bat_paint *paint = bat_object_paint(object);
+    return words[markers ? bat_markers_marked(markers)->order : BAT_MARKERS_LAST]
+                [paint && paint->stroke_first];
+}
+
+static const char *const places[BAT_MARKER_PLACES] = {"marker-start", "marker-mid", "marker-end"};
+
+static void refer_markers(bat_text *text, const bat_svg_ids *ids) {
+    char value[BAT_SVG_ID + 32];
+    for (int k = 0; k < BAT_MARKER_PLACES; k++) {
+        if (!*ids->markers[k]) continue;
+        snprintf(value, sizeof value, " %s=\"url(#%s)\"", places[k], ids->markers[k]);
+        bat_text_string(text, value);
     }
 }
 
@@ -269,7 +303,12 @@ void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg
                 bat_svg_write_number(text, " stroke-dashoffset=\"", paint->dash_offset);
         }
     }
-    if (paint && paint->stroke_first) bat_text_string(text, " paint-order=\"stroke\"");
+    if (strcmp(bat_svg_order(object), "normal") != 0) {
+        bat_text_string(text, " paint-order=\"");
+        bat_text_string(text, bat_svg_order(object));
+        bat_text_string(text, "\"");
+    }
+    refer_markers(text, ids);
     if (style->opacity != 1) bat_svg_write_number(text, " opacity=\"", style->opacity);
     bat_svg_refer_clip(text, ids);
 }
@@ -279,16 +318,32 @@ static void declare(bat_text *text, const char *property, double number) {
     bat_text_number(text, number);
 }
 
-static void declare_paint(bat_text *text, const char *property, bool painted, uint32_t colour,
-                          const char *id) {
+/* Of what has them, or could have those of something around it. */
+static void declare_markers(bat_text *text, const bat_svg_ids *ids) {
+    char value[BAT_SVG_ID + 32];
+    bool any = ids->unmarked;
+    for (int k = 0; k < BAT_MARKER_PLACES; k++) any = any || *ids->markers[k];
+    for (int k = 0; k < BAT_MARKER_PLACES && any; k++) {
+        snprintf(value, sizeof value, *ids->markers[k] ? "%s:url(#%s);" : "%s:none;", places[k],
+                 ids->markers[k]);
+        bat_text_string(text, value);
+    }
+}
+
+static void declare_paint(bat_text *text, const char *property, bool painted, uint32_t colour, const char *id,
+                          bat_marker_ink ink) {
+    static const char *const inks[BAT_INKS] = {"", "context-fill", "context-stroke"};
     char value[80];
     if (painted && *id) {
         snprintf(value, sizeof value, "%s:url(#%s);%s-opacity:1;", property, id, property);
         bat_text_string(text, value);
         return;
     }
-    snprintf(value, sizeof value, painted ? "%s:#%06lx;" : "%s:none;", property,
-             (unsigned long)(colour >> 8));
+    if (painted && ink != BAT_INK_OWN)
+        snprintf(value, sizeof value, "%s:%s;", property, inks[ink]);
+    else
+        snprintf(value, sizeof value, painted ? "%s:#%06lx;" : "%s:none;", property,
+                 (unsigned long)(colour >> 8));
     bat_text_string(text, value);
     if (!painted) return;
     snprintf(value, sizeof value, "%s-opacity:", property);
@@ -302,9 +357,9 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
     static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
                                                                                      "bevel"};
     bat_text_string(text, " style=\"");
-    declare_paint(text, "fill", style->filled, style->fill, ids->fill);
+    declare_paint(text, "fill", style->filled, style->fill, ids->fill, ids->inks[0]);
     if (style->filled) bat_text_string(text, style->even_odd ? "fill-rule:evenodd;" : "fill-rule:nonzero;");
-    declare_paint(text, "stroke", style->stroked, style->stroke, ids->stroke);
+    declare_paint(text, "stroke", style->stroked, style->stroke, ids->stroke, ids->inks[1]);
     if (style->stroked) {
         declare(text, "stroke-width:", style->width);
         bat_text_string(text, ";stroke-linecap:");
@@ -320,7 +375,12 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
         } else
             bat_text_string(text, "none;");
     }
-    if (paint && paint->stroke_first) bat_text_string(text, "paint-order:stroke;");
+    if (strcmp(bat_svg_order(object), "normal") != 0) {
+        bat_text_string(text, "paint-order:");
+        bat_text_string(text, bat_svg_order(object));
+        bat_text_string(text, ";");
+    }
+    declare_markers(text, ids);
     declare(text, "opacity:", style->opacity);
     if (*ids->clip) {
         bat_text_string(text, ";clip-path:url(#");

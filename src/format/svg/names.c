@@ -62,7 +62,7 @@ static const struct {
     {"mask", BAT_SVG_MASK},
     {"mix-blend-mode", BAT_SVG_BLEND},
     {"opacity", BAT_SVG_OPACITY},
-    {"overflow", BAT_SVG_IDLE},
+    {"overflow", BAT_SVG_OVERFLOW},
     {"paint-order", BAT_SVG_ORDER},
     {"ping", BAT_SVG_ATTRIBUTE},
     {"pointer-events", BAT_SVG_IDLE},

@@ -29,6 +29,7 @@ typedef enum bat_svg_name {
     BAT_SVG_ANCHOR,
     BAT_SVG_WRITING,
     BAT_SVG_BASELINE,
+    BAT_SVG_OVERFLOW,
     /* properties that are not ("odd" ones): each is a bit in a style */
     BAT_SVG_ODD,
     BAT_SVG_DASHES = BAT_SVG_ODD,

@@ -34,14 +34,8 @@ void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_sty
 void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                         const bat_svg_painted *painted) {
     const bat_style *style = &painted->style;
-    const char *name = bat_svg_tree_name(w->tree, element);
-    uint32_t markers = BAT_SVG_BIT(BAT_SVG_MARKER_START) | BAT_SVG_BIT(BAT_SVG_MARKER_MID) |
-                       BAT_SVG_BIT(BAT_SVG_MARKER_END);
     uint32_t odd = s->style.odd, mask = BAT_SVG_INHERITED & ~BAT_SVG_BIT(BAT_SVG_IMAGE_HINT);
     if (style->stroked) mask |= BAT_SVG_BIT(BAT_SVG_EFFECT);
     if (!style->stroked || painted->paint.dash_count) mask &= ~BAT_SVG_BIT(BAT_SVG_DASHES);
-    bool line = name[0] == 'p' || strcmp(name, "line") == 0; /* path, polyline, polygon */
-    if (!line) mask &= ~markers;
-    if (!(odd & mask & markers)) mask &= ~BAT_SVG_BIT(BAT_SVG_ORDER);
     bat_svg_note_odd(&w->notes, element, odd, mask);
 }

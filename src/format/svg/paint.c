@@ -38,7 +38,9 @@ static bool resolve_paint(bat_svg_walk *w, uint32_t element, const bat_svg_paint
                           const painting *to, uint32_t *colour) {
     const bat_svg_style *style = &to->scope->style;
     uint32_t c = paint->bare ? GREY : paint->kind == BAT_PAINT_CURRENT ? style->colour : paint->colour;
-    bool painted = paint->kind != BAT_PAINT_NONE || paint->bare;
+    const bool context = paint->kind == BAT_PAINT_CONTEXT_FILL || paint->kind == BAT_PAINT_CONTEXT_STROKE;
+    bool painted = context ? w->collected != NULL : paint->kind != BAT_PAINT_NONE || paint->bare;
+    if (context) c = 0xff; /* whose opacity counts */
     c = (c & 0xffffff00) | (uint32_t)floor((double)(c & 0xff) * share + 0.5);
     if (paint->server) resolve_server(w, element, paint, share, to, &painted, &c);
     if (painted) *colour = c;
@@ -103,5 +105,8 @@ void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scop
     style->filled = resolve_paint(w, element, &from->fill, from->fill_opacity, &fill, &style->fill);
     style->stroked = resolve_paint(w, element, &from->stroke, from->stroke_opacity, &stroke, &style->stroke);
     resolve_line(w, s, out);
-    out->paint.stroke_first = style->filled && style->stroked && from->stroke_first;
+    const bool marked = from->markers[0] || from->markers[1] || from->markers[2];
+    const bool ordered = (style->filled && style->stroked) ||
+                         (marked && from->marker_order == BAT_MARKERS_BETWEEN);
+    out->paint.stroke_first = ordered && from->stroke_first;
 }

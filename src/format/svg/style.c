@@ -1,6 +1,7 @@
 /* Properties of stroke and fill, and what is inherited (SVG 2, 13; CSS). */
 #include "format/svg/style.h"
 
+#include "document/markers.h"
 #include "text/number.h"
 #include "format/svg/svg.h"
 
@@ -30,6 +31,7 @@ bat_svg_style bat_svg_style_child(const bat_svg_style *parent) {
     style.odd &= BAT_SVG_INHERITED;
     style.opacity = style.stop_opacity = 1;
     style.clip = NULL;
+    style.overflows = false;
     style.shown = true;
     style.stop = initial.stop;
     return style;
@@ -54,6 +56,10 @@ static bool set_paint(bat_svg_paint *paint, const char *value, const char *sourc
     }
     if (strcmp(value, "currentColor") == 0 || strcmp(value, "currentcolor") == 0)
         made.kind = BAT_PAINT_CURRENT;
+    else if (strcmp(value, "context-fill") == 0)
+        made.kind = BAT_PAINT_CONTEXT_FILL;
+    else if (strcmp(value, "context-stroke") == 0)
+        made.kind = BAT_PAINT_CONTEXT_STROKE;
     else if (strcmp(value, "none") != 0) {
         if (!bat_svg_colour(value, &colour)) return false;
         made.kind = BAT_PAINT_COLOUR;
@@ -103,7 +109,19 @@ static void inherit(bat_svg_style *style, const bat_svg_style *parent, bat_svg_n
     case BAT_SVG_RULE: style->even_odd = parent->even_odd; break;
     case BAT_SVG_CLIP_RULE: style->clip_even_odd = parent->clip_even_odd; break;
     case BAT_SVG_CLIP: style->clip = parent->clip; break;
-    case BAT_SVG_ORDER: style->stroke_first = parent->stroke_first; break;
+    case BAT_SVG_ORDER:
+        style->stroke_first = parent->stroke_first;
+        style->marker_order = parent->marker_order;
+        break;
+    case BAT_SVG_OVERFLOW: style->overflows = parent->overflows; break;
+    case BAT_SVG_MARKER:
+    case BAT_SVG_MARKER_START:
+    case BAT_SVG_MARKER_MID:
+    case BAT_SVG_MARKER_END:
+        for (int k = 0; k < 3; k++)
+            if (property == BAT_SVG_MARKER || (int)property == BAT_SVG_MARKER_START + k)
+                style->markers[k] = parent->markers[k];
+        break;
     case BAT_SVG_VISIBILITY: style->visible = parent->visible; break;
     case BAT_SVG_OPACITY: style->opacity = parent->opacity; break;
     case BAT_SVG_DISPLAY: style->shown = parent->shown; break;
@@ -133,14 +151,21 @@ static void set_odd(bat_svg_style *style, bat_svg_name property, const char *val
         style->odd |= bits;
 }
 
-/* What is not named comes last, the fill before the stroke. Marks that do not come last are odd. */
+/* What is not named comes last: the fill, the stroke, the markers. */
 static void set_order(bat_svg_style *style, const char *value) {
     const char *fill = strstr(value, "fill"), *stroke = strstr(value, "stroke"),
                *markers = strstr(value, "markers");
     style->stroke_first = stroke && !(fill && fill < stroke);
-    style->odd &= ~BAT_SVG_BIT(BAT_SVG_ORDER);
-    if (markers && !(fill && stroke && markers > fill && markers > stroke))
-        style->odd |= BAT_SVG_BIT(BAT_SVG_ORDER);
+    const int before = !markers ? 2 : (fill && fill < markers) + (stroke && stroke < markers);
+    style->marker_order = (uint8_t)(before == 0   ? BAT_MARKERS_FIRST
+                                    : before == 1 ? BAT_MARKERS_BETWEEN
+                                                  : BAT_MARKERS_LAST);
+}
+
+static void set_markers(bat_svg_style *style, bat_svg_name property, const char *value, const char *source) {
+    for (int k = 0; k < BAT_MARKER_PLACES; k++)
+        if (property == BAT_SVG_MARKER || (int)property == BAT_SVG_MARKER_START + k)
+            style->markers[k] = strncmp(value, "url(", 4) == 0 ? source + 4 : NULL;
 }
 
 static bool set_word(bat_svg_style *style, bat_svg_name property, const char *value) {
@@ -282,6 +307,13 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
         style->dashes = style->odd & BAT_SVG_BIT(BAT_SVG_DASHES) ? source : NULL;
         return true;
     case BAT_SVG_ORDER: set_order(style, value); return true;
+    case BAT_SVG_OVERFLOW:
+        style->overflows = strcmp(value, "visible") == 0 || strcmp(value, "auto") == 0;
+        return true;
+    case BAT_SVG_MARKER:
+    case BAT_SVG_MARKER_START:
+    case BAT_SVG_MARKER_MID:
+    case BAT_SVG_MARKER_END: set_markers(style, name, value, source); return true;
     case BAT_SVG_CLIP:
         set_odd(style, name, value);
         style->clip = strncmp(value, "url(", 4) == 0 ? source + 4 : NULL;

@@ -8,7 +8,13 @@
 #include <batten/document.h>
 
 typedef struct bat_svg_paint {
-    enum { BAT_PAINT_NONE, BAT_PAINT_COLOUR, BAT_PAINT_CURRENT } kind;
+    enum {
+        BAT_PAINT_NONE,
+        BAT_PAINT_COLOUR,
+        BAT_PAINT_CURRENT,
+        BAT_PAINT_CONTEXT_FILL, /* that of the shape that the marker is on; elsewhere none */
+        BAT_PAINT_CONTEXT_STROKE
+    } kind;
     uint32_t colour;
     const char *server; /* the content of url(), where it was read; NULL: none. kind is the fallback */
     bool bare;          /* there is a url() without a fallback */
@@ -46,10 +52,13 @@ typedef struct bat_svg_style {
     bool even_odd, visible;
     bool clip_even_odd; /* as part of a clip path */
     bool stroke_first;
-    uint32_t odd; /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
+    const char *markers[3]; /* the content of url(), where it was read; NULL: none. bat_marker_place */
+    uint8_t marker_order;   /* bat_marker_order */
+    uint32_t odd;           /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
     /* not inherited */
     double opacity;
     const char *clip; /* the content of url(), where it was read; NULL: none */
+    bool overflows;   /* what is beyond its viewport is seen */
     bool shown;
     bat_svg_paint stop; /* of a gradient */
     double stop_opacity;

@@ -49,6 +49,7 @@ typedef struct bat_svg_shape {
     const void *element;
     double width, height; /* of the viewport, for percentages */
 } bat_svg_shape;
+struct bat_markers; /* document/markers.h */
 /* What is drawn of a subpath. */
 typedef enum bat_svg_drawn {
     BAT_SVG_CURVE,
@@ -56,9 +57,9 @@ typedef enum bat_svg_drawn {
     BAT_SVG_BROKEN, /* nothing: it has numbers that no curve can have */
     BAT_SVG_NO_MEMORY
 } bat_svg_drawn;
-/* *out is set when there is a curve. */
+/* *out is set when there is a curve. markers: of the path; NULL: none. */
 bat_svg_drawn bat_svg_subpath_curve(const bat_outline *outline, int index, const bat_svg_options *options,
-                                    bat_curve **out);
+                                    const struct bat_markers *markers, bat_curve **out);
 /* name: rect circle ellipse line polyline polygon path. False when some of it had to be left out. */
 bool bat_svg_shape_outline(const bat_svg_shape *shape, const char *name, bat_outline *outline);
 

@@ -45,6 +45,10 @@ void bat_svg_put_object(bat_svg_walk *w, uint32_t element, bool shown, bat_objec
     bool lock = (locked && !strcmp(locked, "true")) || (insensitive && !strcmp(insensitive, "true"));
     bat_object *placed = NULL;
     bat_status status = BAT_OK;
+    if (w->collected) {
+        bat_svg_collect(w, NULL, object);
+        return;
+    }
     if (w->group && (status = bat_object_with_parent(object, w->group, &placed)) == BAT_OK) {
         bat_object_release(object);
         object = placed;

@@ -6,6 +6,7 @@
 #ifndef BATTEN_FORMAT_SVG_WALK_H
 #define BATTEN_FORMAT_SVG_WALK_H
 
+#include "document/markers.h"
 #include "document/picture.h"
 #include "document/source.h"
 #include "format/svg/notes.h"
@@ -42,6 +43,14 @@ typedef struct bat_svg_stops {
 typedef enum bat_svg_given { BAT_SVG_ITS_OPACITY = 1, BAT_SVG_ITS_CLIP = 2 } bat_svg_given;
 
 typedef struct bat_svg_walk bat_svg_walk;
+
+/* What is drawn in a marker. */
+typedef struct bat_svg_collected {
+    bat_marker_part list[BAT_MARKER_PARTS_MAX]; /* retained */
+    int count;
+    bool whole; /* nothing was left out */
+} bat_svg_collected;
+
 typedef void bat_svg_way(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 
 struct bat_svg_walk {
@@ -51,9 +60,11 @@ struct bat_svg_walk {
     bat_document *document;
     bat_svg_report *report;
     bat_svg_notes notes;
-    bat_svg_variables variables; /* custom properties of styles */
-    bat_svg_stops **stops;       /* of gradients, by element; NULL: not known yet */
-    bool boxed;                  /* a gradient of the shape being drawn is placed by its box */
+    bat_svg_variables variables;     /* custom properties of styles */
+    bat_svg_stops **stops;           /* of gradients, by element; NULL: not known yet */
+    struct bat_svg_marker **markers; /* by element; NULL: not known yet */
+    bat_svg_collected *collected;    /* where shapes go that are drawn in a marker; NULL: into the document */
+    bool boxed;                      /* a gradient of the shape being drawn is placed by its box */
     bat_outline outline;
     bat_pictures pictures; /* of the images drawn */
     uint64_t digest;
@@ -128,6 +139,17 @@ bat_svg_served bat_svg_gradient(bat_svg_walk *w, uint32_t element, const bat_svg
                                 const double box[4], double share, bat_stop *stops, bat_gradient *out,
                                 uint32_t *colour);
 void bat_svg_stops_free(bat_svg_walk *w);
+
+/* ---- marker.c ---- */
+/* Whether shapes of that kind have markers. */
+bool bat_svg_takes_markers(const bat_svg_walk *w, uint32_t element);
+/* Those of a shape, in the scope at its place; NULL: none. digest: of what is read of them. Uses w->outline. */
+bat_markers *bat_svg_markers(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, uint64_t *digest);
+void bat_svg_markers_free(bat_svg_walk *w);
+
+/* ---- collect.c ---- */
+/* Takes over an object that is drawn in a marker; s: the scope of a shape, else NULL. */
+void bat_svg_collect(bat_svg_walk *w, const bat_svg_scope *s, bat_object *object);
 
 /* ---- clip.c: what is seen ---- */
 /* Sets what of an element is seen, in the scope at its place, from its style and the scope around it; ended by bat_svg_clip_end. */

@@ -75,12 +75,16 @@ static void every_kind_is_found(void **state) {
          "{\"clips\":2}"},
         {BOX "mask='url(#c)'/>", "{\"masks\":1}"},
         {"<g filter='blur(2px)'>" BOX "filter='url(#f)'/></g>", "{\"filters\":2}"},
-        {"<g marker-mid='url(#m)'>" LINE "/>" BOX "stroke='red'/>" LINE "marker='none'/></g>",
-         "{\"markers\":1}"},
+        {"<marker id='m'><text>a</text></marker><g marker-mid='url(#m)'>" LINE "/>" BOX "stroke='red'/>" LINE
+         "marker='none'/></g>",
+         "{\"texts\":1,\"markers\":1}"},
         {"<g stroke-dasharray='1 2'>" LINE "/>" LINE "stroke-dasharray='none'/>" LINE "stroke='none'/></g>",
          "{}"},
         {"<g stroke-dasharray='1 bad'>" LINE "/>" LINE "stroke-dasharray='none'/></g>", "{\"dashes\":1}"},
-        {LINE "paint-order='markers' marker-end='url(#m)'/>", "{\"markers\":1,\"orders\":1}"},
+        {LINE "paint-order='markers' marker-end='url(#m)'/>", "{}"}, /* there is no such marker */
+        {"<marker id='m'><path d='M0 0L1 1L2 0'/></marker>" LINE
+         "paint-order='markers' marker-end='url(#m)'/>",
+         "{}"},
         {LINE "vector-effect='non-scaling-stroke' transform='scale(2,3)'/>", "{\"effects\":1}"},
         {LINE "transform='scale(1,3)'/>" BOX "transform='scale(1,3)'/>", "{}"},
         {BOX "style='mix-blend-mode:multiply'/><g style='isolation:isolate'/>", "{\"blends\":2}"},
@@ -128,8 +132,9 @@ static void every_kind_is_found(void **state) {
         bat_losses lost = losses_of(cases[i][0]);
         for (int k = 0; k < BAT_LOSS_COUNT; k++) found[k] = found[k] || lost.count[k];
     }
-    found[BAT_LOSS_UNEVEN] = found[BAT_LOSS_GRADIENT] = found[BAT_LOSS_PATTERN] = found[BAT_LOSS_PAGE] =
-        found[BAT_LOSS_NATIVE] = true; /* below; uneven strokes are kept, and none is lost any longer */
+    found[BAT_LOSS_UNEVEN] = found[BAT_LOSS_ORDER] = found[BAT_LOSS_GRADIENT] = found[BAT_LOSS_PATTERN] =
+        found[BAT_LOSS_PAGE] = found[BAT_LOSS_NATIVE] =
+            true; /* below; uneven strokes and orders are kept, and none is lost any longer */
     for (int k = 0; k < BAT_LOSS_COUNT; k++)
         if (!found[k]) fail_msg("no case for %s", bat_loss_key((bat_loss)k));
 }

@@ -179,6 +179,7 @@ static bat_status find_next(seen *s, const bat_object *object, const bat_object 
     if (!other) return BAT_UNSUPPORTED;
     if (bat_object_is_foreign(shown) && bat_object_is_foreign(other))
         return BAT_OK; /* their boxes are guesses */
+    if (!bat_object_markers(shown) != !bat_object_markers(other)) return BAT_UNSUPPORTED;
     bat_object_bounds(shown, a);
     bat_object_bounds(other, b);
     for (int j = 0; j < 4; j++)
@@ -208,8 +209,8 @@ static bat_status read_again(const bat_document *document, const bat_text *text,
     seen s = {document, again, 0, slack, bat_svg_is_clipped(document) || bat_svg_is_clipped(again)};
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         const bat_object *object = bat_document_at(document, i);
-        if (!bat_object_is_drawn(object) ||
-            !(bat_object_style(object)->stroked || bat_object_style(object)->filled))
+        if (!bat_object_is_drawn(object) || !(bat_object_style(object)->stroked ||
+                                              bat_object_style(object)->filled || bat_object_markers(object)))
             continue;
         bat_object *parts[2] = {NULL};
         bool group = false;

@@ -100,6 +100,9 @@ bool bat_svg_is_clipped(const bat_document *document);
 /* Whether objects of two documents are seen in the same box. */
 bool bat_svg_same_clip(const bat_document *one, const bat_object *a, const bat_document *other,
                        const bat_object *b, double slack);
+/* ---- patch_markers.c ---- */
+/* Writes the markers of what is written in the units that a pen makes of the document's, and gives their ids. */
+void bat_svg_patch_markers(bat_svg_patch *p, const bat_object *object, const double pen[6], bat_svg_ids *ids);
 /* ---- patch_new.c: what is written anew ---- */
 /* Every object that is new or has moved is written behind the one below it. */
 void bat_svg_patch_new(bat_svg_patch *p);

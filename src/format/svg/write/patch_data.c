@@ -1,4 +1,5 @@
 /* Path data of an element that was edited: subpaths that nobody has touched keep their text, and so do segments of others. */
+#include "document/markers.h"
 #include "format/svg/svg.h"
 #include "format/svg/write/patch.h"
 
@@ -11,9 +12,10 @@ typedef struct was {
     size_t size;
     bat_outline outline; /* in the document's units */
     bat_svg_segments segments;
-    double *points;     /* of the outline, in the element's */
-    bat_curve **curves; /* of each subpath, or NULL */
-    int *drawn, count;  /* the subpaths that have curves */
+    double *points;             /* of the outline, in the element's */
+    bat_curve **curves;         /* of each subpath, or NULL */
+    int *drawn, count;          /* the subpaths that have curves */
+    const bat_markers *markers; /* of the object; NULL: none */
 } was;
 
 static void forget(was *w) {
@@ -35,7 +37,7 @@ static bat_status make_curves(was *w, const double inner[6]) {
     memcpy(w->points, w->outline.points, 2 * w->outline.count * sizeof *w->points);
     bat_outline_transform(&w->outline, inner);
     for (int i = 0; i < count; i++) {
-        const bat_svg_drawn what = bat_svg_subpath_curve(&w->outline, i, &options, &w->curves[i]);
+        const bat_svg_drawn what = bat_svg_subpath_curve(&w->outline, i, &options, w->markers, &w->curves[i]);
         if (what == BAT_SVG_NO_MEMORY) return BAT_MEMORY;
         if (what == BAT_SVG_CURVE) w->drawn[w->count++] = i;
     }
@@ -63,7 +65,7 @@ static bool is_same(const was *w, int subpath, const bat_curve *curve, bat_statu
     const bat_svg_options exact = bat_svg_defaults();
     bat_curve *other = NULL;
     if (bat_curve_is_equal(w->curves[subpath], curve)) return true;
-    if (bat_svg_subpath_curve(&w->outline, subpath, &exact, &other) == BAT_SVG_NO_MEMORY)
+    if (bat_svg_subpath_curve(&w->outline, subpath, &exact, w->markers, &other) == BAT_SVG_NO_MEMORY)
         *status = BAT_MEMORY;
     const bool same = other && bat_curve_is_equal(other, curve);
     bat_curve_free(other);
@@ -122,7 +124,8 @@ static bat_status write_touched(const task *t, int i, int k, bool intact) {
     bool done = false;
     bat_status status = bat_svg_patch_segments(t->out, &text, w->curves[i], now, t->m, t->precision, &done);
     if (status == BAT_OK && !done) {
-        if (bat_svg_subpath_curve(&w->outline, i, &exact, &other) == BAT_SVG_NO_MEMORY) status = BAT_MEMORY;
+        if (bat_svg_subpath_curve(&w->outline, i, &exact, w->markers, &other) == BAT_SVG_NO_MEMORY)
+            status = BAT_MEMORY;
         if (other) status = bat_svg_patch_segments(t->out, &text, other, now, t->m, t->precision, &done);
         bat_curve_free(other);
     }
@@ -160,7 +163,7 @@ static bat_status merge(const task *t) {
 
 bat_status bat_svg_patch_data(bat_text *out, const bat_svg_retag *r, const bat_object *object,
                               const bat_sourced *entry, const double m[6], double precision, bool *raw) {
-    was w = {0};
+    was w = {.markers = bat_object_markers(object)};
     const size_t before = out->size;
     bat_status status = recall(&w, r, entry);
     if (status == BAT_OK) {

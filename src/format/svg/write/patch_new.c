@@ -153,6 +153,7 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
     const bool uneven = bat_svg_pen(object, pen, back);
     bat_svg_ids ids = bat_svg_write_gradients(out, object, back, bat_svg_patch_number(p));
     p->status = bat_svg_write_clip(out, object, back, bat_svg_patch_number(p), ids.clip);
+    bat_svg_patch_markers(p, object, pen, &ids);
     bat_svg_patch_mark(p, bat_object_id(object));
     bat_text_string(out, "<path");
     bat_svg_write_name(out, " data-name=\"", bat_object_name(object));

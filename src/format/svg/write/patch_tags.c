@@ -95,6 +95,8 @@ bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, 
         (all || differs(object, entry, BAT_PAINT_FILL) || differs(object, entry, BAT_PAINT_STROKE)))
         ids = bat_svg_write_gradients(&p->made, object, m, bat_svg_patch_number(p));
     bat_svg_patch_clip(p, object, entry, &ids);
+    static const double same[6] = {1, 0, 0, 1, 0, 0};
+    if (bat_svg_remarked(object, entry)) bat_svg_patch_markers(p, object, same, &ids);
     return ids;
 }
 
@@ -139,10 +141,21 @@ static double share_of(double opacity, const bat_sourced *entry) {
 }
 
 static void set_order(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool all) {
-    const bat_paint *paint = bat_object_paint(object);
-    const bool first = paint && paint->stroke_first, says = bat_svg_retag_says(r, "paint-order");
-    if (!differs(object, entry, BAT_PAINT_LINE) && !(all && first && !says)) return;
-    if (first || says) bat_svg_retag_style(r, "paint-order", first ? "stroke" : "normal");
+    const char *order = bat_svg_order(object);
+    const bool plain = strcmp(order, "normal") == 0, says = bat_svg_retag_says(r, "paint-order");
+    const bool other = differs(object, entry, BAT_PAINT_LINE) || bat_svg_remarked(object, entry);
+    if (!other && !(all && !plain && !says)) return;
+    if (!plain || says) bat_svg_retag_style(r, "paint-order", order);
+}
+
+static void set_markers(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
+                        const bat_svg_ids *ids) {
+    static const char *const places[BAT_MARKER_PLACES] = {"marker-start", "marker-mid", "marker-end"};
+    char value[BAT_SVG_ID + 8];
+    for (int k = 0; k < BAT_MARKER_PLACES && bat_svg_remarked(object, entry); k++) {
+        snprintf(value, sizeof value, *ids->markers[k] ? "url(#%s)" : "none", ids->markers[k]);
+        bat_svg_retag_style(r, places[k], value);
+    }
 }
 
 /* From the units of an element's stroke to the document's: those of one that does not scale are pixels. */
@@ -190,6 +203,7 @@ static void set_style(bat_svg_retag *r, const bat_svg_plan *plan, const bat_obje
             set_dashes(r, bat_object_paint(object), scale);
     }
     set_order(r, object, entry, all);
+    set_markers(r, object, entry, ids);
     if (now->opacity != was->opacity || all) set_number(r, "opacity", share_of(now->opacity, entry));
 }
 

@@ -1,6 +1,7 @@
 #include "format/svg/write/plan.h"
 
 #include "document/clip.h"
+#include "document/markers.h"
 #include "document/nesting.h"
 #include "format/svg/svg.h"
 #include "format/svg/write/refer.h"
@@ -13,11 +14,16 @@ bool bat_svg_reshaped(const bat_object *object, const bat_sourced *entry) {
     return bat_sourced_shape(object) != entry->shape;
 }
 
+bool bat_svg_remarked(const bat_object *object, const bat_sourced *entry) {
+    return bat_markers_digest(bat_object_markers(object)) != entry->markers;
+}
+
 bool bat_svg_restyled(const bat_object *object, const bat_sourced *entry) {
     const bat_style *a = bat_object_style(object), *b = &entry->style;
     for (int k = 0; k < BAT_PAINT_PARTS; k++)
         if (bat_paint_digest(bat_object_paint(object), (bat_paint_part)k) != entry->paint[k]) return true;
     if (bat_clip_digest(bat_object_clip(object)) != entry->clip) return true;
+    if (bat_svg_remarked(object, entry)) return true;
     return a->stroked != b->stroked || a->filled != b->filled || a->even_odd != b->even_odd ||
            a->stroke != b->stroke || a->fill != b->fill || a->width != b->width || a->opacity != b->opacity ||
            a->cap != b->cap || a->join != b->join || a->miter_limit != b->miter_limit;

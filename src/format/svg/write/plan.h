@@ -60,6 +60,7 @@ bool bat_svg_is_called(const bat_svg_plan *plan, uint32_t element, const char *l
 /* Whether object and entry differ in shape; in style. */
 bool bat_svg_reshaped(const bat_object *object, const bat_sourced *entry);
 bool bat_svg_restyled(const bat_object *object, const bat_sourced *entry);
+bool bat_svg_remarked(const bat_object *object, const bat_sourced *entry); /* it has other markers */
 /* Its stroke's width changes along it, or did: its element gives way to parts, or they to one element. */
 bool bat_svg_is_remade(const bat_object *object, const bat_sourced *entry);
 

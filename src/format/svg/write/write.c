@@ -9,7 +9,9 @@
 #include "format/svg/svg.h"
 #include "format/svg/digest.h"
 #include "format/svg/markup.h"
+#include "format/svg/write/markers.h"
 #include "format/svg/write/patch.h"
+#include "format/svg/write/see.h"
 #include "format/seen/seen.h"
 #include "format/svg/tree.h"
 #include "text/text.h"
@@ -58,27 +60,6 @@ static bat_status find_ids(const bat_document *document, bool *unique) {
     return BAT_OK;
 }
 
-/* Adds what a reader will see of the clip to the digest: m, back: the units that it is written in. */
-static bat_status digest_clip(const bat_object *object, const double m[6], const double back[6],
-                              bat_outline *outline, uint64_t *digest) {
-    uint64_t own = 0;
-    bat_status status = BAT_OK;
-    if (!bat_object_clip(object)) return BAT_OK;
-    for (const bat_clip *at = bat_object_clip(object); at && status == BAT_OK; at = bat_clip_within(at)) {
-        bat_text data = {0};
-        status = bat_svg_write_region(&data, at, back);
-        bat_outline_clear(outline);
-        if (data.failed) status = BAT_MEMORY;
-        if (status == BAT_OK && data.size) bat_svg_path(data.data, data.size, outline);
-        if (outline->failed || outline->full) status = outline->failed ? BAT_MEMORY : BAT_COUNT;
-        bat_outline_transform(outline, m);
-        if (bat_clip_curve_count(at) > 0) own = bat_svg_digest_region(own, outline, bat_clip_is_even_odd(at));
-        bat_text_free(&data);
-    }
-    if (own) *digest = bat_digest_number(*digest, own);
-    return status;
-}
-
 static bat_status open_group(bat_text *text, const bat_object *object, bool as_id, bool hidden,
                              bat_outline *outline, uint64_t *digest) {
     static const double same[6] = {1, 0, 0, 1, 0, 0};
@@ -99,42 +80,8 @@ static bat_status open_group(bat_text *text, const bat_object *object, bool as_i
     }
     bat_svg_refer_clip(text, &ids);
     bat_text_string(text, ">\n");
-    if (status == BAT_OK && !hidden) status = digest_clip(object, same, same, outline, digest);
+    if (status == BAT_OK && !hidden) status = bat_svg_see_clip(object, same, same, outline, digest);
     return status;
-}
-
-/* Style and paint as a reader will find them under the transform that makes the pen. */
-static void see(bat_style *style, bat_paint *paint, const double pen[6], const double back[6],
-                double dashes[BAT_DASHES_MAX]) {
-    const double scale = sqrt(fabs(pen[0] * pen[3] - pen[1] * pen[2]));
-    bat_gradient *const parts[2] = {&paint->fill, &paint->stroke};
-    style->width *= scale;
-    for (int k = 0; k < 2; k++) {
-        double own[6];
-        bat_matrix_compose(back, parts[k]->matrix, own);
-        bat_matrix_compose(pen, own, parts[k]->matrix);
-    }
-    for (size_t i = 0; i < paint->dash_count; i++) dashes[i] = paint->dashes[i] * scale;
-    paint->dashes = dashes;
-    paint->dash_offset *= scale;
-    for (int k = 0; k < 4; k++) paint->pen[k] = pen[k] / scale;
-}
-
-/* Adds what a reader will see of the path to the digest. */
-static bat_status digest_object(const bat_text *text, size_t start, const bat_object *object,
-                                bat_outline *outline, uint64_t *digest) {
-    double pen[6], back[6], dashes[BAT_DASHES_MAX];
-    bat_style style = *bat_object_style(object);
-    bat_paint paint = bat_object_paint(object) ? *bat_object_paint(object) : (bat_paint){0};
-    bat_outline_clear(outline);
-    bat_svg_path(text->data + start, text->size - start, outline);
-    if (outline->failed || outline->full) return outline->failed ? BAT_MEMORY : BAT_COUNT;
-    if (bat_svg_pen(object, pen, back)) {
-        bat_outline_transform(outline, pen);
-        see(&style, &paint, pen, back, dashes);
-    }
-    *digest = bat_svg_digest(*digest, outline, &style, &paint);
-    return BAT_OK;
 }
 
 /* Writes the path element, and adds what a reader will see of it to the digest. number: makes ids within the object unique. */
@@ -144,7 +91,10 @@ static bat_status write_path(bat_text *text, const bat_object *object, bool as_i
     double pen[6], back[6];
     const bool uneven = bat_svg_pen(object, pen, back);
     bat_svg_ids ids = bat_svg_write_gradients(text, object, back, number);
+    uint64_t marked = 0;
     bat_status status = bat_svg_write_clip(text, object, back, number, ids.clip);
+    if (status == BAT_OK)
+        status = bat_svg_write_markers(text, object, pen, number, precision, outline, &ids, &marked);
     bat_text_string(text, "<path");
     bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
     bat_svg_write_state(text, object);
@@ -158,9 +108,10 @@ static bat_status write_path(bat_text *text, const bat_object *object, bool as_i
     const size_t start = text->size;
     if (status == BAT_OK) status = bat_svg_write_curves(text, object, uneven ? back : NULL, precision);
     if (status == BAT_OK && text->failed) status = BAT_MEMORY;
-    const bool seen = !hidden && (style->stroked || style->filled);
-    if (status == BAT_OK && seen) status = digest_clip(object, pen, back, outline, digest);
-    if (status == BAT_OK && seen) status = digest_object(text, start, object, outline, digest);
+    const bool seen = !hidden && (style->stroked || style->filled || bat_object_markers(object));
+    if (status == BAT_OK && seen) status = bat_svg_see_clip(object, pen, back, outline, digest);
+    if (status == BAT_OK && seen) status = bat_svg_see_path(text, start, object, outline, digest);
+    if (marked && seen) *digest = bat_digest_number(*digest, marked);
     bat_text_string(text, "\"/>\n");
     return status;
 }
@@ -198,7 +149,7 @@ static bat_status write_image(bat_text *text, const bat_object *object, bool as_
     bat_status status = BAT_OK;
     if (bat_svg_inverse(m, back)) {
         status = bat_svg_write_clip(text, object, back, 1, ids.clip);
-        if (status == BAT_OK && !hidden) status = digest_clip(object, m, back, outline, digest);
+        if (status == BAT_OK && !hidden) status = bat_svg_see_clip(object, m, back, outline, digest);
     }
     bat_text_string(text, "<image");
     bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
