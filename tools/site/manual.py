@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The pages of each section, in order; the rest of docs/ follows in "More".
 SECTIONS = [
     ("Why", ["docs/why/faster.md", "docs/why/cubics.md", "docs/why/frames.md"]),
-    ("How fast", ["docs/benchmarks.md", "docs/user-test.md"]),
+    ("How fast", ["docs/benchmarks.md", "docs/user-test.md", "docs/jobs.md"]),
     ("Packages", ["bindings/js/core/README.md", "bindings/js/editor/README.md", "docs/python.md"]),
     ("The program", ["docs/batten.1"]),
     ("Files", ["docs/format.md", "docs/journal.md"]),

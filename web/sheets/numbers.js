@@ -8,15 +8,32 @@ import { tell } from '../page/words.js';
 /** Those that stand two in a row, and the signs that they have there. @type {Record<string, string>} */
 const SIGNS = { x: 'X', y: 'Y', width: 'W', height: 'H', turn: '∠' };
 
+/** Commands that stand above the numbers, and of how many objects each needs. @type {[string, number][]} */
+const LINE_UP = [['align-left', 1], ['align-centre', 1], ['align-right', 1], ['align-top', 1], ['align-middle', 1], ['align-bottom', 1],
+  ['distribute-across', 3], ['distribute-down', 3]];
+
+/** @typedef {import('./panel.js').Panel} Panel */
+/** @typedef {import('../engine/types.js').Frame} Frame */
+
 class NumbersSheet {
   /**
-   * @param {Engine} engine
-   * @param {() => void} wake
+   * @param {Panel} panel
    * @param {HTMLElement} sheet
-   * @param {string[]} names
    */
-  constructor(engine, wake, sheet, names) {
+  constructor({ engine, wake, buttons, tables: { numbers: names } }, sheet) {
     this.engine = engine;
+    this.row = tell(document.createElement('div'), { label: 'shell.arrange' });
+    this.row.className = 'line-up';
+    this.row.setAttribute('role', 'group');
+    this.buttons = LINE_UP.map(([name, least]) => {
+      const button = buttons.plain(name, `command.${name}`, { help: `command.${name}.help`, shortcut: name });
+      button.addEventListener('click', () => {
+        engine.command(name);
+        wake();
+      });
+      this.row.append(button);
+      return { button, least };
+    });
     this.rows = names.map((name) => {
       const box = document.createElement('div');
       box.className = name in SIGNS ? 'control number pair' : 'control number';
@@ -41,7 +58,11 @@ class NumbersSheet {
       input.addEventListener('keydown', (event) => {
         if (event.key === 'Enter') {
           input.dispatchEvent(new Event('change'));
-          input.select();
+          if (sheet.dataset.asked && input.getAttribute('aria-invalid') !== 'true') {
+            document.getElementById('stage')?.focus(); // where it was asked for
+          } else {
+            input.select();
+          }
         } else if (event.key === 'Escape') {
           input.value = this.engine.number(name);
           input.blur();
@@ -52,14 +73,23 @@ class NumbersSheet {
       box.append(label, input);
       return { name, box, input };
     });
+    sheet.addEventListener('focusout', ({ relatedTarget }) => {
+      if (!(relatedTarget instanceof Node && sheet.contains(relatedTarget))) {
+        delete sheet.dataset.asked;
+      }
+    });
     this.none = tell(document.createElement('p'), { text: 'notice.select-first' });
-    sheet.append(...this.rows.map((row) => row.box), this.none);
+    sheet.append(this.row, ...this.rows.map((row) => row.box), this.none);
     this.show();
   }
 
-  /** Updates the fields after the selection or its position has changed. */
-  show() {
+  /** Updates the fields after the selection or its position has changed. @param {Frame} [frame] */
+  show(frame) {
     let some = false;
+    if (frame) {
+      this.row.hidden = frame.selected === 0;
+      this.buttons.forEach(({ button, least }) => { button.disabled = frame.selected < least; });
+    }
     for (const { name, box, input } of this.rows) {
       const text = this.engine.number(name);
       box.hidden = text === '';
@@ -74,7 +104,6 @@ class NumbersSheet {
 }
 
 /** @type {import('./panel.js').Filler['fill']} */
-export function fill({ engine, wake, tables }, sheet) {
-  const numbers = new NumbersSheet(engine, wake, sheet, tables.numbers);
-  return numbers;
+export function fill(panel, sheet) {
+  return new NumbersSheet(panel, sheet);
 }

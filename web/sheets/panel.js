@@ -116,9 +116,10 @@ export class Panel {
     input.select();
   }
 
-  /** Lets the user type a number of what is chosen. @param {string} name */
+  /** Lets the user type a number of what is chosen; Enter returns to the drawing. @param {string} name */
   async askNumber(name) {
     await this.dock.reveal('numbers');
+    part('numbers-body').dataset.asked = 'yes';
     part(`number-${name}`).focus();
   }
 

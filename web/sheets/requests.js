@@ -44,6 +44,7 @@ export class Requests {
       [Ask.OPEN, () => files.pick()],
       [Ask.HISTORY, () => this.#history()],
       [Ask.WIDTH, () => panel.askNumber('width-here')],
+      [Ask.SIZE, () => panel.askNumber('width')],
     ];
     for (const [asked, run] of requests ? ways : []) {
       if (requests & asked) {

@@ -3,7 +3,8 @@
  * and selected. The first two fill the box of the drag (Shift: of equal sides, Alt: about where it began), the polygon has its
  * middle where the drag began and a corner where it ends (Shift: turned by steps of 15 degrees).
  *
- * IDLE --down--> PRESSED --up, moved--> IDLE (one step). A press that does not move draws nothing.
+ * IDLE --down--> PRESSED --up--> IDLE (one step). A press that does not move makes a shape of some size there, whose width is then
+ * asked for as a number.
  */
 #include "base/real.h"
 #include "document/document.h"
@@ -22,7 +23,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double CLICK = 4; /* px of travel that are no drag */
+static const double CLICK = 4;   /* px of travel that are no drag */
+static const double SHARE = 0.2; /* of the window: how large a click makes a shape */
 
 typedef enum form { RECTANGLE, ELLIPSE, POLYGON } form;
 
@@ -107,13 +109,25 @@ static bat_status commit(bat_context *c, const shaping *s, form is) {
     return status == BAT_OK ? bat_commit_chosen_curve(c, curve, labels[is]) : status;
 }
 
+/* As if the pen had been dragged from the press to the right and down. */
+static void spread(const bat_context *c, shaping *s) {
+    double size[2];
+    bat_stage_window(c->stage, size);
+    const double side = SHARE * fmin(size[0], size[1]) * bat_stage_pixel(c->stage);
+    for (int k = 0; k < 2; k++) s->at[k] = s->from[k] + side;
+}
+
 static void lift(bat_context *c, shaping *s, const bat_pointer *event, form is) {
     if (!s->pressed) return; /* cancelled */
     locate(c, s, event, s->at);
     const bool drawn = is_drag(s);
     s->pressed = false;
-    const bat_status status = drawn ? commit(c, s, is) : BAT_OK;
-    if (status != BAT_OK) bat_notice_failure(c, status);
+    if (!drawn) spread(c, s);
+    const bat_status status = commit(c, s, is);
+    if (status != BAT_OK)
+        bat_notice_failure(c, status);
+    else if (!drawn)
+        c->notices->requests |= BAT_ASK_SIZE;
 }
 
 static bool cancel(bat_context *c, void *state) {

@@ -127,7 +127,28 @@ static void polygons(void **state) {
     }
 }
 
-/* A tap, a drag without a height, and one that is cancelled leave the drawing as it was. */
+/* A click makes one whose corner, or of a polygon whose middle, is there; its width is asked for. */
+static void a_click_asks_for_the_size(void **state) {
+    (void)state;
+    static const char *const tools[] = {"tool-rectangle", "tool-ellipse", "tool-polygon"};
+    for (int i = 0; i < 3; i++) {
+        bat_editor *editor = drawing(tools[i]);
+        const uint64_t first = digest(editor);
+        pen p = mouse(editor);
+        click(&p, 300, 200, 0);
+        assert_int_equal(bat_editor_frame(editor)->requests, BAT_ASK_SIZE);
+        if (i < 2) is_in(only_curve(editor), 300, 200, 460, 360); /* a fifth of 800 */
+        assert_int_equal(bat_editor_enter(editor, "width", "400"), BAT_OK);
+        assert_int_equal(bat_editor_enter(editor, "height", "100"), BAT_OK);
+        if (i < 2) is_in(only_curve(editor), 300, 200, 700, 300);
+        bat_editor_command(editor, "undo");
+        bat_editor_command(editor, "undo");
+        goes_back_and_replays(editor, first);
+        bat_editor_free(editor);
+    }
+}
+
+/* A drag without a height, and one that is cancelled leave the drawing as it was. */
 static void nothing_is_drawn(void **state) {
     (void)state;
     static const char *const tools[] = {"tool-rectangle", "tool-ellipse", "tool-polygon"};
@@ -135,7 +156,6 @@ static void nothing_is_drawn(void **state) {
         bat_editor *editor = drawing(tools[i]);
         const uint64_t first = digest(editor);
         pen p = mouse(editor);
-        click(&p, 300, 300, 0);
         if (i < 2) drag(&p, 300, 300, 500, 300);
         drag_to(&p, 300, 300, 500, 450);
         assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
@@ -178,9 +198,13 @@ static void outlines_refuse_what_is_none(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rectangles),       cmocka_unit_test(round_corners),
-        cmocka_unit_test(ellipses),         cmocka_unit_test(polygons),
-        cmocka_unit_test(nothing_is_drawn), cmocka_unit_test(outlines_refuse_what_is_none),
+        cmocka_unit_test(rectangles),
+        cmocka_unit_test(round_corners),
+        cmocka_unit_test(ellipses),
+        cmocka_unit_test(polygons),
+        cmocka_unit_test(a_click_asks_for_the_size),
+        cmocka_unit_test(nothing_is_drawn),
+        cmocka_unit_test(outlines_refuse_what_is_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
