@@ -124,7 +124,8 @@ const char *bat_panel_actions(bat_context *c) {
     bat_text text = {0};
     facts f;
     if (find(c, &f) != BAT_OK) return NULL;
-    for (int i = 0; i < BAT_COMMAND_COUNT && bat_tool_at(c->choice->tool)->traits & (BAT_CHOOSES | BAT_OFFERS); i++) {
+    for (int i = 0;
+         i < BAT_COMMAND_COUNT && bat_tool_at(c->choice->tool)->traits & (BAT_CHOOSES | BAT_OFFERS); i++) {
         if (!possible(c, &f, (bat_command_id)i, bat_selecting_of(c)->has_point)) continue;
         if (text.size) bat_text_string(&text, " ");
         bat_text_string(&text, bat_command_at((bat_command_id)i)->name);

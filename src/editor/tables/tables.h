@@ -74,7 +74,7 @@ enum {
     BAT_REDRAWS_LINES =
         1024, /* redraws parameter lines of surfaces, at the active level of those that have levels */
     BAT_EDITS_WIDTHS = 2048, /* edits the width along a stroke, also by numbers */
-    BAT_OFFERS = 4096        /* selects what it makes, for which commands are offered as by one that chooses */
+    BAT_OFFERS = 4096 /* selects what it makes, for which commands are offered as by one that chooses */
 };
 
 typedef enum bat_when { BAT_WHEN_ANYTIME, BAT_WHEN_IDLE, BAT_WHEN_HOST, BAT_WHEN_FACE_ON } bat_when;
