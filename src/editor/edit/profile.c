@@ -64,6 +64,53 @@ bat_status bat_profile_stretch(const bat_object *object, double from, double to,
 
 enum { BETWEEN = 4 }; /* parts of each gap, so that a step beside it bends no more than the last */
 
+/* Adds the profile's value at a place of the piece from..to, of which to may lie in the next period of a closed curve. */
+static size_t add_value(const bat_width_profile *profile, bool closed, const double range[2], double at,
+                        bat_width_stop *out, size_t count) {
+    double value[2];
+    const double place = range[0] + at * (range[1] - range[0]);
+    if (count >= BAT_WIDTHS_MAX || (count && !(at > out[count - 1].at + GAP))) return count;
+    bat_width_eval(profile, closed, place > 1 ? place - 1 : place, value);
+    out[count] = (bat_width_stop){at, value[0]};
+    return count + 1;
+}
+
+/* The stops of a piece; the gaps at its ends, which are cut, get some between, so that they bend as before. */
+static size_t cut_piece(const bat_width_profile *profile, bool closed, const double range[2],
+                        bat_width_stop *out) {
+    const size_t n = profile->count;
+    size_t count = add_value(profile, closed, range, 0, out, 0);
+    double last = 0, next = 1;
+    for (size_t i = 0; i <= 2 * n; i++) {
+        next = i < 2 * n ? (profile->stops[i % n].at + (double)(i / n) - range[0]) / (range[1] - range[0])
+                         : 1;
+        if (!(next > GAP)) continue;
+        next = next < 1 - GAP ? next : 1;
+        const int parts = last == 0 || next == 1 ? BETWEEN : 1;
+        for (int k = 1; k < parts; k++)
+            count = add_value(profile, closed, range, last + (next - last) * k / parts, out, count);
+        if (count == BAT_WIDTHS_MAX) count--; /* the end is always there */
+        count = add_value(profile, closed, range, next, out, count);
+        last = next;
+        if (next == 1) break;
+    }
+    return count;
+}
+
+bat_status bat_profile_piece(bat_object **part, const bat_object *whole, bool closed, double from,
+                             double to) {
+    const bat_width_profile profile = own(whole);
+    bat_width_stop stops[BAT_WIDTHS_MAX];
+    bat_object *made = NULL;
+    if (!profile.count || !(from >= 0 && from < to && to <= from + 1)) return BAT_OK;
+    const size_t count = cut_piece(&profile, closed, (double[]){from, to}, stops);
+    const bat_status status = bat_profile_set(*part, count, stops, &made);
+    if (status != BAT_OK) return status;
+    bat_object_release(*part);
+    *part = made;
+    return BAT_OK;
+}
+
 /* Adds the object's profile, turned round or not, between two shares of the length, in another unit of width. */
 static size_t add_part(const bat_object *object, bool turned, double low, double high, double factor,
                        bat_width_stop *stops, size_t count) {

@@ -24,6 +24,9 @@ bat_status bat_profile_set(const bat_object *object, size_t count, const bat_wid
 /* A copy with the profile of a stretch of its own (bat_width_stretch), from 1 to 0 that of the curves turned round; none: the object
  * itself, retained. */
 bat_status bat_profile_stretch(const bat_object *object, double from, double to, bat_object **out);
+/* *part, which is released, with the profile that a piece of a curve keeps: from..to in shares of the whole curve's length, of a closed one
+ * to may lie in the next period. Where `whole` has none it is left alone. */
+bat_status bat_profile_piece(bat_object **part, const bat_object *whole, bool closed, double from, double to);
 /* *object, which is released, with the profile of two curves that were joined: a's up to `share` of the length, b's from there on, each
  * turned round or not, in widths of a's style. Where neither has one it is left alone. */
 bat_status bat_profile_join(bat_object **object, const bat_object *a, bool turn_a, const bat_object *b,

@@ -8,6 +8,7 @@
 #include "editor/edit/profile.h"
 #include "support/selecting.h"
 #include <batten/measure.h>
+#include <batten/nearest.h>
 #include <batten/paint.h>
 
 #include <math.h>
@@ -148,6 +149,78 @@ static void turn_and_are_cut_and_joined(void **state) {
     bat_editor_free(editor);
 }
 
+static double share_at(const bat_object *object, double at) {
+    const bat_width_profile profile = bat_object_widths(object);
+    double value[2];
+    bat_width_eval(&profile, bat_curve_is_closed(bat_object_curve(object, 0)), at, value);
+    return value[0];
+}
+
+/* Each piece is as wide everywhere as the whole was there. */
+static void is_as_wide(const bat_object *piece, const bat_object *whole) {
+    const bat_curve *curve = bat_object_curve(piece, 0), *old = bat_object_curve(whole, 0);
+    double part[2], all[2];
+    bat_curve_domain(curve, part);
+    bat_curve_domain(old, all);
+    const double length = bat_curve_length(old, all[0], all[1], 1e-9),
+                 own = bat_curve_length(curve, part[0], part[1], 1e-9);
+    for (int i = 0; i <= 20; i++) {
+        const double u = bat_curve_at_length(curve, part[0], own * i / 20, 1e-9);
+        double point[2];
+        bat_near near;
+        bat_curve_eval(curve, u, 0, point);
+        assert_int_equal(bat_curve_nearest(old, point, &near), BAT_OK);
+        const double place = bat_curve_length(old, all[0], near.u, 1e-9) / length;
+        const double away = fabs(share_at(piece, i / 20.0) - share_at(whole, place));
+        if (!(away < 0.06)) fail_msg("%g at %d of %g", away, i, place);
+    }
+}
+
+static void pieces_keep_their_part(void **state) {
+    (void)state;
+    double points[24], knots[13];
+    for (int i = 0; i < 12; i++) {
+        points[2 * i] = 500 + 150 * cos(6.283185307179586 * i / 12);
+        points[2 * i + 1] = 400 + 150 * sin(6.283185307179586 * i / 12);
+    }
+    for (int i = 0; i <= 12; i++) knots[i] = i;
+    for (int closed = 0; closed < 2; closed++) {
+        bat_curve *curve = NULL;
+        if (closed)
+            assert_int_equal(bat_curve_create(2, 3, true, 12, points, 13, knots, &curve), BAT_OK);
+        else
+            curve = line(100, 500, 300);
+        bat_editor *editor = editor_with(1, &curve);
+        bat_editor_command(editor, "tool-select");
+        only(editor, 1, 0);
+        const bat_width_stop stops[] = {{0.2, 0.5}, {0.4, 2}, {0.7, 1}};
+        bat_object *wide = NULL, *whole = bat_object_retain(object(editor, 1));
+        assert_int_equal(bat_profile_set(whole, 3, stops, &wide), BAT_OK);
+        bat_object_release(whole);
+        bat_document *document = NULL;
+        assert_int_equal(bat_document_create(&document), BAT_OK);
+        bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+        assert_int_equal(bat_document_insert(document, 0, wide), BAT_OK);
+        bat_editor_free(editor);
+        editor = editor_of(document);
+        const uint64_t first = digest(editor);
+        runs(editor, "tool-eraser");
+        pen p = pen_for(editor);
+        if (closed) {
+            pen_line(&p, 640, 395, 660, 395, 0); /* its right */
+            pen_line(&p, 340, 395, 360, 395, 0); /* and its left */
+        } else
+            pen_line(&p, 290, 300, 310, 300, 0);
+        assert_int_equal(bat_document_count(editor->session.document), 2);
+        for (int i = 0; i < 2; i++) is_as_wide(bat_document_at(editor->session.document, i), wide);
+        for (int i = 0; i <= closed; i++) runs(editor, "undo");
+        assert_true(digest(editor) == first);
+        replays(editor, 0);
+        bat_editor_free(editor);
+        bat_object_release(wide);
+    }
+}
+
 static void come_from_pressure(void **state) {
     (void)state;
     for (int on = 0; on < 2; on++) {
@@ -195,6 +268,7 @@ static void come_from_pressure(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(have_names), cmocka_unit_test(come_from_pressure),
                                        cmocka_unit_test(are_painted_as_what_they_cover),
-                                       cmocka_unit_test(turn_and_are_cut_and_joined)};
+                                       cmocka_unit_test(turn_and_are_cut_and_joined),
+                                       cmocka_unit_test(pieces_keep_their_part)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

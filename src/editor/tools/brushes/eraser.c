@@ -22,12 +22,15 @@
 #include "hands/levels/shape.h"
 #include "editor/edit/cut_out.h"
 #include "editor/edit/curves_of.h"
+#include "editor/edit/profile.h"
+#include <batten/measure.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const double LEAST = 0.75; /* px: shorter remnants are removed too */
 static const float ERASED_WIDTH = 5;
+static const double FINE = 1e-6; /* relative, of lengths */
 
 /* One curve that the eraser has touched. */
 typedef struct rubbed_curve {
@@ -171,6 +174,19 @@ static bat_status copy_with(const bat_object *object, rest *r, int first, int co
     return status;
 }
 
+/* A piece keeps its part of the width along the curve. */
+static bat_status keep_width(const bat_object *whole, bat_object **part) {
+    const bat_curve *curve = bat_object_curve(whole, 0);
+    double all[2], piece[2];
+    if (!bat_object_widths(whole).count) return BAT_OK;
+    bat_curve_domain(curve, all);
+    bat_curve_domain(bat_object_curve(*part, 0), piece);
+    const double length = bat_curve_length(curve, all[0], all[1], FINE);
+    const double from = bat_curve_length(curve, all[0], piece[0], FINE) / length;
+    const double share = bat_curve_length(curve, piece[0], piece[1], FINE) / length;
+    return bat_profile_piece(part, whole, bat_curve_is_closed(curve), from, fmin(from + share, from + 1));
+}
+
 /* An object of one curve is split into objects of one curve each; one of several curves stays one object. */
 static bat_status cut(bat_context *c, const rubbed_curve *rubbed, int count) {
     int at = bat_document_find(c->session->document, rubbed->object);
@@ -185,6 +201,7 @@ static bat_status cut(bat_context *c, const rubbed_curve *rubbed, int count) {
         bat_object *part = NULL;
         status = copy_with(object, &r, apart ? i : 0, apart ? 1 : r.count,
                            i ? bat_document_new_id(c->session->document) : 0, &part);
+        if (status == BAT_OK && apart) status = keep_width(object, &part);
         if (status == BAT_OK)
             status = i ? bat_transaction_insert(c, at + i, part) : bat_transaction_replace(c, at, part);
         bat_object_release(part);
