@@ -1,10 +1,11 @@
-/* What is swept and what is cut, for Batten and its peers alike. Valid as both C and C++. */
+/* What is swept, cut and set off, for Batten and its peers alike. Valid as both C and C++. */
 #ifndef BATTEN_BENCH_MADE_H
 #define BATTEN_BENCH_MADE_H
 
 #include <math.h>
 
 enum { BENCH_PATH = 12, BENCH_RING = 8, BENCH_TUBE = 16 };
+static const double BENCH_OFFSET = 0.5, BENCH_OFFSET_FAR = 15, BENCH_OFFSET_TOLERANCE = 0.01;
 static const double BENCH_SWEEP_TOLERANCE = 1e-3, BENCH_MEET_TOLERANCE = 1e-4;
 
 /* Control points of a bent path, a clamped cubic with even knots, 200 long. */

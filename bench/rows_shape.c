@@ -1,11 +1,14 @@
 /* Closest point, the fit of the three strokes, and the sketch hand. */
 #define _POSIX_C_SOURCE 199309L
 #include "bench.h"
+#include "made.h"
 #include "strokes.h"
 #include "timing.h"
 
+#include <batten/bezier.h>
 #include <batten/fit.h>
 #include <batten/nearest.h>
+#include <batten/relate.h>
 #include <batten/sketch.h>
 
 enum { QUERIES = 1000, SAMPLES = 1000, REDRAWN = 100 };
@@ -137,6 +140,56 @@ static void end_sketch(void *context) {
 }
 #endif
 
+/* ---- parallels ---- */
+
+typedef struct parallel {
+    bat_curve *curve;
+    size_t count;
+    int spans;
+    double error;
+} parallel;
+
+static void *begin_parallel(int variant) {
+    parallel *p = calloc(1, sizeof *p);
+    if (!p) return NULL;
+    p->curve = wave(variant);
+    return p->curve ? p : NULL;
+}
+
+static void offset_by(parallel *p, double distance) {
+    bat_curve **out;
+    if (bat_curve_offset(p->curve, distance, BENCH_OFFSET_TOLERANCE, 0.02, &p->count, &out, NULL) != BAT_OK)
+        abort();
+    p->spans = 0;
+    for (size_t i = 0; i < p->count; i++) p->spans += bat_curve_segment_count(out[i]);
+    bat_curves_free(p->count, out);
+}
+
+static void run_offset(void *context) { offset_by(context, BENCH_OFFSET); }
+static void run_far_offset(void *context) { offset_by(context, BENCH_OFFSET_FAR); }
+
+static void run_outline(void *context) {
+    parallel *p = context;
+    const bat_nib nib = {2 * BENCH_OFFSET, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
+    bat_curve **out;
+    if (bat_curve_outline(p->curve, &nib, BENCH_OFFSET_TOLERANCE, 0.02, &p->count, &out, NULL) != BAT_OK)
+        abort();
+    p->spans = 0;
+    for (size_t i = 0; i < p->count; i++) p->spans += bat_curve_segment_count(out[i]);
+    bat_curves_free(p->count, out);
+}
+
+static void note_parallel(void *context, char *out, int room) {
+    const parallel *p = context;
+    snprintf(out, (size_t)room, "%zu curves, %d cubics", p->count, p->spans);
+}
+
+static void end_parallel(void *context) {
+    parallel *p = context;
+    bat_curve_free(p->curve);
+    free(p);
+}
+
 const bench_row bench_rows_shape[] = {
     {"nearest, planar cubic, n=100", "us", 1e6, QUERIES, 100, begin_nearest, run_nearest, end_nearest, 0},
     {"nearest, planar cubic, n=100000", "us", 1e6, QUERIES, 100000, begin_nearest, run_nearest, end_nearest,
@@ -144,6 +197,12 @@ const bench_row bench_rows_shape[] = {
     {"fit 1000, eight bends", "us", 1e6, 1, 0, begin_fit, run_fit, free, note_fit},
     {"fit 1000, spiral", "us", 1e6, 1, 1, begin_fit, run_fit, free, note_fit},
     {"fit 1000, car line", "us", 1e6, 1, 2, begin_fit, run_fit, free, note_fit},
+    {"offset, 100 points, no loops", "us", 1e6, 1, 100, begin_parallel, run_offset, end_parallel,
+     note_parallel},
+    {"offset, 100 points, loops cut off", "us", 1e6, 1, 100, begin_parallel, run_far_offset, end_parallel,
+     note_parallel},
+    {"outline of a stroke, 100 points", "us", 1e6, 1, 100, begin_parallel, run_outline, end_parallel,
+     note_parallel},
 #ifdef BATTEN_BENCH_SKETCH
     {"sketch, 240 samples", "us", 1e6, 1, 240, begin_sketch, run_sketch, end_sketch, 0},
     {"sketch, 2400 samples", "us", 1e6, 1, 2400, begin_sketch, run_sketch, end_sketch, 0},

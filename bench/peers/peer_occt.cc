@@ -1,4 +1,4 @@
-// Open CASCADE: surfaces on grids, as triangles, and hit by rays; sweeps, and where surfaces meet.
+// Open CASCADE: surfaces on grids, as triangles, and hit by rays; sweeps, where surfaces meet, and parallels.
 #include "../made.h"
 #include "../timing.h"
 
@@ -9,6 +9,9 @@
 #include <GeomAPI_IntSS.hxx>
 #include <GeomFill_Pipe.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom2dConvert_ApproxCurve.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_OffsetCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <IntCurvesFace_Intersector.hxx>
@@ -16,6 +19,7 @@
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
@@ -179,6 +183,32 @@ static void meets(void *context) {
     m->count = found.IsDone() ? size_t(found.NbLines()) : 0;
 }
 
+// The parallel of a curve as a spline: its loops stay.
+struct Parallel {
+    Handle(Geom2d_BSplineCurve) curve;
+    double distance, error;
+    int spans;
+};
+
+static Parallel parallel_of(int n) {
+    std::vector<double> t(n + 4), x(2 * n);
+    bench_curve(n, 2, t.data(), x.data());
+    TColgp_Array1OfPnt2d poles(1, n);
+    TColStd_Array1OfReal knots(1, n - 2);
+    TColStd_Array1OfInteger times(1, n - 2);
+    for (int i = 0; i < n; i++) poles.SetValue(i + 1, gp_Pnt2d(x[2 * i], x[2 * i + 1]));
+    for (int i = 0; i < n - 2; i++) knots.SetValue(i + 1, t[i + 3]), times.SetValue(i + 1, i == 0 || i == n - 3 ? 4 : 1);
+    return {new Geom2d_BSplineCurve(poles, knots, times, 3), BENCH_OFFSET, 0, 0};
+}
+
+static void offsets(void *context) {
+    Parallel *p = static_cast<Parallel *>(context);
+    Handle(Geom2d_OffsetCurve) raw = new Geom2d_OffsetCurve(p->curve, -p->distance);
+    Geom2dConvert_ApproxCurve made(raw, BENCH_OFFSET_TOLERANCE, GeomAbs_C1, 1000, 3);
+    p->spans = made.HasResult() ? made.Curve()->NbKnots() - 1 : 0;
+    p->error = made.MaxError();
+}
+
 static void row(Work *w, const char *name, const char *unit, void (*run)(void *), double per, double scale,
                 const char *note) {
     char text[80];
@@ -211,5 +241,9 @@ int main() {
     time = bench_measure(meets, &m);
     snprintf(text, sizeof text, "%zu curves", m.count);
     bench_print("occt", "intersection of two tubes", "us", time, 1, 1e6, text);
+    Parallel p = parallel_of(100);
+    time = bench_measure(offsets, &p);
+    snprintf(text, sizeof text, "loops stay, %d cubics, within %.1e", p.spans, p.error);
+    bench_print("occt", "offset, 100 points, no loops", "us", time, 1, 1e6, text);
     return 0;
 }

@@ -11,16 +11,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEFT, RIGHT, SIDES, DEPTH = 5, WALK = 48, SPLIT = 1 << DEPTH };
+enum { LEFT, RIGHT, SIDES, DEPTH = 12, WALK = 48, ROOM = 32 };
 
 static const double NARROW = 0.4; /* radians: the cone of a stretch's tangents */
 static const double TURN = 1.57,  /* just under a right angle */
     AWAY = 3.1;                   /* and under two */
-static const double BENT = 0.9999, SLACK = 0.01;
+static const double BENT = 0.9999, SLACK = 0.01, CLOSE = 0.1;
 
 /* A piece of the curve whose tangents lie in a narrow cone. Angles from its first tangent on, in radians, to the left. */
 typedef struct stretch {
-    double from, to, first[2], last[2];
+    bat_segment is;
     double bulge;           /* how far from its chord it gets at most */
     double axis[2];         /* along its chord */
     double ends[2][2];      /* directions of its first and last tangent */
@@ -41,6 +41,10 @@ struct bat_clearance {
     stretch *all; /* in order; segments without length are left out */
     box *boxes;   /* a heap: 1 is the root, leaves + i holds stretch i */
 };
+
+static const double *first_of(const stretch *s) { return s->is.b; }
+
+static const double *last_of(const stretch *s) { return s->is.b + (size_t)2 * (size_t)s->is.degree; }
 
 static double cross(const double *a, const double *b) { return a[0] * b[1] - a[1] * b[0]; }
 
@@ -73,8 +77,7 @@ static void bending(double d[][2], int p, double out[2]) {
 static bool measure(const bat_clearance *c, const bat_segment *s, stretch *out) {
     const int p = s->degree;
     double d[BAT_DEGREE_MAX][2], cone, least = INFINITY, most = 0, bends[2] = {0, 0};
-    *out = (stretch){.from = s->from, .to = s->to};
-    for (int k = 0; k < 2; k++) out->first[k] = s->b[k], out->last[k] = s->b[2 * p + k];
+    *out = (stretch){.is = *s};
     bat_segment_cone(s, out->axis, &cone);
     out->bulge = bat_segment_bulge(s);
     for (int k = 0; k < p; k++) {
@@ -88,20 +91,19 @@ static bool measure(const bat_clearance *c, const bat_segment *s, stretch *out) 
         out->low = fmin(out->low, out->turn), out->high = fmax(out->high, out->turn);
     }
     out->bend[LEFT] = out->bend[RIGHT] = INFINITY;
-    if (!(cone <= NARROW)) return false;
     if (p > 1) bending(d, p, bends);
     if (least > 0 || p == 1) {
         const double share = p > 1 ? (p - 1) / (p * least * least * least) : 0;
         out->bend[LEFT] = fmax(bends[1], 0) * share, out->bend[RIGHT] = fmax(-bends[0], 0) * share;
     }
     const double surely = (p - 1) / (p * most * most * most) * c->distance;
-    return (out->bend[LEFT] * c->distance <= BENT || bends[0] * surely > 1) &&
+    return cone <= NARROW && (out->bend[LEFT] * c->distance <= BENT || bends[0] * surely > 1) &&
            (out->bend[RIGHT] * c->distance <= BENT || -bends[1] * surely > 1);
 }
 
 static bat_status add(bat_clearance *c, const stretch *s) {
     if (c->count == c->room) {
-        const int room = 2 * c->room + SPLIT;
+        const int room = 2 * c->room + ROOM;
         stretch *more = realloc(c->all, (size_t)room * sizeof *more);
         if (!more) return BAT_MEMORY;
         c->all = more, c->room = room;
@@ -123,8 +125,8 @@ static bat_status split(bat_clearance *c, const bat_segment *s, int depth) {
 static box grown(const stretch *s) {
     box b;
     for (int k = 0; k < 2; k++) {
-        b.low[k] = fmin(s->first[k], s->last[k]) - s->bulge;
-        b.high[k] = fmax(s->first[k], s->last[k]) + s->bulge;
+        b.low[k] = fmin(first_of(s)[k], last_of(s)[k]) - s->bulge;
+        b.high[k] = fmax(first_of(s)[k], last_of(s)[k]) + s->bulge;
     }
     return b;
 }
@@ -149,10 +151,10 @@ static bat_status make_boxes(bat_clearance *c) {
 static void mark_patches(bat_clearance *c, const bat_brim *brim) {
     for (int i = 0, k = 0; i < brim->count; i++) {
         const double u = brim->patches[i].u;
-        while (k < c->count && c->all[k].to < u) k++;
-        for (int n = k; n < c->count && c->all[n].from <= u; n++) {
-            c->all[n].shaped[0] = c->all[n].shaped[0] || c->all[n].from == u;
-            c->all[n].shaped[1] = c->all[n].shaped[1] || c->all[n].to == u;
+        while (k < c->count && c->all[k].is.to < u) k++;
+        for (int n = k; n < c->count && c->all[n].is.from <= u; n++) {
+            c->all[n].shaped[0] = c->all[n].shaped[0] || c->all[n].is.from == u;
+            c->all[n].shaped[1] = c->all[n].shaped[1] || c->all[n].is.to == u;
         }
     }
 }
@@ -190,14 +192,25 @@ static bool is_within(const double *a, const double *b, double radius) {
     return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) <= radius * radius;
 }
 
-/* Whether a stretch may come within the radius. */
-static bool may_reach(const stretch *s, const double *x, double radius) {
-    const double chord[2] = {s->last[0] - s->first[0], s->last[1] - s->first[1]},
+/* Whether a segment comes within the radius, as nearly as matters: halved where its bulge is what makes it seem so. */
+static bool segment_reaches(const bat_segment *s, double bulge, const double *x, double radius, int depth) {
+    const double *first = s->b, *last = s->b + (size_t)2 * (size_t)s->degree;
+    const double chord[2] = {last[0] - first[0], last[1] - first[1]},
                  square = chord[0] * chord[0] + chord[1] * chord[1];
-    const double along = (x[0] - s->first[0]) * chord[0] + (x[1] - s->first[1]) * chord[1];
+    const double along = (x[0] - first[0]) * chord[0] + (x[1] - first[1]) * chord[1];
     const double share = square > 0 ? fmin(fmax(along / square, 0), 1) : 0;
-    const double at[2] = {s->first[0] + share * chord[0], s->first[1] + share * chord[1]};
-    return is_within(x, at, radius + s->bulge);
+    const double at[2] = {first[0] + share * chord[0], first[1] + share * chord[1]};
+    if (!is_within(x, at, radius + bulge)) return false;
+    if (bulge <= CLOSE * radius || depth == 0 || (bulge < radius && is_within(x, at, radius - bulge)))
+        return true;
+    bat_segment left, right;
+    bat_segment_halve(s, &left, &right);
+    return segment_reaches(&left, bat_segment_bulge(&left), x, radius, depth - 1) ||
+           segment_reaches(&right, bat_segment_bulge(&right), x, radius, depth - 1);
+}
+
+static bool may_reach(const stretch *s, const double *x, double radius) {
+    return segment_reaches(&s->is, s->bulge, x, radius, DEPTH);
 }
 
 static bool box_reaches(const box *b, const double *x, double radius) {
@@ -227,7 +240,7 @@ static int stretch_at(const bat_clearance *c, double u) {
     int low = 0, high = c->count - 1;
     while (low < high) {
         const int middle = low + (high - low + 1) / 2;
-        if (c->all[middle].from <= u)
+        if (c->all[middle].is.from <= u)
             low = middle;
         else
             high = middle - 1;
@@ -263,7 +276,7 @@ static bool is_gentle(const bat_clearance *c, int first, int count, int side) {
 /* The side of the curve that a place lies on. */
 static int side_of(const bat_clearance *c, int at, const double *x, const bat_near *foot) {
     const stretch *s = &c->all[at];
-    const bool starts = foot->u == s->from, ends = foot->u == s->to;
+    const bool starts = foot->u == s->is.from, ends = foot->u == s->is.to;
     const int other = starts ? next_of(c, at, -1) : ends ? next_of(c, at, 1) : at;
     if (other < 0) return SIDES; /* beyond an end */
     const double jump = starts ? s->jump : ends ? c->all[other].jump : 0;
@@ -283,16 +296,16 @@ bool bat_clearance_holds(const bat_clearance *c, const double *centre, double ra
             if (++count > WALK) return false;
             if (way < 0) first = i;
         }
-    const bool ends = !c->closed &&
-                      ((first == 0 && is_within(c->all[0].first, centre, reach)) ||
-                       (first + count == c->count && is_within(c->all[c->count - 1].last, centre, reach)));
+    const bool ends = !c->closed && ((first == 0 && is_within(first_of(&c->all[0]), centre, reach)) ||
+                                     (first + count == c->count &&
+                                      is_within(last_of(&c->all[c->count - 1]), centre, reach)));
     const int side = ends ? SIDES : side_of(c, at, centre, foot);
     if (side != RIGHT && !is_gentle(c, first, count, LEFT)) return false;
     if (side != LEFT && !is_gentle(c, first, count, RIGHT)) return false;
     for (int k = 0; k < count; k++) {
         const stretch *s = &c->all[(first + k) % c->count];
-        if (s->shaped[0] && is_within(s->first, centre, reach)) return false;
-        if (s->shaped[1] && is_within(s->last, centre, reach)) return false;
+        if (s->shaped[0] && is_within(first_of(s), centre, reach)) return false;
+        if (s->shaped[1] && is_within(last_of(s), centre, reach)) return false;
     }
     return !others_reach(c, first, count, centre, reach);
 }

@@ -2,6 +2,7 @@
  * them cross at their ends, they are joined; the others end where the other side's parallel comes across, or the circle
  * around an end of the curve (docs/math/relate.md 5). */
 #include <batten/bezier.h>
+#include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/refine.h>
 #include <batten/relate.h>
@@ -227,19 +228,38 @@ static bat_status tail_of(const trim *t, const run *r, int end, bat_curve **out)
                : bat_curve_piece(t->raw, r->ends[0], other, out);
 }
 
-/* Of the places where two pieces meet, the one nearest to the end of the first and the start of the second. */
-static bool nearest_meeting(const bat_meeting *meeting, const run *a, const run *b, double out[2]) {
+/* The size of a stretch; 0: it has none, or memory is short. */
+static double extent(const trim *t, double from, double to) {
+    bat_curve *piece;
+    if (!(from < to) || bat_curve_piece(t->raw, from, to, &piece) != BAT_OK) return 0;
+    const double size = bat_curve_size(piece);
+    bat_curve_free(piece);
+    return size;
+}
+
+/* Whether more of a stretch stays than goes if it is cut at both places: its parallel may have a bend within that crosses
+ * itself, and parameters do not tell lengths. */
+static bool is_worth(const trim *t, const run *r, const double cuts[2]) {
+    return extent(t, cuts[0], cuts[1]) > fmax(extent(t, r->ends[0], cuts[0]), extent(t, cuts[1], r->ends[1]));
+}
+
+/* Of the places where the end of a stretch and the start of another (or its own) meet, the one nearest to both: where a ends
+ * then, and b starts. */
+static bool nearest_meeting(const trim *t, const bat_meeting *meeting, const double shift[2], const run *a,
+                            const run *b, double out[2]) {
     double least = INFINITY;
     for (size_t i = 0; i < meeting->count; i++) {
         const bat_crossing *c = &meeting->crossings[i];
         const double far = bat_hypot(c->point[0] - a->x[1][0], c->point[1] - a->x[1][1]) +
                            bat_hypot(c->point[0] - b->x[0][0], c->point[1] - b->x[0][1]);
-        if (far < least) least = far, out[0] = c->u, out[1] = c->v;
+        const double end = c->u + shift[0], start = c->v + shift[1];
+        if (far < least && (a != b || is_worth(t, a, (const double[]){start, end})))
+            least = far, out[0] = end, out[1] = start;
     }
     return least < INFINITY;
 }
 
-/* Whether the end of a stretch crosses the start of another, or its own but not at a bend within it; they are cut there then. */
+/* Whether the end of a stretch crosses the start of another, or its own; they are cut there then. */
 static bat_status cross(trim *t, run *a, run *b, bool *crossed) {
     bat_curve *tail, *head = NULL;
     bat_meeting meeting = {0};
@@ -247,12 +267,12 @@ static bat_status cross(trim *t, run *a, run *b, bool *crossed) {
     if (status != BAT_OK) return status;
     status = tail_of(t, b, 0, &head);
     if (status == BAT_OK) status = bat_curve_intersect(tail, head, GAP * t->tolerance, &meeting);
-    double at[2], u[2], v[2];
-    if (status == BAT_OK && nearest_meeting(&meeting, a, b, at)) {
+    if (status == BAT_OK) {
+        double u[2], v[2], ends[2];
         bat_curve_domain(tail, u), bat_curve_domain(head, v);
-        const double ends[2] = {at[0] - u[1], at[1] - v[0]};
-        *crossed = a != b || ends[1] - ends[0] <= 0.5 * (a->ends[1] - a->ends[0]);
-        if (*crossed) a->ends[1] += ends[0], b->ends[0] += ends[1];
+        const double shift[2] = {a->ends[1] - u[1], b->ends[0] - v[0]};
+        *crossed = nearest_meeting(t, &meeting, shift, a, b, ends);
+        if (*crossed) a->ends[1] = ends[0], b->ends[0] = ends[1];
     }
     bat_meeting_free(&meeting);
     bat_curve_free(tail), bat_curve_free(head);

@@ -14,7 +14,7 @@
 #include <batten/relate.h>
 #include "support/random_curve.h"
 
-enum { ROUNDS = 800 };
+enum { ROUNDS = 600 };
 static const double CORNER = 0.02;
 
 /* Twice the area inside a closed curve, by 64 chords a span and Richardson's step. */
@@ -80,13 +80,14 @@ static void check(const bat_curve *curve, double distance, double tolerance, siz
 }
 
 /* One round in a thousand needs a rare way through the code: of these seeds the second has an island whose curve has a cusp
- * within, the third a stretch that a cubic with a handle as long as the drawing seems to fit. */
+ * within, the third a
+ * stretch that a cubic with a handle as long as the drawing seems to fit, the fourth a cusp that takes most of the parameters. */
 static void offsets_are_at_the_distance(void **state) {
     (void)state;
-    const uint64_t seeds[] = {61, 8, 12};
+    const uint64_t seeds[] = {61, 8, 12, 13};
     random_source r = {seeds[0]};
     int several = 0;
-    for (int round = 0; round < 3 * ROUNDS; round++) {
+    for (int round = 0; round < (int)(sizeof seeds / sizeof *seeds) * ROUNDS; round++) {
         if (round % ROUNDS == 0) r = (random_source){seeds[round / ROUNDS]};
         const int p = random_int(&r, 1, 6), kind = random_int(&r, 0, 2);
         bat_curve *curve = random_curve(&r, p, 2, kind, random_int(&r, 0, 7)), **out;

@@ -77,7 +77,7 @@ static bat_status add(bat_scene_marks *marks, const bat_object *object, const do
         bat_scene_regions_free(list, clip);
         return BAT_MEMORY;
     }
-    for (int k = 0; k < regions; k++) {
+    for (int k = 0; k < regions && list; k++) {
         bat_item *item = &marks->items[marks->count++];
         *item = (bat_item){.role = BAT_ROLE_CLIP,
                            .flags = list[k].flags,
