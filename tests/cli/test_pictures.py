@@ -61,6 +61,9 @@ FILES = {
     "currentColor": '<linearGradient id="a" color="#a0f"><stop stop-color="currentColor"/><stop offset="1" stop-color="#fff"/>'
                     f'</linearGradient><g color="#0a5">{BOX}fill="url(#a)" stroke="currentColor" stroke-width="6"/></g>',
     "fallback": BOX + 'fill="url(#none) #0a5"/>',
+    "dots": '<path d="M20 20h0M50 20l9 9M80 20h0z" fill="none" stroke="#246" stroke-width="16" stroke-linecap="round"/>'
+            '<line x1="30" x2="30" y1="70" y2="70" stroke="#c20" stroke-width="20" stroke-linecap="round"/>'
+            '<path d="M70 70h0" stroke="#000" stroke-width="9"/>',
     "no fallback": BOX + 'fill="#0a5"/><path d="M40 30H95V95Z" fill="url(#none)" stroke="#246"/>' + STAR + 'stroke="url(#none)"/>',
     "radial": radial(),
     "radial, focus": radial('fx=".3" fy=".35"'),

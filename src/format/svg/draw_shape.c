@@ -52,18 +52,39 @@ bat_svg_drawn bat_svg_subpath_curve(const bat_outline *outline, int index, const
     return status == BAT_OK || status == BAT_TOLERANCE ? BAT_SVG_CURVE : BAT_SVG_BROKEN;
 }
 
-/* Makes one curve for each subpath of nonzero length. */
+/* A subpath without a length shows its two caps: a line that is too short for more is one, too. */
+static bat_svg_drawn make_dot(const bat_outline *outline, int index, double width,
+                              const bat_svg_options *options, bat_curve **out) {
+    enum { SHARE = 200 }; /* of the stroke's width, on either side */
+    const double *at = outline->points + 2 * outline->subpaths[index].first, half = width / SHARE;
+    double points[8], error;
+    if (!(at[0] - half < at[0] && at[0] < at[0] + half)) return BAT_SVG_DOT; /* too far out for its width */
+    for (int k = 0; k < 4; k++) {
+        points[2 * k] = at[0] + half * (2 * k - 3) / 3;
+        points[2 * k + 1] = at[1];
+    }
+    const bat_status status = bat_curve_from_bezier(2, 3, false, 1, points, options->corner,
+                                                    tolerance_for(options, 1, points), out, &error);
+    if (status == BAT_MEMORY) return BAT_SVG_NO_MEMORY;
+    return status == BAT_OK || status == BAT_TOLERANCE ? BAT_SVG_CURVE : BAT_SVG_DOT;
+}
+
+/* Makes one curve for each subpath that has a length, or is seen without one. */
 static int make_curves(bat_svg_walk *w, uint32_t element, const bat_style *style, const bat_markers *markers,
                        bat_curve **curves) {
     const bool dot = style->stroked && style->cap != BAT_CAP_BUTT;
     int count = 0;
-    for (int i = 0; i < w->outline.subpath_count && w->status == BAT_OK; i++)
-        switch (bat_svg_subpath_curve(&w->outline, i, w->options, markers, &curves[count])) {
+    for (int i = 0; i < w->outline.subpath_count && w->status == BAT_OK; i++) {
+        bat_svg_drawn what = bat_svg_subpath_curve(&w->outline, i, w->options, markers, &curves[count]);
+        if (what == BAT_SVG_DOT && dot)
+            what = make_dot(&w->outline, i, style->width, w->options, &curves[count]);
+        switch (what) {
         case BAT_SVG_CURVE: count++; break;
         case BAT_SVG_NO_MEMORY: w->status = BAT_MEMORY; break;
         case BAT_SVG_DOT: bat_svg_note(&w->notes, element, dot ? BAT_LOSS_BROKEN : BAT_LOSS_COUNT); break;
         default: bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN); break;
         }
+    }
     return count;
 }
 

@@ -97,7 +97,7 @@ static void every_kind_is_found(void **state) {
         {BOX "visibility='hidden'/>" BOX "fill='none'/><svg display='none'/>", "{\"hidden\":3}"},
         {"<path d='M0 0L1 1X'/>" BOX
          "transform='turn(3)'/><use href='#no'/><path stroke-linecap='round' d='M5 5L5 5' stroke='red'/>",
-         "{\"copies\":1,\"broken\":4}"},
+         "{\"copies\":1,\"broken\":3}"},
         {BOX "frobnicate='1'/><blob/>" BOX "style='fill:oklch(1 2 3)'/>" BOX
              "style='transform:scale(2)'/>" BOX "stroke-width='x'/>",
          "{\"unknown\":5}"},

@@ -216,6 +216,9 @@ static void no_values(void **state) {
     must_look_alike("<path fill='url(#none)' stroke='red' " PATH "/>",
                     "<path fill='none' stroke='red' " PATH "/>", true);
     must_look_alike("<path fill='url(#none) lime' " PATH "/>", "<path fill='lime' " PATH "/>", true);
+    must_look_alike("<path d='M5 7h0M1 1h0' stroke='red' stroke-width='20' stroke-linecap='square'/>",
+                    "<path d='M4.9 7H5.1M.9 1H1.1' stroke='red' stroke-width='20' stroke-linecap='square'/>",
+                    true);
     must_look_alike("<path fill-opacity='150%' " PATH "/>", "<path " PATH "/>", true);
 }
 

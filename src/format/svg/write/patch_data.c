@@ -27,7 +27,8 @@ static void forget(was *w) {
     bat_outline_free(&w->outline);
 }
 
-static bat_status make_curves(was *w, const double inner[6]) {
+/* dots: what has no length is seen, as a short line. BAT_SYNTAX: there are some. */
+static bat_status make_curves(was *w, const double inner[6], bool dots) {
     const bat_svg_options options = bat_svg_merging();
     const int count = w->outline.subpath_count;
     w->points = malloc(2 * w->outline.count * sizeof *w->points);
@@ -39,6 +40,7 @@ static bat_status make_curves(was *w, const double inner[6]) {
     for (int i = 0; i < count; i++) {
         const bat_svg_drawn what = bat_svg_subpath_curve(&w->outline, i, &options, w->markers, &w->curves[i]);
         if (what == BAT_SVG_NO_MEMORY) return BAT_MEMORY;
+        if (what == BAT_SVG_DOT && dots) return BAT_SYNTAX;
         if (what == BAT_SVG_CURVE) w->drawn[w->count++] = i;
     }
     return BAT_OK;
@@ -57,7 +59,7 @@ static bat_status recall(was *w, const bat_svg_retag *r, const bat_sourced *entr
     const bool good = bat_svg_path_segments(w->data, w->size, &w->outline, &w->segments);
     if (w->outline.failed || w->segments.failed) return BAT_MEMORY;
     if (!good || w->outline.full || w->outline.subpath_count == 0) return BAT_SYNTAX;
-    return make_curves(w, entry->inner);
+    return make_curves(w, entry->inner, entry->style.stroked && entry->style.cap != BAT_CAP_BUTT);
 }
 
 /* Whether the curve is what a reader made of the subpath, whatever it merged. */
