@@ -14,7 +14,7 @@
 #include <batten/relate.h>
 #include "support/random_curve.h"
 
-enum { ROUNDS = 600 };
+enum { ROUNDS = 800 };
 static const double CORNER = 0.02;
 
 /* Twice the area inside a closed curve, by 64 chords a span and Richardson's step. */
