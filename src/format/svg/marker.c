@@ -143,6 +143,7 @@ static void make(bat_svg_walk *w, uint32_t element, struct bat_svg_marker *out) 
 static const struct bat_svg_marker *marker_of(bat_svg_walk *w, uint32_t element) {
     if (!w->markers && !(w->markers = calloc(w->tree->count, sizeof *w->markers))) w->status = BAT_MEMORY;
     if (!w->markers) return NULL;
+    if (!w->markers[element] && w->depth == BAT_SVG_DEPTH) return NULL; /* no room for what is drawn in it */
     if (!w->markers[element]) {
         struct bat_svg_marker *made = malloc(sizeof *made);
         if (!made) {

@@ -313,6 +313,24 @@ static void what_cannot_be_shown_is_noted(void **state) {
     }
 }
 
+/* In groups as deep as a file may be. */
+static void markers_of_the_deepest(void **state) {
+    (void)state;
+    for (int groups = 252; groups <= 256; groups++) {
+        char text[8000] = HEAD "<marker id='m'><path d='M0 0H1V1Z'/></marker>";
+        bat_document *document = NULL;
+        bat_svg_report report;
+        for (int i = 0; i < groups; i++) strcat(text, "<g>");
+        strcat(text, "<path d='M0 0H9' marker-end='url(#m)'/>");
+        for (int i = 0; i < groups; i++) strcat(text, "</g>");
+        strcat(text, "</svg>");
+        const bat_status status = read_file(text, &document, &report);
+        assert_true((status == BAT_OK) == (groups <= 254));
+        if (status == BAT_OK) assert_int_equal(report.lost.count[BAT_LOSS_MARKER], groups >= 253);
+        bat_document_free(document);
+    }
+}
+
 #define PART                                                                                                 \
     "{\"object\":{\"id\":1,\"kind\":\"path\",\"curves\":[{\"degree\":1,\"knots\":[0,0,1,1],\"points\":[[0,"  \
     "0],[1,1]]}]}}"
@@ -395,7 +413,7 @@ int main(void) {
         cmocka_unit_test(tips_are_at_the_vertices),      cmocka_unit_test(nothing_is_lost_on_the_way),
         cmocka_unit_test(edits_keep_the_markers),        cmocka_unit_test(what_is_new_has_its_own),
         cmocka_unit_test(what_cannot_be_shown_is_noted), cmocka_unit_test(bad_native_markers_are_refused),
-        cmocka_unit_test(running_out_of_memory),
+        cmocka_unit_test(running_out_of_memory),         cmocka_unit_test(markers_of_the_deepest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
