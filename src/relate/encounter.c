@@ -169,23 +169,17 @@ static bat_status alone(bat_encounter *m, const bat_segment *s, int depth) {
     return status == BAT_OK ? pair(m, &left, &right, depth + 1) : status;
 }
 
-typedef struct strip {
-    double low, high;
-    const bat_segment *segment;
-} strip;
-
 static int by_low(const void *a, const void *b) {
-    const strip *x = a, *y = b;
+    const bat_strip *x = a, *y = b;
     return x->low != y->low ? (x->low < y->low ? -1 : 1)
                             : (x->segment > y->segment) - (x->segment < y->segment);
 }
 
-/* Segments by the least of their first coordinates. */
-static strip *strips_of(int count, const bat_segment *segments) {
-    strip *all = malloc((size_t)count * sizeof *all);
+bat_strip *bat_strips_of(int count, const bat_segment *segments) {
+    bat_strip *all = malloc((size_t)count * sizeof *all);
     for (int i = 0; all && i < count; i++) {
         const bat_segment *s = segments + i;
-        all[i] = (strip){s->b[0], s->b[0], s};
+        all[i] = (bat_strip){s->b[0], s->b[0], s};
         for (int k = 1; k <= s->degree; k++)
             all[i].low = fmin(all[i].low, s->b[k * s->size]),
             all[i].high = fmax(all[i].high, s->b[k * s->size]);
@@ -197,7 +191,7 @@ static strip *strips_of(int count, const bat_segment *segments) {
 bat_status bat_encounter_search(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
                                 const bat_segment *b) {
     const bool itself = m->a == m->b;
-    strip *own = strips_of(a_count, a), *others = strips_of(b_count, b);
+    bat_strip *own = bat_strips_of(a_count, a), *others = bat_strips_of(b_count, b);
     bat_status status = own && others ? BAT_OK : BAT_MEMORY;
     double widest = 0;
     for (int j = 0; j < b_count && status == BAT_OK; j++)

@@ -24,6 +24,15 @@ typedef struct bat_encounter {
     bat_overlap *overlaps;
 } bat_encounter;
 
+/* A segment between the least and the greatest of its first coordinates. */
+typedef struct bat_strip {
+    double low, high;
+    const bat_segment *segment;
+} bat_strip;
+
+/* All of them, ascending in low; the caller's (free). NULL: out of memory. */
+bat_strip *bat_strips_of(int count, const bat_segment *segments);
+
 /* Where the curves run together: fills m->overlaps. */
 bat_status bat_encounter_overlaps(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
                                   const bat_segment *b);

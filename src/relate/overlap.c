@@ -31,28 +31,93 @@ static bat_status put(places *to, double u, double v, bool a_ends) {
     return BAT_OK;
 }
 
-/* Notes where the ends of the spans of one curve lie on the other. */
-static bat_status ends_on(const bat_curve *other, int count, const bat_segment *own, double gap, bool turned,
+/* The spans of a curve, to be asked for places near a point. */
+typedef struct spread {
+    const bat_curve *curve;
+    double gap, widest, domain[2];
+    int count;
+    bat_strip *strips;
+} spread;
+
+static bat_status spread_out(const bat_curve *curve, int count, const bat_segment *all, double gap,
+                             spread *out) {
+    *out = (spread){.curve = curve, .gap = gap, .count = count, .strips = bat_strips_of(count, all)};
+    bat_curve_domain(curve, out->domain);
+    for (int i = 0; i < count && out->strips; i++)
+        out->widest = fmax(out->widest, out->strips[i].high - out->strips[i].low);
+    return out->strips ? BAT_OK : BAT_MEMORY;
+}
+
+/* The first strip that begins at x or behind it. */
+static int first_strip(const spread *on, double x) {
+    int low = 0, high = on->count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (on->strips[middle].low < x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Whether a point is within the gap of the hull's box. */
+static bool is_beside(const bat_segment *s, const double *point, double gap) {
+    for (int c = 0; c < s->size; c++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int k = 0; k <= s->degree; k++)
+            low = fmin(low, s->b[k * s->size + c]), high = fmax(high, s->b[k * s->size + c]);
+        if (point[c] < low - gap || point[c] > high + gap) return false;
+    }
+    return true;
+}
+
+/* Notes the places of a span that a point, at u of its own curve, is on. */
+static bat_status feet_on(const spread *on, const bat_segment *s, const double *point, double u, bool turned,
                           places *to) {
-    double domain[2];
-    bat_curve_domain(other, domain);
+    bat_near feet[FEET_MAX];
+    size_t found = 0;
+    double knots[2 * (BAT_DEGREE_MAX + 1)];
+    bat_curve *piece;
+    for (int k = 0; k < 2 * (s->degree + 1); k++) knots[k] = k > s->degree;
+    bat_status status = bat_curve_create(s->size, s->degree, false, (size_t)s->degree + 1, s->b,
+                                         2 * (s->degree + 1), knots, &piece);
+    if (status != BAT_OK) return status;
+    status = bat_curve_nearest_all(piece, point, on->gap, FEET_MAX, feet, &found);
+    bat_curve_free(piece);
+    for (size_t k = 0; k < found && k < FEET_MAX && status == BAT_OK; k++) {
+        double v = feet[k].u < 1 ? s->from + feet[k].u * (s->to - s->from) : s->to;
+        for (int again = 0; again < 2 && status == BAT_OK; again++) {
+            status = turned ? put(to, v, u, false) : put(to, u, v, true);
+            if (!bat_curve_is_closed(on->curve) || (v != on->domain[0] && v != on->domain[1])) break;
+            v = v == on->domain[0] ? on->domain[1] : on->domain[0]; /* the seam, from both sides */
+        }
+    }
+    return status;
+}
+
+/* Notes where the ends of the spans of one curve lie on the other. */
+static bat_status ends_on(const spread *on, int count, const bat_segment *own, bool turned, places *to) {
     bat_status status = BAT_OK;
     for (int i = 0; i <= count && status == BAT_OK; i++) {
         const bat_segment *s = own + (i < count ? i : count - 1);
-        const double u = i < count ? s->from : s->to;
-        bat_near feet[FEET_MAX];
-        size_t found = 0;
-        status = bat_curve_nearest_all(other, i < count ? s->b : s->b + s->degree * s->size, gap, FEET_MAX,
-                                       feet, &found);
-        for (size_t k = 0; k < found && k < FEET_MAX && status == BAT_OK; k++) {
-            double v = feet[k].u;
-            for (int again = 0; again < 2 && status == BAT_OK; again++) {
-                status = turned ? put(to, v, u, false) : put(to, u, v, true);
-                if (!bat_curve_is_closed(other) || (v != domain[0] && v != domain[1])) break;
-                v = v == domain[0] ? domain[1] : domain[0]; /* the seam, from both sides */
-            }
-        }
+        const double u = i < count ? s->from : s->to, *point = i < count ? s->b : s->b + s->degree * s->size;
+        for (int k = first_strip(on, point[0] - on->gap - on->widest);
+             k < on->count && on->strips[k].low <= point[0] + on->gap && status == BAT_OK; k++)
+            if (is_beside(on->strips[k].segment, point, on->gap))
+                status = feet_on(on, on->strips[k].segment, point, u, turned, to);
     }
+    return status;
+}
+
+static bat_status places_of_both(const bat_encounter *m, int a_count, const bat_segment *a, int b_count,
+                                 const bat_segment *b, places *at) {
+    spread on_a = {0}, on_b = {0};
+    bat_status status = spread_out(m->a, a_count, a, m->gap, &on_a);
+    if (status == BAT_OK) status = spread_out(m->b, b_count, b, m->gap, &on_b);
+    if (status == BAT_OK) status = ends_on(&on_b, a_count, a, false, at);
+    if (status == BAT_OK) status = ends_on(&on_a, b_count, b, true, at);
+    free(on_a.strips), free(on_b.strips);
     return status;
 }
 
@@ -80,8 +145,11 @@ static bat_status put_folds(const bat_segment *s, double gap, int depth, places 
 /* Each overlap once, with u before v. What is one place of the curve is an end of an overlap where the curve turns back, as it
  * may at every end of a span. */
 static bat_status places_of_own(const bat_encounter *m, int count, const bat_segment *all, places *at) {
-    bat_status status = ends_on(m->a, count, all, m->gap, false, at);
-    if (status == BAT_OK) status = ends_on(m->a, count, all, m->gap, true, at);
+    spread on;
+    bat_status status = spread_out(m->a, count, all, m->gap, &on);
+    if (status == BAT_OK) status = ends_on(&on, count, all, false, at);
+    if (status == BAT_OK) status = ends_on(&on, count, all, true, at);
+    free(on.strips);
     size_t kept = 0;
     for (size_t i = 0; i < at->count; i++)
         if (at->all[i].u < at->all[i].v && !bat_encounter_at(m->a, at->all[i].u, at->all[i].v, m->gap))
@@ -182,8 +250,7 @@ bat_status bat_encounter_overlaps(bat_encounter *m, int a_count, const bat_segme
     places at = {0};
     const bool itself = m->a == m->b;
     bat_status status = itself ? places_of_own(m, a_count, a, &at)
-                               : ends_on(m->b, a_count, a, m->gap, false, &at);
-    if (status == BAT_OK && !itself) status = ends_on(m->a, b_count, b, m->gap, true, &at);
+                               : places_of_both(m, a_count, a, b_count, b, &at);
     if (status == BAT_OK && at.count) {
         qsort(at.all, at.count, sizeof *at.all, by_u); /* no ties but of equals */
         unite(m, &at);
