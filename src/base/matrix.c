@@ -42,3 +42,8 @@ void bat_matrix_rows(const double m[6], int dimension, double out[12]) {
 }
 
 double bat_matrix_area(const double m[6]) { return fabs(m[0] * m[3] - m[1] * m[2]); }
+
+bool bat_matrix_is_regular(const double m[4]) {
+    const double area = m[0] * m[3] - m[1] * m[2];
+    return area != 0 && isfinite(1 / area);
+}

@@ -2,6 +2,8 @@
 #ifndef BATTEN_BASE_MATRIX_H
 #define BATTEN_BASE_MATRIX_H
 
+#include <stdbool.h>
+
 void bat_matrix_identity(double m[6]);
 /* out(p) = first(second(p)). out must be neither of the two. */
 void bat_matrix_compose(const double first[6], const double second[6], double out[restrict 6]);
@@ -14,5 +16,7 @@ void bat_matrix_rotation(double radians, const double about[2], double out[6]);
 void bat_matrix_rows(const double m[6], int dimension, double out[12]);
 /* The factor by which the matrix scales areas, without sign. */
 double bat_matrix_area(const double m[6]);
+/* Whether {a, b, c, d} can be inverted. */
+bool bat_matrix_is_regular(const double m[4]);
 
 #endif

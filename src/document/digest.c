@@ -12,8 +12,16 @@ uint64_t bat_digest_bytes(uint64_t digest, const void *bytes, size_t size) {
 }
 
 uint64_t bat_digest_number(uint64_t digest, uint64_t number) {
-    for (int i = 0; i < 8; i++) digest = (digest ^ (number >> (8 * i) & 0xff)) * 0x100000001b3u;
-    return digest;
+    const uint64_t prime = 0x100000001b3u;
+    digest = (digest ^ (number & 0xff)) *
+             prime; /* byte by byte, without a loop: it is called for every number */
+    digest = (digest ^ (number >> 8 & 0xff)) * prime;
+    digest = (digest ^ (number >> 16 & 0xff)) * prime;
+    digest = (digest ^ (number >> 24 & 0xff)) * prime;
+    digest = (digest ^ (number >> 32 & 0xff)) * prime;
+    digest = (digest ^ (number >> 40 & 0xff)) * prime;
+    digest = (digest ^ (number >> 48 & 0xff)) * prime;
+    return (digest ^ number >> 56) * prime;
 }
 
 uint64_t bat_digest_double(uint64_t digest, double number) {

@@ -1,5 +1,7 @@
 #include "document/markers.h"
 
+#include "base/matrix.h"
+#include "curve/curve.h"
 #include "document/clip.h"
 #include "document/digest.h"
 #include "document/kind.h"
@@ -22,17 +24,6 @@ struct bat_markers {
     bat_marked marked;
 };
 
-static bool are_finite(const double *numbers, int count) {
-    for (int i = 0; i < count; i++)
-        if (!(fabs(numbers[i]) <= BAT_COORDINATE_MAX)) return false;
-    return true;
-}
-
-static bool maps(const double m[4]) {
-    const double area = m[0] * m[3] - m[1] * m[2];
-    return area != 0 && isfinite(1 / area);
-}
-
 static bool is_part(const bat_marker_part *part) {
     const bat_object *object = part->object;
     if ((unsigned)part->fill >= BAT_INKS || (unsigned)part->stroke >= BAT_INKS) return false;
@@ -44,8 +35,11 @@ static bat_status check(const bat_marking *m) {
     if ((unsigned)m->turn > BAT_MARKER_REVERSED || m->count < 0 || (m->count > 0 && !m->parts))
         return BAT_ARGUMENT;
     if (m->count > BAT_MARKER_PARTS_MAX) return BAT_COUNT;
-    if (!are_finite(&m->angle, 1) || !are_finite(m->matrix, 6) || !maps(m->matrix)) return BAT_NUMBER;
-    if (m->clipped && (!are_finite(m->clip, 4) || m->clip[2] < 0 || m->clip[3] < 0)) return BAT_NUMBER;
+    if (!bat_are_coordinates(&m->angle, 1) || !bat_are_coordinates(m->matrix, 6) ||
+        !bat_matrix_is_regular(m->matrix))
+        return BAT_NUMBER;
+    if (m->clipped && (!bat_are_coordinates(m->clip, 4) || m->clip[2] < 0 || m->clip[3] < 0))
+        return BAT_NUMBER;
     for (int i = 0; i < m->count; i++)
         if (!is_part(&m->parts[i])) return BAT_ARGUMENT;
     return BAT_OK;
@@ -118,7 +112,7 @@ bat_status bat_markers_create(const bat_marked *marked, bat_markers **out) {
     bool any = false;
     for (int k = 0; k < BAT_MARKER_PLACES; k++) any = any || marked->markers[k];
     if (!any || (unsigned)marked->order >= BAT_MARKER_ORDERS) return BAT_ARGUMENT;
-    if (!are_finite(marked->frame, 4) || !maps(marked->frame)) return BAT_NUMBER;
+    if (!bat_are_coordinates(marked->frame, 4) || !bat_matrix_is_regular(marked->frame)) return BAT_NUMBER;
     bat_markers *made = malloc(sizeof *made);
     if (!made) return BAT_MEMORY;
     *made = (bat_markers){.head = {.users = BAT_USERS_ONE, .end = end}, .marked = *marked};

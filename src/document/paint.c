@@ -2,6 +2,7 @@
 
 #include "base/matrix.h"
 #include "base/users.h"
+#include "curve/curve.h"
 #include "document/digest.h"
 
 #include <math.h>
@@ -14,22 +15,12 @@ struct bat_painted {
     bat_paint paint; /* what it points to follows in the same block */
 };
 
-static bool are_finite(const double *numbers, int count) {
-    for (int i = 0; i < count; i++)
-        if (!(fabs(numbers[i]) <= BAT_COORDINATE_MAX)) return false;
-    return true;
-}
-
-static bool maps(const double m[4]) {
-    const double area = m[0] * m[3] - m[1] * m[2];
-    return area != 0 && isfinite(1 / area);
-}
-
 static bat_status check_gradient(const bat_gradient *g) {
     if (g->count == 0) return BAT_OK;
     if (g->count < 2 || g->count > BAT_STOPS_MAX) return BAT_COUNT;
     if (!g->stops || (unsigned)g->spread > BAT_SPREAD_REPEAT) return BAT_ARGUMENT;
-    if (!are_finite(g->from, 3) || !are_finite(g->to, 3) || !are_finite(g->matrix, 6) || !maps(g->matrix))
+    if (!bat_are_coordinates(g->from, 3) || !bat_are_coordinates(g->to, 3) ||
+        !bat_are_coordinates(g->matrix, 6) || !bat_matrix_is_regular(g->matrix))
         return BAT_NUMBER;
     if (g->radial ? g->from[2] < 0 || !(g->to[2] > 0) : g->from[2] != 0 || g->to[2] != 0) return BAT_NUMBER;
     if (!g->radial && g->from[0] == g->to[0] && g->from[1] == g->to[1]) return BAT_NUMBER;
@@ -50,11 +41,13 @@ static bat_status check(const bat_paint *paint) {
     if (status != BAT_OK) return status;
     if (paint->width_count) status = bat_width_check(&(bat_width_profile){paint->width_count, paint->widths});
     if (status != BAT_OK) return status;
-    if (!are_finite(paint->pen, 4) || (!is_round(paint->pen) && !maps(paint->pen))) return BAT_NUMBER;
+    if (!bat_are_coordinates(paint->pen, 4) || (!is_round(paint->pen) && !bat_matrix_is_regular(paint->pen)))
+        return BAT_NUMBER;
     if (paint->dash_count == 0) return BAT_OK;
     if (paint->dash_count > BAT_DASHES_MAX) return BAT_COUNT;
     if (!paint->dashes) return BAT_ARGUMENT;
-    if (!are_finite(paint->dashes, (int)paint->dash_count) || !are_finite(&paint->dash_offset, 1))
+    if (!bat_are_coordinates(paint->dashes, paint->dash_count) ||
+        !bat_are_coordinates(&paint->dash_offset, 1))
         return BAT_NUMBER;
     double sum = 0;
     for (size_t i = 0; i < paint->dash_count; i++) {

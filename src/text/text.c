@@ -35,6 +35,15 @@ void bat_text_number(bat_text *text, double number) {
     bat_text_add(text, out, (size_t)bat_number_print(number, out));
 }
 
+void bat_text_numbers(bat_text *text, const char *before, const double *numbers, int count) {
+    bat_text_string(text, before);
+    for (int i = 0; i < count; i++) {
+        bat_text_string(text, i > 0 ? "," : "[");
+        bat_text_number(text, numbers[i]);
+    }
+    bat_text_string(text, "]");
+}
+
 void bat_text_integer(bat_text *text, uint64_t number) {
     char digits[20];
     size_t at = sizeof digits;

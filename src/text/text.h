@@ -13,6 +13,8 @@ typedef struct bat_text {
 void bat_text_add(bat_text *text, const char *bytes, size_t size);
 void bat_text_string(bat_text *text, const char *string);
 void bat_text_number(bat_text *text, double number);
+/* What stands before it, and count (> 0) numbers as a list of JSON. */
+void bat_text_numbers(bat_text *text, const char *before, const double *numbers, int count);
 void bat_text_integer(bat_text *text, uint64_t number);
 /* Adds the string in quotes, escaped for JSON; also escapes U+FFFE and U+FFFF, which XML cannot hold. string:
  * UTF-8. */

@@ -117,15 +117,6 @@ bat_status bat_paint_from_json(const bat_fields *f, uint32_t node, bat_object **
     return BAT_OK;
 }
 
-static void write_numbers(bat_text *text, const char *member, const double *numbers, int count) {
-    bat_text_string(text, member);
-    for (int i = 0; i < count; i++) {
-        bat_text_string(text, i > 0 ? "," : "[");
-        bat_text_number(text, numbers[i]);
-    }
-    bat_text_string(text, "]");
-}
-
 static void write_gradient(bat_text *text, const char *member, const bat_gradient *g) {
     const int numbers = g->radial ? 3 : 2;
     bat_text_string(text, member);
@@ -135,9 +126,9 @@ static void write_gradient(bat_text *text, const char *member, const bat_gradien
         bat_text_string(text, spread_words[g->spread]);
         bat_text_string(text, "\",");
     }
-    write_numbers(text, "\"from\":", g->from, numbers);
-    write_numbers(text, ",\"to\":", g->to, numbers);
-    write_numbers(text, ",\"matrix\":", g->matrix, 6);
+    bat_text_numbers(text, "\"from\":", g->from, numbers);
+    bat_text_numbers(text, ",\"to\":", g->to, numbers);
+    bat_text_numbers(text, ",\"matrix\":", g->matrix, 6);
     bat_text_string(text, ",\"stops\":");
     for (size_t i = 0; i < g->count; i++) {
         bat_text_string(text, i > 0 ? ",[" : "[[");
@@ -162,14 +153,14 @@ void bat_paint_to_json(const bat_paint *paint, bat_text *text) {
     }
     if (paint->dash_count) {
         bat_text_string(text, comma);
-        write_numbers(text, "\"dashes\":", paint->dashes, (int)paint->dash_count);
+        bat_text_numbers(text, "\"dashes\":", paint->dashes, (int)paint->dash_count);
         bat_text_string(text, ",\"dash_offset\":");
         bat_text_number(text, paint->dash_offset);
         comma = ",";
     }
     if (paint->pen[0] != 0 || paint->pen[1] != 0 || paint->pen[2] != 0 || paint->pen[3] != 0) {
         bat_text_string(text, comma);
-        write_numbers(text, "\"pen\":", paint->pen, 4);
+        bat_text_numbers(text, "\"pen\":", paint->pen, 4);
         comma = ",";
     }
     if (paint->stroke_first) {

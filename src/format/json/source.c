@@ -119,15 +119,6 @@ static void write_digest(bat_text *text, const char *member, uint64_t digest) {
     bat_text_string(text, "\"");
 }
 
-static void write_numbers(bat_text *text, const char *member, const double *numbers, int count) {
-    bat_text_string(text, member);
-    for (int i = 0; i < count; i++) {
-        bat_text_string(text, i > 0 ? "," : "[");
-        bat_text_number(text, numbers[i]);
-    }
-    bat_text_string(text, "]");
-}
-
 static bool is_equal(const double *a, const double *b) {
     for (int i = 0; i < 6; i++)
         if (a[i] != b[i]) return false;
@@ -160,8 +151,8 @@ static void write_entry(const bat_sourced *entry, bat_text *text) {
     bat_text_integer(text, entry->element);
     if (entry->copied) bat_text_string(text, ",\"copied\":true");
     if (entry->part) bat_text_string(text, ",\"part\":true");
-    if (!is_equal(entry->outer, SAME)) write_numbers(text, ",\"outer\":", entry->outer, 6);
-    if (!is_equal(entry->inner, entry->outer)) write_numbers(text, ",\"inner\":", entry->inner, 6);
+    if (!is_equal(entry->outer, SAME)) bat_text_numbers(text, ",\"outer\":", entry->outer, 6);
+    if (!is_equal(entry->inner, entry->outer)) bat_text_numbers(text, ",\"inner\":", entry->inner, 6);
     if (entry->opacity != 1) {
         bat_text_string(text, ",\"opacity\":");
         bat_text_number(text, entry->opacity);
@@ -189,7 +180,7 @@ void bat_source_to_json(const bat_source *source, bat_text *text) {
     size_t size;
     bat_text_string(text, "{\"text\":");
     bat_text_json_string(text, bat_source_text(source, &size));
-    write_numbers(text, ",\n\"page\":", bat_source_page(source), 4);
+    bat_text_numbers(text, ",\n\"page\":", bat_source_page(source), 4);
     write_digest(text, ",\"digest\":\"", bat_source_digest(source));
     bat_text_string(text, ",\n\"elements\":[");
     for (int i = 0; i < bat_source_count(source); i++) {

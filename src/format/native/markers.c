@@ -111,15 +111,6 @@ bat_status bat_markers_from_json(const bat_fields *f, uint32_t node, reader *rea
 
 /* ---- writing ---- */
 
-static void write_numbers(bat_text *text, const char *member, const double *numbers, int count) {
-    bat_text_string(text, member);
-    for (int i = 0; i < count; i++) {
-        bat_text_string(text, i > 0 ? "," : "[");
-        bat_text_number(text, numbers[i]);
-    }
-    bat_text_string(text, "]");
-}
-
 static void write_word(bat_text *text, const char *member, const char *const words[3], int word) {
     if (word == 0) return;
     bat_text_string(text, member);
@@ -130,14 +121,14 @@ static void write_word(bat_text *text, const char *member, const char *const wor
 typedef void writer(const bat_object *object, bat_text *text);
 
 static void write_marker(bat_text *text, const bat_marking *m, writer *write) {
-    write_numbers(text, "{\"matrix\":", m->matrix, 6);
+    bat_text_numbers(text, "{\"matrix\":", m->matrix, 6);
     write_word(text, ",\"turn\":\"", turns, (int)m->turn);
     if (m->angle != 0) {
         bat_text_string(text, ",\"angle\":");
         bat_text_number(text, m->angle);
     }
     if (m->by_width) bat_text_string(text, ",\"by_width\":true");
-    if (m->clipped) write_numbers(text, ",\"clip\":", m->clip, 4);
+    if (m->clipped) bat_text_numbers(text, ",\"clip\":", m->clip, 4);
     bat_text_string(text, ",\"parts\":[");
     for (int i = 0; i < m->count; i++) {
         bat_text_string(text, i > 0 ? ",\n   {\"object\":" : "\n   {\"object\":");
@@ -151,7 +142,7 @@ static void write_marker(bat_text *text, const bat_marking *m, writer *write) {
 
 void bat_markers_to_json(const bat_markers *markers, writer *write, bat_text *text) {
     const bat_marked *m = bat_markers_marked(markers);
-    write_numbers(text, ",\n  \"markers\":{\"frame\":", m->frame, 4);
+    bat_text_numbers(text, ",\n  \"markers\":{\"frame\":", m->frame, 4);
     write_word(text, ",\"order\":\"", orders, (int)m->order);
     for (int k = 0; k < BAT_MARKER_PLACES; k++) {
         int same = 0;

@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Where the parts of all markers of an object are written. */
 typedef struct writing {
@@ -108,7 +109,7 @@ bat_status bat_svg_write_markers(bat_text *text, const bat_object *object, const
             status = write_marker(&w, bat_marker_marking(m->markers[k]), ids->markers[k]);
             digests[k] = w.digest;
         } else if (m->markers[k]) {
-            snprintf(ids->markers[k], BAT_SVG_ID, "%s", ids->markers[same]);
+            memcpy(ids->markers[k], ids->markers[same], sizeof ids->markers[k]);
             digests[k] = digests[same];
         }
         *digest = bat_digest_number(*digest, digests[k]);
