@@ -146,7 +146,6 @@ typedef struct parallel {
     bat_curve *curve;
     size_t count;
     int spans;
-    double error;
 } parallel;
 
 static void *begin_parallel(int variant) {
@@ -156,13 +155,17 @@ static void *begin_parallel(int variant) {
     return p->curve ? p : NULL;
 }
 
+static void take(parallel *p, bat_curve **made) {
+    p->spans = 0;
+    for (size_t i = 0; i < p->count; i++) p->spans += bat_curve_segment_count(made[i]);
+    bat_curves_free(p->count, made);
+}
+
 static void offset_by(parallel *p, double distance) {
     bat_curve **out;
     if (bat_curve_offset(p->curve, distance, BENCH_OFFSET_TOLERANCE, 0.02, &p->count, &out, NULL) != BAT_OK)
         abort();
-    p->spans = 0;
-    for (size_t i = 0; i < p->count; i++) p->spans += bat_curve_segment_count(out[i]);
-    bat_curves_free(p->count, out);
+    take(p, out);
 }
 
 static void run_offset(void *context) { offset_by(context, BENCH_OFFSET); }
@@ -174,9 +177,7 @@ static void run_outline(void *context) {
     bat_curve **out;
     if (bat_curve_outline(p->curve, &nib, BENCH_OFFSET_TOLERANCE, 0.02, &p->count, &out, NULL) != BAT_OK)
         abort();
-    p->spans = 0;
-    for (size_t i = 0; i < p->count; i++) p->spans += bat_curve_segment_count(out[i]);
-    bat_curves_free(p->count, out);
+    take(p, out);
 }
 
 static void note_parallel(void *context, char *out, int room) {

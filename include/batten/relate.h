@@ -93,8 +93,9 @@ BAT_API bat_status bat_curve_arcs(const bat_curve *curve, double tolerance, doub
  * The parallels of a planar curve at a distance in document units, above 0 to the left of its direction (where y points
  * up): cubics by least squares (Levien 2022), within tolerance (> 0), smooth where the curve is. Corners (tangents that
  * turn by more than `corner` radians) that open are rounded; what would be nearer to the curve than the distance, as the
- * loops at tight bends, is cut off, and so is what is no larger than four tolerances. So there may be several curves, or none: *count of them, in order along the curve,
- * in an array that the caller frees (bat_curves_free). *max_error (may be NULL): how far points of the result are from
+ * loops at tight bends, is cut off; pieces are left out that get no further than four tolerances from where they start. So
+ * there may be several curves, or none: *count of them, in order along the curve, in an array that the caller frees
+ * (bat_curves_free). *max_error (may be NULL): how far points of the result are from
  * being at the distance, measured at 16 places a span. Distance 0: a copy. BAT_DIMENSION: a space curve; BAT_NUMBER: a
  * distance that is not finite or too large; BAT_COUNT: more than 2^18 cubics; BAT_TOLERANCE: a tolerance below 1e-12 of
  * the greatest coordinate and the distance, which rounding hides. docs/math/relate.md 5.

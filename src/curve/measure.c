@@ -146,13 +146,6 @@ double bat_curve_curvature(const bat_curve *curve, double u) {
 }
 
 size_t bat_curve_inflections(const bat_curve *curve, size_t room, double *u) {
-    static const double binomial[7][7] = {{1},
-                                          {1, 1},
-                                          {1, 2, 1},
-                                          {1, 3, 3, 1},
-                                          {1, 4, 6, 4, 1},
-                                          {1, 5, 10, 10, 5, 1},
-                                          {1, 6, 15, 20, 15, 6, 1}};
     const int p = curve->degree;
     if (curve->dimension != 2 || p < 2) return 0;
     size_t count = 0;
@@ -160,24 +153,18 @@ size_t bat_curve_inflections(const bat_curve *curve, size_t room, double *u) {
     for (int i = p; i < curve->spread; i++) {
         const double t0 = curve->knots[i], t1 = curve->knots[i + 1];
         if (!(t1 > t0)) continue;
-        /* C' x C'' in Bernstein form, degree 2p - 3, without its binomial divisors: the signs are the same...
-         */
-        double b[ORDERS * 2], cross[2 * ORDERS] = {0}, weight[2 * ORDERS] = {0}, x[2 * ORDERS];
+        double b[ORDERS * 2], cross[2 * ORDERS], x[2 * ORDERS];
         double first = 0, second = 0, size = 0;
         bat_lsq_bezier(curve, i, b);
-        for (int j = 0; j <= p; j++) size = fmax(size, fabs(b[2 * j]) + fabs(b[2 * j + 1]));
-        for (int j = 0; j < p; j++) {
-            const double dx = b[2 * j + 2] - b[2 * j], dy = b[2 * j + 3] - b[2 * j + 1];
-            first = fmax(first, fabs(dx) + fabs(dy));
-            for (int k = 0; k + 2 <= p; k++) {
-                const double ex = b[2 * k + 4] - 2 * b[2 * k + 2] + b[2 * k];
-                const double ey = b[2 * k + 5] - 2 * b[2 * k + 3] + b[2 * k + 1];
-                const double w = binomial[p - 1][j] * binomial[p - 2][k];
-                second = fmax(second, fabs(ex) + fabs(ey));
-                cross[j + k] += w * (dx * ey - dy * ex), weight[j + k] += w;
-            }
+        for (int j = 0; j <= p; j++) {
+            size = fmax(size, fabs(b[2 * j]) + fabs(b[2 * j + 1]));
+            if (j + 1 <= p)
+                first = fmax(first, fabs(b[2 * j + 2] - b[2 * j]) + fabs(b[2 * j + 3] - b[2 * j + 1]));
+            if (j + 2 <= p)
+                second = fmax(second, fabs(b[2 * j + 4] - 2 * b[2 * j + 2] + b[2 * j]) +
+                                          fabs(b[2 * j + 5] - 2 * b[2 * j + 3] + b[2 * j + 1]));
         }
-        for (int k = 0; k <= 2 * p - 3; k++) cross[k] /= weight[k]; /* ... but not the places */
+        bat_bernstein_turning(p, b, cross);
         const double zero = 32 * DBL_EPSILON * (first * second + size * (first + second));
         const int found = bat_bernstein_crossings(2 * p - 3, cross, zero, &signs, x);
         for (int k = 0; k < found; k++, count++)

@@ -89,3 +89,26 @@ int bat_bernstein_crossings(int degree, const double *coefficients, double zero,
     }
     return found;
 }
+
+void bat_bernstein_turning(int p, const double *points, double *out) {
+    static const double binomial[7][7] = {{1},
+                                          {1, 1},
+                                          {1, 2, 1},
+                                          {1, 3, 3, 1},
+                                          {1, 4, 6, 4, 1},
+                                          {1, 5, 10, 10, 5, 1},
+                                          {1, 6, 15, 20, 15, 6, 1}};
+    const double *b = points;
+    double weight[BAT_BERNSTEIN_MAX] = {0};
+    for (int k = 0; k <= 2 * p - 3; k++) out[k] = 0;
+    for (int j = 0; j < p; j++) {
+        const double dx = b[2 * j + 2] - b[2 * j], dy = b[2 * j + 3] - b[2 * j + 1];
+        for (int k = 0; k + 2 <= p; k++) {
+            const double ex = b[2 * k + 4] - 2 * b[2 * k + 2] + b[2 * k];
+            const double ey = b[2 * k + 5] - 2 * b[2 * k + 3] + b[2 * k + 1];
+            const double w = binomial[p - 1][j] * binomial[p - 2][k];
+            out[j + k] += w * (dx * ey - dy * ex), weight[j + k] += w;
+        }
+    }
+    for (int k = 0; k <= 2 * p - 3; k++) out[k] /= weight[k];
+}

@@ -19,4 +19,7 @@ typedef struct bat_signs {
  */
 int bat_bernstein_crossings(int degree, const double *coefficients, double zero, bat_signs *signs, double *x);
 
+/* C' x C'' of a planar Bézier curve of degree p >= 2, over p p (p - 1), in Bernstein form: out[0..2 p - 3]. points: p + 1. */
+void bat_bernstein_turning(int p, const double *points, double *out);
+
 #endif

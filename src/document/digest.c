@@ -12,9 +12,8 @@ uint64_t bat_digest_bytes(uint64_t digest, const void *bytes, size_t size) {
 }
 
 uint64_t bat_digest_number(uint64_t digest, uint64_t number) {
-    const uint64_t prime = 0x100000001b3u;
-    digest = (digest ^ (number & 0xff)) *
-             prime; /* byte by byte, without a loop: it is called for every number */
+    const uint64_t prime = 0x100000001b3u; /* byte by byte, without a loop: it is called for every number */
+    digest = (digest ^ (number & 0xff)) * prime;
     digest = (digest ^ (number >> 8 & 0xff)) * prime;
     digest = (digest ^ (number >> 16 & 0xff)) * prime;
     digest = (digest ^ (number >> 24 & 0xff)) * prime;

@@ -5,6 +5,7 @@
 
 #include "base/real.h"
 #include "curve/curve.h"
+#include "curve/roots.h"
 #include "relate/segment.h"
 
 #include <math.h>
@@ -52,46 +53,34 @@ static double angle(const double *a, const double *b) {
     return bat_atan2(cross(a, b), a[0] * b[0] + a[1] * b[1]);
 }
 
-static double choose(int n, int k) {
-    double c = 1;
-    for (int i = 1; i <= k; i++) c = c * (n - k + i) / i;
-    return c;
-}
-
-/* C' x C'' of a segment as a Bézier function: its least and greatest coefficient. d: the steps between control points. */
-static void bending(double d[][2], int p, double out[2]) {
+/* The least and the greatest coefficient of C' x C''. */
+static void bending(const bat_segment *s, double out[2]) {
+    double turning[2 * BAT_DEGREE_MAX];
     out[0] = INFINITY, out[1] = -INFINITY;
-    for (int m = 0; m <= 2 * p - 3; m++) {
-        double sum = 0, weights = 0;
-        for (int i = m > p - 2 ? m - p + 2 : 0; i <= m && i < p; i++) {
-            const int j = m - i;
-            const double weight = choose(p - 1, i) * choose(p - 2, j);
-            const double second[2] = {d[j + 1][0] - d[j][0], d[j + 1][1] - d[j][1]};
-            sum += weight * cross(d[i], second), weights += weight;
-        }
-        out[0] = fmin(out[0], sum / weights), out[1] = fmax(out[1], sum / weights);
-    }
+    bat_bernstein_turning(s->degree, s->b, turning);
+    for (int k = 0; k <= 2 * s->degree - 3; k++)
+        out[0] = fmin(out[0], turning[k]), out[1] = fmax(out[1], turning[k]);
 }
 
 /* A segment as a stretch; whether it need not be halved. */
 static bool measure(const bat_clearance *c, const bat_segment *s, stretch *out) {
     const int p = s->degree;
-    double d[BAT_DEGREE_MAX][2], cone, least = INFINITY, most = 0, bends[2] = {0, 0};
+    double cone, least = INFINITY, most = 0, bends[2] = {0, 0};
     *out = (stretch){.is = *s};
     bat_segment_cone(s, out->axis, &cone);
     out->bulge = bat_segment_bulge(s);
     for (int k = 0; k < p; k++) {
-        for (int e = 0; e < 2; e++) d[k][e] = s->b[2 * k + 2 + e] - s->b[2 * k + e];
-        const double length = bat_hypot(d[k][0], d[k][1]);
-        least = fmin(least, d[k][0] * out->axis[0] + d[k][1] * out->axis[1]), most = fmax(most, length);
+        const double *b = s->b + 2 * k, d[2] = {b[2] - b[0], b[3] - b[1]};
+        const double length = bat_hypot(d[0], d[1]);
+        least = fmin(least, d[0] * out->axis[0] + d[1] * out->axis[1]), most = fmax(most, length);
         if (!(length > 0)) continue;
-        if (out->ends[0][0] == 0 && out->ends[0][1] == 0) memcpy(out->ends[0], d[k], sizeof d[k]);
-        memcpy(out->ends[1], d[k], sizeof d[k]);
-        out->turn = angle(out->ends[0], d[k]);
+        if (out->ends[0][0] == 0 && out->ends[0][1] == 0) memcpy(out->ends[0], d, sizeof d);
+        memcpy(out->ends[1], d, sizeof d);
+        out->turn = angle(out->ends[0], d);
         out->low = fmin(out->low, out->turn), out->high = fmax(out->high, out->turn);
     }
     out->bend[LEFT] = out->bend[RIGHT] = INFINITY;
-    if (p > 1) bending(d, p, bends);
+    if (p > 1) bending(s, bends);
     if (least > 0 || p == 1) {
         const double share = p > 1 ? (p - 1) / (p * least * least * least) : 0;
         out->bend[LEFT] = fmax(bends[1], 0) * share, out->bend[RIGHT] = fmax(-bends[0], 0) * share;

@@ -175,38 +175,49 @@ static int by_low(const void *a, const void *b) {
                             : (x->segment > y->segment) - (x->segment < y->segment);
 }
 
-bat_strip *bat_strips_of(int count, const bat_segment *segments) {
-    bat_strip *all = malloc((size_t)count * sizeof *all);
-    for (int i = 0; all && i < count; i++) {
-        const bat_segment *s = segments + i;
-        all[i] = (bat_strip){s->b[0], s->b[0], s};
-        for (int k = 1; k <= s->degree; k++)
-            all[i].low = fmin(all[i].low, s->b[k * s->size]),
-            all[i].high = fmax(all[i].high, s->b[k * s->size]);
+bat_status bat_encounter_side_of(const bat_curve *curve, bat_encounter_side *out) {
+    *out = (bat_encounter_side){0};
+    const bat_status status = bat_segments_of(curve, &out->count, &out->all);
+    if (status != BAT_OK) return status;
+    out->strips = malloc((size_t)out->count * sizeof *out->strips);
+    if (!out->strips) {
+        bat_encounter_side_free(out);
+        return BAT_MEMORY;
     }
-    if (all) qsort(all, (size_t)count, sizeof *all, by_low); /* no ties: the segments are in one array */
-    return all;
+    for (int i = 0; i < out->count; i++) {
+        const bat_segment *s = out->all + i;
+        bat_strip *strip = out->strips + i;
+        *strip = (bat_strip){s->b[0], s->b[0], s};
+        for (int k = 1; k <= s->degree; k++)
+            strip->low = fmin(strip->low, s->b[k * s->size]),
+            strip->high = fmax(strip->high, s->b[k * s->size]);
+        out->widest = fmax(out->widest, strip->high - strip->low);
+    }
+    const size_t count = (size_t)out->count;
+    qsort(out->strips, count, sizeof *out->strips, by_low); /* no ties: the segments are in one array */
+    return BAT_OK;
 }
 
-bat_status bat_encounter_search(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
-                                const bat_segment *b) {
+void bat_encounter_side_free(bat_encounter_side *spans) {
+    free(spans->all), free(spans->strips);
+    *spans = (bat_encounter_side){0};
+}
+
+bat_status bat_encounter_search(bat_encounter *m, const bat_encounter_side *a, const bat_encounter_side *b) {
     const bool itself = m->a == m->b;
-    bat_strip *own = bat_strips_of(a_count, a), *others = bat_strips_of(b_count, b);
-    bat_status status = own && others ? BAT_OK : BAT_MEMORY;
-    double widest = 0;
-    for (int j = 0; j < b_count && status == BAT_OK; j++)
-        widest = fmax(widest, others[j].high - others[j].low);
+    const bat_strip *others = b->strips;
+    bat_status status = BAT_OK;
     int first = 0;
-    for (int i = 0; i < a_count && status == BAT_OK; i++) {
-        const double low = own[i].low - m->gap, high = own[i].high + m->gap;
-        while (first < b_count && others[first].low + widest < low) first++;
-        for (int j = first; j < b_count && others[j].low <= high && status == BAT_OK; j++) {
-            if (others[j].high < low || (itself && others[j].segment <= own[i].segment)) continue;
-            status = pair(m, own[i].segment, others[j].segment, 0);
+    for (int i = 0; i < a->count && status == BAT_OK; i++) {
+        const bat_strip *own = a->strips + i;
+        const double low = own->low - m->gap, high = own->high + m->gap;
+        while (first < b->count && others[first].low + b->widest < low) first++;
+        for (int j = first; j < b->count && others[j].low <= high && status == BAT_OK; j++) {
+            if (others[j].high < low || (itself && others[j].segment <= own->segment)) continue;
+            status = pair(m, own->segment, others[j].segment, 0);
         }
-        if (itself && status == BAT_OK) status = alone(m, own[i].segment, 0);
+        if (itself && status == BAT_OK) status = alone(m, own->segment, 0);
     }
-    free(own), free(others);
     return status;
 }
 

@@ -30,15 +30,21 @@ typedef struct bat_strip {
     const bat_segment *segment;
 } bat_strip;
 
-/* All of them, ascending in low; the caller's (free). NULL: out of memory. */
-bat_strip *bat_strips_of(int count, const bat_segment *segments);
+/* The spans of a curve: in order, and ascending in low. */
+typedef struct bat_encounter_side {
+    int count;
+    bat_segment *all;
+    bat_strip *strips;
+    double widest; /* strip */
+} bat_encounter_side;
+
+bat_status bat_encounter_side_of(const bat_curve *curve, bat_encounter_side *out);
+void bat_encounter_side_free(bat_encounter_side *spans); /* an empty one is fine */
 
 /* Where the curves run together: fills m->overlaps. */
-bat_status bat_encounter_overlaps(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
-                                  const bat_segment *b);
+bat_status bat_encounter_overlaps(bat_encounter *m, const bat_encounter_side *a, const bat_encounter_side *b);
 /* Fills m->candidates. */
-bat_status bat_encounter_search(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
-                                const bat_segment *b);
+bat_status bat_encounter_search(bat_encounter *m, const bat_encounter_side *a, const bat_encounter_side *b);
 /* One crossing for candidates that are the same place, none within overlaps. */
 bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out);
 /* Whether two parameters are one place of the curve, give or take what is nothing on it. */

@@ -14,16 +14,16 @@ enum { PAIRS_MAX = 2 * 1000 * 1000 };
 static double hidden(const bat_curve *curve) { return 64 * DBL_EPSILON * bat_segments_reach_of(curve); }
 
 static bat_status meet(bat_encounter *m, bat_meeting *out) {
-    bat_segment *own = NULL, *others = NULL;
-    int a_count = 0, b_count = 0;
-    bat_status status = bat_segments_of(m->a, &a_count, &own);
-    if (status == BAT_OK && m->a != m->b) status = bat_segments_of(m->b, &b_count, &others);
-    const bat_segment *a = own, *b = others ? others : own;
-    if (!others) b_count = a_count;
-    if (status == BAT_OK) status = bat_encounter_overlaps(m, a_count, a, b_count, b);
-    if (status == BAT_OK) status = bat_encounter_search(m, a_count, a, b_count, b);
+    bat_encounter_side own = {0}, others = {0};
+    const bool itself = m->a == m->b;
+    const bat_encounter_side *b = itself ? &own : &others;
+    bat_status status = bat_encounter_side_of(m->a, &own);
+    if (status == BAT_OK && !itself) status = bat_encounter_side_of(m->b, &others);
+    if (status == BAT_OK) status = bat_encounter_overlaps(m, &own, b);
+    if (status == BAT_OK) status = bat_encounter_search(m, &own, b);
     if (status == BAT_OK) status = bat_encounter_settle(m, out);
-    free(own), free(others), free(m->candidates), free(m->overlaps);
+    bat_encounter_side_free(&own), bat_encounter_side_free(&others);
+    free(m->candidates), free(m->overlaps);
     return status;
 }
 

@@ -31,29 +31,25 @@ static bat_status put(places *to, double u, double v, bool a_ends) {
     return BAT_OK;
 }
 
-/* The spans of a curve, to be asked for places near a point. */
-typedef struct spread {
+/* A curve that is asked for its places near a point. */
+typedef struct ground {
     const bat_curve *curve;
-    double gap, widest, domain[2];
-    int count;
-    bat_strip *strips;
-} spread;
+    const bat_encounter_side *spans;
+    double gap, domain[2];
+} ground;
 
-static bat_status spread_out(const bat_curve *curve, int count, const bat_segment *all, double gap,
-                             spread *out) {
-    *out = (spread){.curve = curve, .gap = gap, .count = count, .strips = bat_strips_of(count, all)};
-    bat_curve_domain(curve, out->domain);
-    for (int i = 0; i < count && out->strips; i++)
-        out->widest = fmax(out->widest, out->strips[i].high - out->strips[i].low);
-    return out->strips ? BAT_OK : BAT_MEMORY;
+static ground ground_of(const bat_curve *curve, const bat_encounter_side *spans, double gap) {
+    ground on = {.curve = curve, .spans = spans, .gap = gap};
+    bat_curve_domain(curve, on.domain);
+    return on;
 }
 
 /* The first strip that begins at x or behind it. */
-static int first_strip(const spread *on, double x) {
-    int low = 0, high = on->count;
+static int first_strip(const bat_encounter_side *spans, double x) {
+    int low = 0, high = spans->count;
     while (low < high) {
         const int middle = low + (high - low) / 2;
-        if (on->strips[middle].low < x)
+        if (spans->strips[middle].low < x)
             low = middle + 1;
         else
             high = middle;
@@ -73,7 +69,7 @@ static bool is_beside(const bat_segment *s, const double *point, double gap) {
 }
 
 /* Notes the places of a span that a point, at u of its own curve, is on. */
-static bat_status feet_on(const spread *on, const bat_segment *s, const double *point, double u, bool turned,
+static bat_status feet_on(const ground *on, const bat_segment *s, const double *point, double u, bool turned,
                           places *to) {
     bat_near feet[FEET_MAX];
     size_t found = 0;
@@ -97,28 +93,27 @@ static bat_status feet_on(const spread *on, const bat_segment *s, const double *
 }
 
 /* Notes where the ends of the spans of one curve lie on the other. */
-static bat_status ends_on(const spread *on, int count, const bat_segment *own, bool turned, places *to) {
+static bat_status ends_on(const ground *on, const bat_encounter_side *own, bool turned, places *to) {
     bat_status status = BAT_OK;
-    for (int i = 0; i <= count && status == BAT_OK; i++) {
-        const bat_segment *s = own + (i < count ? i : count - 1);
-        const double u = i < count ? s->from : s->to, *point = i < count ? s->b : s->b + s->degree * s->size;
-        for (int k = first_strip(on, point[0] - on->gap - on->widest);
-             k < on->count && on->strips[k].low <= point[0] + on->gap && status == BAT_OK; k++)
-            if (is_beside(on->strips[k].segment, point, on->gap))
-                status = feet_on(on, on->strips[k].segment, point, u, turned, to);
+    for (int i = 0; i <= own->count && status == BAT_OK; i++) {
+        const bool last = i == own->count;
+        const bat_segment *s = own->all + (last ? i - 1 : i);
+        const double u = last ? s->to : s->from, *point = last ? s->b + s->degree * s->size : s->b;
+        const bat_strip *strips = on->spans->strips;
+        for (int k = first_strip(on->spans, point[0] - on->gap - on->spans->widest);
+             k < on->spans->count && strips[k].low <= point[0] + on->gap && status == BAT_OK; k++)
+            if (is_beside(strips[k].segment, point, on->gap))
+                status = feet_on(on, strips[k].segment, point, u, turned, to);
     }
     return status;
 }
 
-static bat_status places_of_both(const bat_encounter *m, int a_count, const bat_segment *a, int b_count,
-                                 const bat_segment *b, places *at) {
-    spread on_a = {0}, on_b = {0};
-    bat_status status = spread_out(m->a, a_count, a, m->gap, &on_a);
-    if (status == BAT_OK) status = spread_out(m->b, b_count, b, m->gap, &on_b);
-    if (status == BAT_OK) status = ends_on(&on_b, a_count, a, false, at);
-    if (status == BAT_OK) status = ends_on(&on_a, b_count, b, true, at);
-    free(on_a.strips), free(on_b.strips);
-    return status;
+/* Both ways. */
+static bat_status all_ends(const bat_encounter *m, const bat_encounter_side *a, const bat_encounter_side *b,
+                           places *at) {
+    const ground on_a = ground_of(m->a, a, m->gap), on_b = ground_of(m->b, b, m->gap);
+    const bat_status status = ends_on(&on_b, a, false, at);
+    return status == BAT_OK ? ends_on(&on_a, b, true, at) : status;
 }
 
 /* ---- a curve that runs over itself ---- */
@@ -144,22 +139,20 @@ static bat_status put_folds(const bat_segment *s, double gap, int depth, places 
 
 /* Each overlap once, with u before v. What is one place of the curve is an end of an overlap where the curve turns back, as it
  * may at every end of a span. */
-static bat_status places_of_own(const bat_encounter *m, int count, const bat_segment *all, places *at) {
-    spread on;
-    bat_status status = spread_out(m->a, count, all, m->gap, &on);
-    if (status == BAT_OK) status = ends_on(&on, count, all, false, at);
-    if (status == BAT_OK) status = ends_on(&on, count, all, true, at);
-    free(on.strips);
+static bat_status keep_own(const bat_encounter *m, const bat_encounter_side *spans, places *at) {
+    bat_status status = BAT_OK;
     size_t kept = 0;
     for (size_t i = 0; i < at->count; i++)
         if (at->all[i].u < at->all[i].v && !bat_encounter_at(m->a, at->all[i].u, at->all[i].v, m->gap))
             at->all[kept++] = at->all[i];
     at->count = kept;
-    for (int i = 0; i < count && status == BAT_OK; i++) {
-        status = put(at, all[i].from, all[i].from, true);
-        if (status == BAT_OK) status = put_folds(&all[i], m->gap, 0, at);
+    for (int i = 0; i < spans->count && status == BAT_OK; i++) {
+        const bat_segment *s = spans->all + i;
+        status = put(at, s->from, s->from, true);
+        if (status == BAT_OK) status = put_folds(s, m->gap, 0, at);
     }
-    return status == BAT_OK ? put(at, all[count - 1].to, all[count - 1].to, true) : status;
+    const double end = spans->all[spans->count - 1].to;
+    return status == BAT_OK ? put(at, end, end, true) : status;
 }
 
 static int by_u(const void *a, const void *b) {
@@ -193,16 +186,16 @@ static void unite(const bat_encounter *m, places *at) {
     at->count = kept;
 }
 
-static const bat_segment *segment_at(int count, const bat_segment *all, double u) {
-    int low = 0, high = count;
+static const bat_segment *segment_at(const bat_encounter_side *spans, double u) {
+    int low = 0, high = spans->count;
     while (high - low > 1) {
         const int at = low + (high - low) / 2;
-        if (all[at].from <= u)
+        if (spans->all[at].from <= u)
             low = at;
         else
             high = at;
     }
-    return all + low;
+    return spans->all + low;
 }
 
 static double between(const double *a, const double *b, int m) {
@@ -245,25 +238,25 @@ static bat_status keep(bat_encounter *m, place x, place y) {
     return BAT_OK;
 }
 
-bat_status bat_encounter_overlaps(bat_encounter *m, int a_count, const bat_segment *a, int b_count,
-                                  const bat_segment *b) {
+bat_status bat_encounter_overlaps(bat_encounter *m, const bat_encounter_side *a,
+                                  const bat_encounter_side *b) {
     places at = {0};
     const bool itself = m->a == m->b;
-    bat_status status = itself ? places_of_own(m, a_count, a, &at)
-                               : places_of_both(m, a_count, a, b_count, b, &at);
+    bat_status status = all_ends(m, a, b, &at);
+    if (status == BAT_OK && itself) status = keep_own(m, a, &at);
     if (status == BAT_OK && at.count) {
         qsort(at.all, at.count, sizeof *at.all, by_u); /* no ties but of equals */
         unite(m, &at);
     }
-    const int tries = a[0].degree * b[0].degree + 1;
+    const int tries = a->all->degree * b->all->degree + 1;
     for (size_t i = 0; i < at.count && status == BAT_OK; i++) {
         const place x = at.all[i];
-        const bat_segment *s = segment_at(a_count, a, x.u);
+        const bat_segment *s = segment_at(a, x.u);
         /* the next place of the same two spans: further ones lie behind it */
         for (size_t j = i + 1; j < at.count && at.all[j].u <= s->to; j++) {
             const place y = at.all[j];
             if (y.u <= x.u || y.v == x.v || (itself && x.u == x.v && y.u == y.v)) continue;
-            const bat_segment *t = segment_at(b_count, b, 0.5 * x.v + 0.5 * y.v);
+            const bat_segment *t = segment_at(b, 0.5 * x.v + 0.5 * y.v);
             if (fmin(x.v, y.v) < t->from || fmax(x.v, y.v) > t->to || !together(m, x, y, tries)) continue;
             status = keep(m, x, y);
             break;

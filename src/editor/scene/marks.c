@@ -20,15 +20,6 @@ void bat_scene_marks_free(bat_scene_marks *marks) {
     free(marks);
 }
 
-/* How far its stroke extends beyond the outline. */
-static double reach(const bat_object *object) {
-    const bat_style *style = bat_object_style(object);
-    const bat_paint *paint = bat_object_paint(object);
-    if (!style->stroked) return 0;
-    const double factor = style->join == BAT_JOIN_MITER ? fmax(style->miter_limit, 1.5) : 1.5;
-    return style->width / 2 * factor * (paint ? bat_paint_reach(paint) : 1);
-}
-
 /* A path of the marker; false: out of memory. */
 static bool make_item(const bat_object *object, const double origin[2], bat_item *out) {
     const bat_style *style = bat_object_style(object);
@@ -47,22 +38,17 @@ static bool make_item(const bat_object *object, const double origin[2], bat_item
                       .flags = (style->stroked ? BAT_ITEM_STROKED : 0u) |
                                (style->filled ? BAT_ITEM_FILLED : 0u) |
                                (style->even_odd ? BAT_ITEM_EVEN_ODD : 0u),
-                      .stroke = style->stroke,
-                      .fill = style->fill,
-                      .width = bat_path_float(style->width),
-                      .opacity = (float)style->opacity,
-                      .cap = (uint32_t)style->cap,
-                      .join = (uint32_t)style->join,
-                      .miter_limit = bat_path_float(style->miter_limit),
                       .path_count = (uint32_t)path.count,
                       .path = path.data,
                       .paint_count = paint_count,
                       .paint = paint};
+    bat_paint_style(style, out);
     if (paint && bat_object_paint(object)->stroke_first) out->flags |= BAT_ITEM_STROKE_FIRST;
+    const double more = bat_paint_reach(style, bat_object_paint(object));
     double box[4];
     bat_object_bounds(object, box);
     for (int i = 0; i < 4; i++)
-        out->bounds[i] = bat_path_float(box[i] + (i < 2 ? -reach(object) : reach(object)) - origin[i & 1]);
+        out->bounds[i] = bat_path_float(box[i] + (i < 2 ? -more : more) - origin[i & 1]);
     return true;
 }
 

@@ -6,12 +6,30 @@
 #include <math.h>
 #include <stdlib.h>
 
-double bat_paint_reach(const bat_paint *paint) {
+/* How much farther it reaches than with a round pen. */
+static double widening(const bat_paint *paint) {
     double square = 0;
     for (int k = 0; k < 4; k++) square += paint->pen[k] * paint->pen[k];
     double widest = 1;
     for (size_t i = 0; i < paint->width_count; i++) widest = fmax(widest, paint->widths[i].share);
     return fmax(widest, sqrt(square));
+}
+
+double bat_paint_reach(const bat_style *style, const bat_paint *paint) {
+    if (!style->stroked) return 0;
+    double factor = style->cap == BAT_CAP_SQUARE ? 1.5 : 1;
+    if (style->join == BAT_JOIN_MITER) factor = fmax(factor, style->miter_limit);
+    return style->width / 2 * factor * (paint ? widening(paint) : 1);
+}
+
+void bat_paint_style(const bat_style *style, bat_item *item) {
+    item->stroke = style->stroke;
+    item->fill = style->fill;
+    item->width = bat_path_float(style->width);
+    item->opacity = (float)style->opacity;
+    item->cap = (uint32_t)style->cap;
+    item->join = (uint32_t)style->join;
+    item->miter_limit = bat_path_float(style->miter_limit);
 }
 
 static float *put(float *at, double number) {

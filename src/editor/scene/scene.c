@@ -55,14 +55,6 @@ void bat_scene_free(bat_scene *scene) {
     bat_scene_init(scene);
 }
 
-/* How far the paint extends beyond the outline. */
-static double reach(const bat_style *style) {
-    if (!style->stroked) return 0;
-    double factor = style->cap == BAT_CAP_SQUARE ? 1.5 : 1;
-    if (style->join == BAT_JOIN_MITER) factor = fmax(factor, style->miter_limit);
-    return style->width / 2 * factor;
-}
-
 static bool is_ghost(const bat_scene *scene, const bat_scene_entry *entry) {
     return scene->ghost && bat_object_id(entry->object) == scene->ghost;
 }
@@ -172,17 +164,11 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     *item = (bat_item){.id = (uint32_t)bat_object_id(entry->object),
                        .version = ++scene->versions,
                        .role = BAT_ROLE_OBJECT,
-                       .stroke = style->stroke,
-                       .fill = style->fill,
-                       .width = bat_path_float(style->width),
-                       .opacity = (float)style->opacity,
-                       .cap = (uint32_t)style->cap,
-                       .join = (uint32_t)style->join,
-                       .miter_limit = bat_path_float(style->miter_limit),
                        .path_count = (uint32_t)path.count,
                        .path = path.data,
                        .paint_count = paint_count,
                        .paint = entry->paint};
+    bat_paint_style(style, item);
     if (picture) {
         item->role = BAT_ROLE_IMAGE;
         item->picture = (uint32_t)bat_picture_digest(picture);
@@ -192,8 +178,7 @@ static bool make_path(bat_scene *scene, bat_scene_entry *entry) {
     if (style->filled && !bat_object_is(entry->object, BAT_FIXED)) item->flags |= BAT_ITEM_FILLED;
     if (style->even_odd) item->flags |= BAT_ITEM_EVEN_ODD;
     if (own && entry->paint && own->stroke_first) item->flags |= BAT_ITEM_STROKE_FIRST;
-    double more = reach(style);
-    if (own) more *= bat_paint_reach(own);
+    const double more = bat_paint_reach(style, own);
     for (int i = 0; i < 4; i++)
         item->bounds[i] = bat_path_float(entry->box[i] + (i < 2 ? -more : more) - scene->origin[i & 1]);
     if (entry->marks) bat_box_add(item->bounds, entry->marks->bounds);
