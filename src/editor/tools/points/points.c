@@ -20,7 +20,7 @@
 #include "editor/tools/tool.h"
 #include <math.h>
 
-static const double TAP = 4, DOUBLE_TAP = 400; /* px, ms */
+static const double TAP = 4; /* px */
 
 /* ---- the pointer ---- */
 
@@ -65,12 +65,7 @@ static void measure_to(bat_context *c, bat_pointing *p, double u) {
 
 static void tap(bat_context *c, bat_pointing *p, const bat_pointer *event) {
     const bat_handle grip = p->grip;
-    bool twice = p->tapped && event->time - p->tap_time <= DOUBLE_TAP &&
-                 bat_hypot(event->x - p->tap[0], event->y - p->tap[1]) <= 2 * TAP;
-    p->tapped = !twice;
-    p->tap[0] = event->x;
-    p->tap[1] = event->y;
-    p->tap_time = event->time;
+    const bool twice = bat_double_tap_ends(&p->tap, event);
     if (twice && grip.kind == BAT_HANDLE_CURVE) {
         bat_pointing_choose_curve(c, p, grip.object, grip.curve);
         bat_pointing_insert(c, p, bat_pointing_curve(c, p), grip.u, 1, BAT_STRING_STEP_KNOT_IN);

@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_POINTS_STATE_H
 #define BATTEN_EDITOR_TOOLS_POINTS_STATE_H
 
+#include "editor/input/double_tap.h"
 #include "editor/session/context.h"
 #include "editor/show/handles.h"
 #include "editor/show/overlay.h"
@@ -26,8 +27,7 @@ typedef struct bat_pointing {
     double start[2], at[2]; /* view pixels */
     bat_curve *base;        /* the curve before the drag, owned */
 
-    bool tapped; /* a second tap now would make a double tap */
-    double tap[2], tap_time;
+    bat_double_tap tap;
 } bat_pointing;
 
 /* The state of the tool. */

@@ -3,6 +3,7 @@
 #define BATTEN_EDITOR_TOOLS_WIDTH_STATE_H
 
 #include "editor/edit/breadths.h"
+#include "editor/input/double_tap.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
@@ -43,8 +44,7 @@ typedef struct bat_broadening {
     bat_breadths base; /* before the drag, with the stop that is held */
     int held;
 
-    bool tapped; /* a second tap now would make a double tap */
-    double tap[2], tap_time;
+    bat_double_tap tap;
 } bat_broadening;
 
 /* state.c */

@@ -19,7 +19,7 @@
 #include "editor/view/stage.h"
 #include <math.h>
 
-static const double TAP = 4, DOUBLE_TAP = 400, REACH = 10; /* px, ms, px */
+static const double TAP = 4, REACH = 10; /* px */
 
 static void down(bat_context *c, void *state, const bat_pointer *event) {
     bat_broadening *b = state;
@@ -54,12 +54,7 @@ static void tell_why(bat_context *c, const bat_pointer *event) {
 
 static void tap(bat_context *c, bat_broadening *b, const bat_pointer *event) {
     const bat_breadth_hit grip = b->grip;
-    const bool twice = b->tapped && event->time - b->tap_time <= DOUBLE_TAP &&
-                       bat_hypot(event->x - b->tap[0], event->y - b->tap[1]) <= 2 * TAP;
-    b->tapped = !twice;
-    b->tap[0] = event->x;
-    b->tap[1] = event->y;
-    b->tap_time = event->time;
+    const bool twice = bat_double_tap_ends(&b->tap, event);
     bat_broadening_choose(c, b, grip.object, grip.curve);
     b->chosen = false;
     if (grip.stop >= 0) bat_broadening_choose_at(b, grip.stop, grip.at);
