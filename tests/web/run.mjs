@@ -11,12 +11,13 @@ const HERE = path.dirname(fileURLToPath(import.meta.url));
 const asked = process.argv.slice(2).map((file) => path.resolve(file));
 const all = fs.readdirSync(HERE).filter((file) => file.endsWith('.test.mjs')).map((file) => path.join(HERE, file));
 let passed = 0;
-let failed = 0;
+/** What failed, and the first lines of why. @type {string[]} */
+const failed = [];
 
 // A frame that a test takes from the engine is one that the page does not paint (glance() in page.mjs keeps it whole).
 for (const file of all) {
   if (/engine\.frame\(/.test(fs.readFileSync(file, 'utf8'))) {
-    failed++;
+    failed.push(path.basename(file));
     console.log(`FAIL  ${path.basename(file)} takes a frame from the page: use glance()`);
   }
 }
@@ -32,11 +33,12 @@ for await (const { type, data } of run({ files: asked.length > 0 ? asked : all.s
     passed++;
     console.log(`ok    ${data.name} (${Math.round(data.details.duration_ms)} ms)`);
   } else if (type === 'test:pass' || type === 'test:fail') {
-    failed++; // a skipped test should have run
+    failed.push(`${data.name}\n${reason(data.details).split('\n').slice(0, 6).join('\n')}`); // a skipped test should have run
     console.log(`FAIL  ${data.name} (${Math.round(data.details.duration_ms)} ms)\n${reason(data.details)}`);
   } else if (type === 'test:stdout' || type === 'test:stderr') {
     process.stdout.write(data.message);
   }
 }
-console.log(`${passed} passed, ${failed} failed`);
-process.exitCode = failed === 0 && passed > 0 ? 0 : 1;
+failed.forEach((what) => console.log(`Failed: ${what}`)); // once more: the log is long, and its end is what is read
+console.log(`${passed} passed, ${failed.length} failed`);
+process.exitCode = failed.length === 0 && passed > 0 ? 0 : 1;
