@@ -380,3 +380,7 @@ export async function drop(page, name, text) {
   }), [name, text]);
   await settle(page);
 }
+
+/** What a field shows and screen readers say: its number, and its unit as they find it. */
+export const said = (page, field) => page.$eval(field, (input) =>
+  `${input.value} ${document.getElementById(input.getAttribute('aria-describedby')).textContent}`);

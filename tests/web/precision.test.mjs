@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import axe from 'axe-core';
-import { launch, open, place, reveal, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, place, reveal, said, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -74,6 +74,16 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
   });
 }
 
+/** Drags a field's label. @param {number} by pixels */
+async function drag(page, id, by) {
+  const { x, y, width, height } = await page.locator(`label[for=${id}]`).boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2 + by, y + height / 2);
+  await page.mouse.up();
+  await settle(page);
+}
+
 test('numbers of the selection and of the grid, in the unit in force', async () => {
   for (const colorScheme of ['light', 'dark']) {
     const { page, hand, context } = await open(browser, server.address, { colorScheme });
@@ -89,13 +99,30 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
     await page.fill('#number-x', '1in + 3mm');
     await page.keyboard.press('Enter');
     await settle(page);
-    assert.equal(await page.inputValue('#number-x'), '107.339 px');
+    assert.equal(await said(page, '#number-x'), '107.339 px');
+    await page.fill('#number-x', '2 in');
+    assert.equal(await page.isVisible('#number-x-unit'), false, 'the unit typed stands alone');
+    await page.keyboard.press('Escape');
+    assert.equal(await page.isVisible('#number-x-unit'), true);
+    await drag(page, 'number-x', 12);
+    assert.equal(await said(page, '#number-x'), '113.339 px');
+    const ends = () => page.$eval('#number-x', (input) => {
+      const [field, unit] = [input, input.nextElementSibling].map((part) => part.getBoundingClientRect());
+      return { within: unit.left > field.left && unit.right <= field.right && unit.top >= field.top, behind: field.right - unit.right < 2 };
+    });
+    assert.deepEqual(await ends(), { within: true, behind: true });
+    await page.evaluate(() => { document.documentElement.dir = 'rtl'; });
+    assert.deepEqual(await ends(), { within: true, behind: true }, 'a number stands before its unit');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `precision-${colorScheme}-rtl.png`) });
+    await page.evaluate(() => { document.documentElement.dir = ''; });
+    await page.keyboard.press('Control+z');
+    await settle(page);
     await page.evaluate(() => batten.engine.set('unit', 1));
     await page.fill('#number-width', '150');
     await page.keyboard.press('Tab');
     await settle(page);
-    assert.equal(await page.inputValue('#number-width'), '150 mm');
-    assert.equal(await page.inputValue('#number-x'), '28.4 mm');
+    assert.equal(await said(page, '#number-width'), '150 mm');
+    assert.equal(await said(page, '#number-x'), '28.4 mm');
     await page.fill('#number-y', 'up');
     await page.keyboard.press('Enter');
     await settle(page);
@@ -105,7 +132,7 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
     const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
     assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
     await page.keyboard.press('Escape');
-    assert.match(await page.inputValue('#number-y'), /^[0-9.]+ mm$/);
+    assert.match(await said(page, '#number-y'), /^[0-9.]+ mm$/);
     await page.focus('#stage');
     await page.keyboard.press('Control+z');
     await page.keyboard.press('Control+z');
@@ -118,7 +145,7 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
     await page.keyboard.press('Tab');
     await settle(page);
     assert.equal(await page.evaluate(() => batten.engine.get('grid-spacing')), 24);
-    assert.equal(await page.inputValue('#setting-grid-spacing'), '6.35 mm');
+    assert.equal(await said(page, '#setting-grid-spacing'), '6.35 mm');
     assert.match(await page.textContent('#readouts'), /= [0-9.]+ mm/);
     await page.locator('#setting-unit').scrollIntoViewIfNeeded();
     await page.screenshot({ path: path.join(SCREENSHOTS, `precision-${colorScheme}-settings.png`) });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import zlib from 'node:zlib';
-import { expectFaults, inked, launch, open, reveal, SCREENSHOTS, settle, state } from './page.mjs';
+import { expectFaults, inked, launch, open, reveal, said, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -163,7 +163,7 @@ for (const colorScheme of ['light', 'dark']) {
     const label = () => page.evaluate(() => glance().labels.map(({ text }) => text).join());
     const span = (300 / await page.evaluate(() => batten.painter.painted.zoom)) * (25.4 / 96);
     assert.equal(await label(), `${Number(span.toFixed(3))} mm`);
-    assert.equal(await page.inputValue('#setting-picture-span'), await label());
+    assert.equal(await said(page, '#setting-picture-span'), await label());
     await page.keyboard.type('120');
     await page.keyboard.press('Enter');
     await settle(page);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, place, quiet, SCREENSHOTS, state, stillColours } from './page.mjs';
+import { launch, open, place, quiet, said, SCREENSHOTS, state, stillColours } from './page.mjs';
 import { serve } from './server.mjs';
 
 const FILE = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300">
@@ -64,7 +64,7 @@ test('the width tool pulls a stroke wider with the pen, and a number is typed', 
   assert.ok(near(wide[2], [255, 255, 255]), `beside the start: ${wide[2]}`);
   await page.keyboard.press('Enter');
   await page.waitForSelector('#number-width-here:focus');
-  assert.match(await page.inputValue('#number-width-here'), /^10[0-9.]+ px$/);
+  assert.match(await said(page, '#number-width-here'), /^10[0-9.]+ px$/);
   await page.fill('#number-width-here', '8');
   await page.keyboard.press('Enter');
   await quiet(page);

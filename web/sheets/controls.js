@@ -1,6 +1,7 @@
 // Controls of the engine's properties, built from its table: in the foot, in sheets and in the level strip.
 
 import { tell } from '../page/words.js';
+import { Measure } from './measure.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../engine/types.js').PropertyRow} PropertyRow */
@@ -70,6 +71,7 @@ export class Controls {
       });
     }
     const alpha = row.type === 'colour' ? this.#alpha(row) : null;
+    const measure = length || row.type === 'number' ? new Measure(input) : null;
     const write = () => {
       if (length) {
         this.engine.enter(row.name, input.value);
@@ -89,7 +91,7 @@ export class Controls {
     input.addEventListener(row.type === 'switch' ? 'input' : 'change', write);
     this.list.push(() => {
       if (length) {
-        input.value = this.engine.number(row.name);
+        measure?.show(this.engine.number(row.name));
         return;
       }
       const value = this.engine.get(row.name);
@@ -99,13 +101,10 @@ export class Controls {
         input.value = `#${(value >>> 8).toString(16).padStart(6, '0')}`;
         alpha.value = String(value & 255);
       } else if (document.activeElement !== input) { // do not overwrite what is being typed
-        input.value = short(value);
+        measure?.show(`${short(value)} ${row.unit}`);
       }
     });
-    const unit = document.createElement('span');
-    unit.className = 'unit';
-    unit.textContent = length ? '' : row.unit;
-    box.append(this.#label(row, input), input, alpha ?? unit);
+    box.append(this.#label(row, input), measure?.box ?? input, alpha ?? '');
     alpha?.addEventListener('change', write);
     return box;
   }

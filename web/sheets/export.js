@@ -2,6 +2,7 @@
 // The last choice is remembered. Fetched with the first export.
 
 import { answer, question } from './question.js';
+import { Measure } from './measure.js';
 import { pictureOf, print } from './picture.js';
 import { Refusal, word } from '../page/words.js';
 
@@ -58,8 +59,8 @@ export function excerpt(engine, format, part) {
   return bytes;
 }
 
-/** @param {string} id @param {string} words @param {HTMLElement} field */
-function row(id, words, field) {
+/** @param {string} id @param {string} words @param {HTMLInputElement | HTMLSelectElement} field @param {string} [unit] of a number */
+function row(id, words, field, unit) {
   const control = document.createElement('div');
   const label = document.createElement('label');
   control.className = 'control';
@@ -67,6 +68,11 @@ function row(id, words, field) {
   label.htmlFor = field.id;
   label.textContent = words;
   control.append(label, field);
+  if (unit) {
+    const measure = new Measure(/** @type {HTMLInputElement} */ (field));
+    measure.show(`${field.value} ${unit}`);
+    control.append(measure.box);
+  }
   return control;
 }
 
@@ -90,7 +96,7 @@ function fields(choice, selected) {
   Object.assign(white, { type: 'checkbox', checked: choice.white });
   const hint = document.createElement('p');
   hint.textContent = word('shell.print');
-  const picture = [row('width', word('number.width'), width), row('white', word('shell.white'), white)];
+  const picture = [row('width', word('number.width'), width, word('unit.px')), row('white', word('shell.white'), white)];
   const show = () => {
     picture.forEach((control) => { control.hidden = format.value !== 'png'; });
     hint.hidden = format.value !== 'pdf';

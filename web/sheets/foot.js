@@ -42,8 +42,8 @@ export class Foot {
       const control = this.controls.control(row, 'readout');
       control.querySelector('label')?.classList.add('hidden');
       const input = /** @type {HTMLInputElement} */ (control.querySelector('input'));
-      input.before(this.buttons.stepper(row, input, -1));
-      input.after(this.buttons.stepper(row, input, 1));
+      input.parentElement?.before(this.buttons.stepper(row, input, -1));
+      input.parentElement?.after(this.buttons.stepper(row, input, 1));
       this.tolerance.before(control);
       this.tolerance.parentElement?.classList.add('with-control');
     }

@@ -86,8 +86,8 @@ export class LevelStrip {
     const control = this.panel.controls.control(row, 'strip');
     const input = control.querySelector('input');
     if (row.type === 'number' && input) {
-      input.before(this.panel.buttons.stepper(row, input, -1));
-      input.after(this.panel.buttons.stepper(row, input, 1));
+      input.parentElement?.before(this.panel.buttons.stepper(row, input, -1));
+      input.parentElement?.after(this.panel.buttons.stepper(row, input, 1));
     }
     return control;
   }

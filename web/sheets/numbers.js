@@ -2,6 +2,7 @@
 // numbers; the engine formats and parses them.
 
 import { tell } from '../page/words.js';
+import { Measure } from './measure.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 
@@ -41,11 +42,12 @@ class NumbersSheet {
       input.type = 'text';
       input.id = `number-${name}`;
       input.autocomplete = 'off';
+      const measure = new Measure(input);
       const label = tell(document.createElement('label'), { text: `number.${name}` });
       label.htmlFor = input.id;
       label.dataset.sign = SIGNS[name] ?? '';
       input.addEventListener('change', () => {
-        if (input.value === this.engine.number(name)) {
+        if (input.value === measure.shown) {
           return; // unchanged: the text is rounded, so entering it would move things
         }
         const taken = this.engine.enter(name, input.value);
@@ -64,14 +66,14 @@ class NumbersSheet {
             input.select();
           }
         } else if (event.key === 'Escape') {
-          input.value = this.engine.number(name);
+          measure.show(this.engine.number(name));
           input.blur();
         }
       });
       input.addEventListener('focus', () => input.select());
       input.addEventListener('blur', () => this.show());
-      box.append(label, input);
-      return { name, box, input };
+      box.append(label, measure.box);
+      return { name, box, input, measure };
     });
     sheet.addEventListener('focusout', ({ relatedTarget }) => {
       if (!(relatedTarget instanceof Node && sheet.contains(relatedTarget))) {
@@ -90,12 +92,12 @@ class NumbersSheet {
       this.row.hidden = frame.selected === 0;
       this.buttons.forEach(({ button, least }) => { button.disabled = frame.selected < least; });
     }
-    for (const { name, box, input } of this.rows) {
+    for (const { name, box, input, measure } of this.rows) {
       const text = this.engine.number(name);
       box.hidden = text === '';
       some ||= text !== '';
       if (document.activeElement !== input || input.getAttribute('aria-invalid') === 'false') {
-        input.value = text;
+        measure.show(text);
         input.removeAttribute('aria-invalid');
       }
     }

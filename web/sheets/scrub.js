@@ -4,12 +4,6 @@
 const PIXELS = 2; // of the pointer a step
 const SLACK = 3; // pixels that a click may move
 
-/** The number in front of a text, and the unit behind it. @param {string} text @returns {[number, string]} */
-function split(text) {
-  const number = Number.parseFloat(text);
-  return [number, text.replace(/^\s*[-+]?[\d.]+/, '')];
-}
-
 /** @param {HTMLElement} box whose labels are dragged */
 export function scrub(box) {
   box.addEventListener('pointerover', ({ target }) => {
@@ -23,7 +17,7 @@ export function scrub(box) {
       return;
     }
     const before = input.value;
-    const [from, unit] = split(before);
+    const from = Number.parseFloat(before);
     if (!Number.isFinite(from)) {
       return;
     }
@@ -49,7 +43,7 @@ export function scrub(box) {
       moved ||= Math.abs(away) > SLACK;
       if (moved) {
         const by = Math.trunc(away / PIXELS) * step * (move.shiftKey ? 10 : 1);
-        input.value = `${Number((from + by).toFixed(3))}${unit}`;
+        input.value = String(Number((from + by).toFixed(3)));
       }
     }, { signal });
     label.addEventListener('pointerup', () => end(input.value), { signal });
