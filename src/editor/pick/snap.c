@@ -1,7 +1,7 @@
 #include "editor/pick/snap.h"
 #include "base/real.h"
 #include "base/vec.h"
-#include "curve/frames_walk.h"
+#include "curve/frames/walk.h"
 #include "editor/scene/path.h"
 #include "editor/scene/scene.h"
 #include "editor/scene/seen.h"

@@ -2,7 +2,7 @@
 #include "form/camera/camera.h"
 
 #include "base/options.h"
-#include "curve/frames_converged.h"
+#include "curve/frames/converged.h"
 
 #include <math.h>
 #include <stdlib.h>

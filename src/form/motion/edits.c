@@ -1,7 +1,7 @@
 /* Edits of motions: gains of levels, another path, the style of another motion (docs/math/motion.md). */
 #include "form/motion/motion.h"
 
-#include "curve/frames_converged.h"
+#include "curve/frames/converged.h"
 #include "hands/levels/shape.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 #include "form/sweep/mitre_make.h"
-#include "curve/frames_walk.h"
+#include "curve/frames/turn.h"
+#include "curve/frames/walk.h"
 #include "form/sweep/sweep.h"
 
 #include <batten/measure.h>

@@ -1,7 +1,7 @@
 /* Sweeps (multilevel-2016, section 5; docs/math/surfaces.md). */
 #include "form/sweep/sweep.h"
 #include "base/options.h"
-#include "curve/frames_converged.h"
+#include "curve/frames/converged.h"
 #include "form/sweep/mitre_make.h"
 
 #include <batten/measure.h>

@@ -8,7 +8,7 @@
  */
 #include "form/wire/turner.h"
 #include "curve/curve.h"
-#include "curve/frames_converged.h"
+#include "curve/frames/converged.h"
 
 #include <math.h>
 #include <stdlib.h>

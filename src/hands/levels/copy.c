@@ -179,7 +179,7 @@ static bat_status settle(bat_shape *shape, bat_level *level, const bat_level *fr
     bat_status status = nearest ? match(level, from, map, nearest) : BAT_MEMORY;
     if (status == BAT_OK) {
         for (int i = 0; i < level->count; i++) level->source[i] = from->source[nearest[i]];
-        status = bat_shape_frames_of(shape, shape->count, level->frames);
+        status = bat_shape_frames_of(shape, shape->count, NULL);
     }
     if (status == BAT_OK && map->drawn >= 0 && shape->base->dimension == 3 &&
         shape->options.frame == BAT_FRAMES_RMF && shape->options.propagation == BAT_PROPAGATION_LOCAL)

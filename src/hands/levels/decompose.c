@@ -161,7 +161,7 @@ static bat_status read_details(bat_shape *shape, const bat_curve *wanted) {
     int level = shape->count, size = wanted->dimension;
     bat_level *at = &shape->levels[level - 1];
     for (int i = 0; i < at->count; i++) at->source[i] = source_of(shape, level, at->nodes[i]);
-    bat_status status = bat_shape_frames_of(shape, level, at->frames);
+    bat_status status = bat_shape_frames_of(shape, level, NULL);
     if (status != BAT_OK) return status;
     const double *bare = bat_curve_points(at->curve), *full = bat_curve_points(wanted);
     for (int i = 0; i < at->count; i++) {

@@ -1,7 +1,7 @@
 /* Edits of a shape: each is made on a copy, which takes the shape's place when all has gone well. */
 #include "hands/levels/shape.h"
 
-#include "curve/frames_walk.h"
+#include "curve/frames/walk.h"
 
 #include <stdlib.h>
 
@@ -186,26 +186,37 @@ bat_status bat_shape_transform(bat_shape *shape, const double *matrix) {
     return status;
 }
 
-bat_status bat_shape_commit(bat_shape *shape) {
-    if (!shape) return BAT_ARGUMENT;
-    bat_shape_options options = shape->options;
-    bool anew = false;
-    if (options.has_reference && shape->base->dimension == 3) {
+/* Whether a commit has anything to do; a base that has turned about gets a reference anew. */
+static bool unsettled(const bat_shape *shape, bat_shape_options *options) {
+    *options = shape->options;
+    if (options->has_reference && shape->base->dimension == 3) {
         vec t = bat_frame_tangent(shape->base,
                                   bat_span(shape->base, shape->base->knots[shape->base->degree], -1), false);
-        if (vec_dot(t, vec_unit(vec_load(options.reference_t, 3))) < -0.5) {
-            bat_frame_options frames = bat_shape_frame_options(&options, 0);
-            vec_store(bat_frame_first(&frames, 3, t), options.reference_s);
-            vec_store(t, options.reference_t);
-            anew = true;
+        if (vec_dot(t, vec_unit(vec_load(options->reference_t, 3))) < -0.5) {
+            bat_frame_options frames = bat_shape_frame_options(options, 0);
+            vec_store(bat_frame_first(&frames, 3, t), options->reference_s);
+            vec_store(t, options->reference_t);
+            return true;
         }
     }
-    if (!anew && !shape->turned) return BAT_OK;
+    return shape->turned;
+}
+
+bat_status bat_shape_settle(bat_shape *shape) {
+    bat_shape_options options;
+    if (!unsettled(shape, &options)) return BAT_OK;
+    shape->options = options;
+    return bat_shape_fold(shape, false);
+}
+
+bat_status bat_shape_commit(bat_shape *shape) {
+    if (!shape) return BAT_ARGUMENT;
+    bat_shape_options options;
+    if (!unsettled(shape, &options)) return BAT_OK;
     bat_shape *edited;
     bat_status status = bat_shape_copy(shape, &edited);
     if (status != BAT_OK) return status;
-    edited->options = options;
-    status = bat_shape_fold(edited, false);
+    status = bat_shape_settle(edited);
     if (status == BAT_OK)
         bat_shape_adopt(shape, edited);
     else

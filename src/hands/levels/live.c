@@ -123,7 +123,7 @@ bat_status bat_shape_live_commit(bat_shape_live *live, bat_shape **out) {
         bat_shape_live_cancel(live);
         return BAT_ARGUMENT;
     }
-    bat_status status = bat_shape_commit(live->shape);
+    bat_status status = bat_shape_settle(live->shape); /* its own: on failure it goes */
     if (status == BAT_OK) *out = live->shape, live->shape = NULL;
     bat_shape_live_cancel(live);
     return status;

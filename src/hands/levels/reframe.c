@@ -24,7 +24,7 @@ static bat_status reframe_level(bat_shape *shape, int l, const double *matrix) {
         vec v = bat_triad_to_world(&level->frames[i], d);
         vec_store(matrix ? bat_affine_turn(matrix, size, v) : v, d);
     }
-    bat_status status = bat_shape_frames_of(shape, l, level->frames);
+    bat_status status = bat_shape_frames_of(shape, l, NULL);
     if (status != BAT_OK) return status;
     for (int i = 0; i < level->count; i++) {
         double *d = level->details + 3 * i;

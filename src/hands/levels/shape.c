@@ -4,7 +4,7 @@
 
 #include <batten/refine.h>
 
-#include "curve/frames_walk.h"
+#include "curve/frames/walk.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -193,7 +193,7 @@ bat_status bat_level_build(bat_level *level, const bat_curve *below) {
 bat_status bat_shape_rebuild(bat_shape *shape, int level) {
     for (int l = level > 0 ? level : 1; l <= shape->count; l++) {
         bat_level *at = &shape->levels[l - 1];
-        bat_status status = l > level ? bat_shape_frames_of(shape, l, at->frames) : BAT_OK;
+        bat_status status = l > level ? bat_shape_frames_of(shape, l, NULL) : BAT_OK;
         if (status == BAT_OK) status = bat_level_build(at, bat_shape_curve(shape, l - 1));
         if (status != BAT_OK) return status;
         if (fabs(shape->holonomy[l - 1]) > BAT_PI) shape->turned = true;
@@ -245,7 +245,7 @@ bat_status bat_shape_add_level(bat_shape *shape, int knot_count, const double *k
     if (status == BAT_OK) status = bat_nodes(curve, shape->options.nodes, level->nodes);
     if (status == BAT_OK) {
         shape->count = j;
-        status = bat_shape_frames_of(shape, j, level->frames);
+        status = bat_shape_frames_of(shape, j, NULL);
         if (status == BAT_OK) status = bat_level_build(level, below);
     }
     if (status != BAT_OK) {

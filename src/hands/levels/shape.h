@@ -50,12 +50,15 @@ bat_status bat_shape_rebuild(bat_shape *shape, int level);
  * (near) or principal ones. They turn back, so that nothing moves (math 3.4). On failure as above.
  */
 bat_status bat_shape_fold(bat_shape *shape, bool near);
+/* bat_shape_commit in place. On failure as above. */
+bat_status bat_shape_settle(bat_shape *shape);
 /* Takes over the contents of an edited copy, and frees its shell. */
 void bat_shape_adopt(bat_shape *shape, bat_shape *edited);
 
 bat_frame_options bat_shape_frame_options(const bat_shape_options *options, double holonomy_near);
-/* Frames at the nodes of a level, as the curves alone give them. */
-bat_status bat_shape_frames_of(bat_shape *shape, int level, bat_triad *out);
+/* The frames at the nodes of a level become those that the curves alone give. folded: the details turn back, so that
+ * nothing moves, and whether any did is told; NULL: they turn with the frames. */
+bat_status bat_shape_frames_of(bat_shape *shape, int level, bool *folded);
 
 /* Whether r is at right angles to the plane, so that details have no part along it. Frenet frames of straight
  * stretches have no normal, and take any. */
@@ -129,8 +132,7 @@ int bat_curve_halved(const bat_curve *curve, int n);
 /* How many the levels have, from the base of `coarsest` to that of n: a geometric progression. */
 void bat_levels_counts(int n, int coarsest, int levels, int counts[BAT_LEVELS_MAX + 1]);
 
-/* Details in `old` frames, expressed in `fresh` ones that differ by a turn about t. False: the two are the
- * same. */
+/* Details in `old` frames, expressed in `fresh` ones that differ by a turn about t. False: the two are the same. */
 bool bat_triad_turn_back(const bat_triad *old, const bat_triad *fresh, double *details);
 static inline vec bat_triad_to_world(const bat_triad *f, const double *d) {
     return vec_add(vec_add(vec_scale(f->t, d[0]), vec_scale(f->s, d[1])), vec_scale(f->r, d[2]));

@@ -7,7 +7,7 @@
  */
 #include "hands/levels/shape.h"
 
-#include "curve/frames_walk.h"
+#include "curve/frames/along.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -137,6 +137,11 @@ static int lively(const bat_curve *curve, int span, int way) {
     return -1;
 }
 
+static void meet(void *context, int i, vec t, vec s) {
+    bat_touch *touch = context;
+    touch->t[i] = t, touch->s[i] = s;
+}
+
 /* Frames at a group's nodes, by transport over the stretch of the level below. Any s will do to start from
  * that is the same as long as nothing before the stretch changes; `end`: s as it comes out. False: nodes not
  * met in order. */
@@ -158,7 +163,7 @@ static bool carry(bat_touch *touch, const part *at, const group *g, int from) {
     vec t = before < 0 ? bat_frame_tangent(curve, bat_span(curve, under->over.start, -1), false)
                        : bat_frame_tangent(curve, before, true);
     bat_frame_walk_begin(&touch->walk, curve, &options, first, spans, t, vec_any_normal(t));
-    int met = bat_frame_walk_along(&touch->walk, g->count, at->u + g->first, touch->t, touch->s, NULL);
+    int met = bat_frame_walk_along(&touch->walk, g->count, at->u + g->first, meet, touch, NULL);
     while (bat_frame_walk_next(&touch->walk)) {
     }
     return met == g->count;

@@ -1,5 +1,5 @@
 /* The tangents tool on the keyboard: its commands. */
-#include "curve/frames_walk.h"
+#include "curve/frames/walk.h"
 #include "hands/tangents/spline.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"

@@ -11,7 +11,7 @@
 #include "editor/edit/arrange.h"
 #include "hands/tangents/spline.h"
 #include "base/vec.h"
-#include "curve/frames_walk.h"
+#include "curve/frames/walk.h"
 #include "editor/edit/style.h"
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"

@@ -1,6 +1,8 @@
 /* The chain: a walk over the whole curve, kept (math 2.1 to 2.3). */
-#include "curve/frames.h"
-#include "curve/frames_walk.h"
+#include "curve/frames/frames.h"
+#include "curve/frames/turn.h"
+#include "curve/frames/walk.h"
+#include "base/lanes.h"
 #include "base/options.h"
 
 #include <float.h>
@@ -55,12 +57,12 @@ static bat_status keep_run(bat_frame_chain *chain, const bat_frame_walk *walk) {
         chain->nodes = grown, chain->room = room;
     }
     for (int i = walk->done > 0; i < walk->count; i++)
-        chain->nodes[chain->count++] = (bat_frame_node){.u = walk->u[i],
+        chain->nodes[chain->count++] = (bat_frame_node){.u = bat_frame_walk_u(walk, i),
                                                         .length = walk->lengths[i],
                                                         .span = walk->piece.span,
-                                                        .x = bat_rows_get(walk->xs, i),
-                                                        .t = bat_rows_get(walk->ts, i),
-                                                        .s = bat_rows_get(walk->ss, i)};
+                                                        .x = bat_frame_walk_get(walk, walk->xs, i),
+                                                        .t = bat_frame_walk_get(walk, walk->ts, i),
+                                                        .s = bat_frame_walk_get(walk, walk->ss, i)};
     return BAT_OK;
 }
 
@@ -121,7 +123,7 @@ bat_status bat_frame_chain_error(const bat_frame_chain *chain, double *out) {
     walk->measured = false;
     while (bat_frame_walk_next(walk)) {
         for (int i = 0; i < walk->count; i++) {
-            const vec d = vec_sub(bat_rows_get(walk->ss, i), first[ratio * (walk->done + i)].s);
+            const vec d = vec_sub(bat_frame_walk_get(walk, walk->ss, i), first[ratio * (walk->done + i)].s);
             worst = fmax(worst, vec_dot(d, d));
         }
         if (walk->done + walk->count - 1 == walk->steps) first += steps + 1;
@@ -189,7 +191,7 @@ static void repeat(int count, vec v, double *rows) {
 /* The same vector in each of the rows. */
 BAT_CLONES static void fill(int count, double x, double y, double z, double *rows) {
     for (int i = 0; i < count; i++)
-        rows[i] = x, rows[BAT_FRAME_ROOM + i] = y, rows[2 * BAT_FRAME_ROOM + i] = z;
+        rows[i] = x, rows[BAT_FRAME_PLANE + i] = y, rows[2 * BAT_FRAME_PLANE + i] = z;
 }
 
 static bool solve_quickly(const bat_frame_chain *chain, const bat_frame_span *piece, run *r) {
@@ -240,8 +242,8 @@ BAT_CLONES static void put_rows(int count, const double *restrict rows, const do
     double x = origin[0], y = origin[1], z = origin[2];
     for (int i = 0; i < count; i++) {
         out[3 * i] = rows[i] + x;
-        out[3 * i + 1] = rows[BAT_FRAME_ROOM + i] + y;
-        out[3 * i + 2] = rows[2 * BAT_FRAME_ROOM + i] + z;
+        out[3 * i + 1] = rows[BAT_FRAME_PLANE + i] + y;
+        out[3 * i + 2] = rows[2 * BAT_FRAME_PLANE + i] + z;
     }
 }
 

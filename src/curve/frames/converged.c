@@ -1,8 +1,8 @@
 /* Frames along a curve, as precise as numbers allow. */
-#include "curve/frames_converged.h"
+#include "curve/frames/converged.h"
 
 #include "curve/curve.h"
-#include "curve/frames.h"
+#include "curve/frames/frames.h"
 
 static const double converged = 1e-9; /* radians */
 enum { STEPS = 16, STEPS_LEAST = 2, STEPS_MOST = 1024, FRAMES = 4096 };
