@@ -74,7 +74,9 @@ BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
  * its end in view pixels, "chosen": which it was taken for, "amount": how it is fitted (below; -1: it is settled),
  * "words":["New line","Redraw roof", ...]}; no words: there is nothing else that it could mean. After
  * command "curve-simplify", as long as that is the last thing done: the place of the selection, how the spans of the
- * result can meet (C2, G1), and "points":[before,after], "cubics":[before,after]. When one object is selected that an earlier stroke changed, and that stretch of it is as the
+ * result can meet (C2, G1), "points":[before,after], "cubics":[before,after], "of":"simplify" and "said", what it came to in words.
+ * After "curve-earlier": "of":"earlier", "step", the share of the slider that a shape takes, "said", what made the one that is shown,
+ * "words", what keeps it, "chosen" -1. When one object is selected that an earlier stroke changed, and that stretch of it is as the
  * stroke left it: the stroke's end and amount, no words. Owned by the editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_readings(bat_editor *editor);
 /* Takes the stroke in that meaning, or simplifies with those joints: the step of the history is replaced. BAT_STATE: that
@@ -84,7 +86,9 @@ BAT_API bat_status bat_editor_read_as(bat_editor *editor, int reading);
  * fair (1: four times the tolerance). The result is only shown until `done` is true; then the stroke's step of the
  * history is replaced. An earlier stroke that the selection offers is refitted in a step of its own, which is replaced
  * as long as it is the last. After "curve-simplify" the same for the selection, from a sixteenth of the tolerance to sixteen
- * times it; command "cancel" gives the objects back as they were. BAT_STATE: it is settled. */
+ * times it; command "cancel" gives the objects back as they were. After "curve-earlier": which of the curve's shapes is shown, from
+ * the first (0) to what it is now (1); the drawing stays as it is until command "accept" or the first reading keeps that shape, as a
+ * step of its own. BAT_STATE: it is settled. */
 BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done);
 
 /* ---- the camera move that is looked at, for the time strip ---- */

@@ -25,6 +25,7 @@ static void wire(bat_editor *editor) {
                                     .moves = &editor->moves,
                                     .insight = &editor->insight,
                                     .simplifying = &editor->simplifying,
+                                    .tuning = &editor->tuning,
                                     .panels = &editor->panels,
                                     .toolbox = &editor->toolbox};
 }
@@ -70,7 +71,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_overlay_free(&editor->overlay);
     bat_choice_free(&editor->choice);
     bat_session_free(&editor->session);
-    bat_simplify_free(&editor->simplifying);
+    bat_tuning_free(&editor->tuning);
     bat_panels_free(&editor->panels);
     bat_settings_free(&editor->settings);
     free(editor);
@@ -89,7 +90,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
         return status;
     }
     bat_choice_forget(c);
-    bat_simplify_free(c->simplifying);
+    bat_tuning_free(c->tuning);
     bat_moves_forget(c->moves);
     bat_toolbox_forget(c->toolbox);
     bat_notice(c, BAT_STRING_COUNT);

@@ -5,6 +5,7 @@
 #include "editor/session/context.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/simplify.h"
+#include "editor/commands/tuning.h"
 #include "editor/edit/clipboard.h"
 #include "editor/input/input.h"
 #include "editor/panels/panels.h"
@@ -39,6 +40,7 @@ struct bat_editor {
     bat_moves moves;
     bat_insight insight;
     bat_simplifying simplifying;
+    bat_tuning tuning;
     bat_panels panels;
     bat_toolbox toolbox;
     bat_overlay overlay;

@@ -181,7 +181,7 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
     show_selection(c, overlay);
     if (inspects(c)) bat_insight_show(c, made->curve, overlay);
     bat_calm_show(c, overlay);
-    bat_simplify_show(c, overlay);
+    bat_tuning_show(c, overlay);
     bat_sketching_show_kept(c, overlay);
     if (tool->is->overlay && faces) tool->is->overlay(c, tool->state, overlay);
     if (c->snap->kind != BAT_SNAP_NONE) bat_snap_show(c, overlay);
@@ -193,8 +193,8 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
 }
 
 static uint32_t readings(const bat_context *c) {
-    const uint32_t simplified = bat_simplify_version(c);
-    return simplified ? simplified : bat_toolbox_readings(c);
+    const uint32_t tuned = bat_tuning_version(c);
+    return tuned ? tuned : bat_toolbox_readings(c);
 }
 
 /* A drag shows in the same frame, and with it what follows its curves. */

@@ -1,9 +1,9 @@
 // The chips at the end of a stroke: what else it could mean, and how closely it is fitted. A tap chooses that reading;
-// the chips disappear when the next stroke begins. Beside a selection that was simplified, how its spans meet, the same
-// slider and how many points or cubics are left.
+// the chips disappear when the next stroke begins. Beside a selection the same for what was done to it: how simple it becomes, or how
+// far back it goes.
 
 import { dress } from '../page/build.js';
-import { tell, word } from '../page/words.js';
+import { tell } from '../page/words.js';
 
 /**
  * @typedef {object} Readings
@@ -11,8 +11,9 @@ import { tell, word } from '../page/words.js';
  * @property {number} chosen
  * @property {number} amount from 0, raw, to 1, fair; -1: the stroke can no longer be refitted
  * @property {string[]} words empty: it has no other reading
- * @property {[number, number]} [points] a selection was simplified: its points before and after
- * @property {[number, number]} [cubics] the same for its cubics
+ * @property {string} [of] what was done to a selection and can be chosen otherwise: simplify, earlier
+ * @property {number} [step] of the slider
+ * @property {string} [said] what it has come to
  */
 
 const AWAY = 16; // px from the stroke's end
@@ -44,31 +45,31 @@ export class Chips {
 
   /** @param {boolean} some */
   show(some) {
-    const { at, chosen, amount, words, points, cubics } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
+    const { at, chosen, amount, words, of = '', step = 0.05, said = '' } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
     this.at = at;
     if (amount < 0 && this.box.contains(document.activeElement)) {
       this.stage.focus();
     }
     this.box.hidden = amount < 0;
+    this.amount.step = String(step);
     this.amount.valueAsNumber = amount;
-    const shown = [!points, ...words].join('\n');
-    if (shown !== this.shown || !(points || this.box.contains(document.activeElement))) { // a slider in use stays where it is
+    const shown = [of, ...words].join('\n');
+    if (shown !== this.shown || !(of || this.box.contains(document.activeElement))) { // a slider in use stays where it is
       this.shown = shown;
-      this.#dress(points ? 'command.curve-simplify' : 'refit', points ? ['simplify.close', 'simplify.few'] : ['refit.raw', 'refit.fair']);
-      this.box.setAttribute('aria-label', word(points ? 'command.curve-simplify' : 'command.reading-next'));
+      this.#dress(of && `command.curve-${of}`, of || 'refit');
       this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i)), this.refit);
     }
-    this.box.querySelectorAll('button').forEach((chip, i) => chip.setAttribute('aria-pressed', String(i === chosen)));
-    const counted = chosen > 0 ? cubics : points; // C2, G1
-    this.points.textContent = counted ? word(`notice.simplified${chosen > 0 ? '-g1' : ''}`, counted.join(' \u2192 ')) : '';
+    this.box.querySelectorAll('button').forEach((chip, i) => chosen < 0 || chip.setAttribute('aria-pressed', String(i === chosen)));
+    this.points.textContent = said;
     this.#place();
   }
 
-  /** Names the slider and its ends. @param {string} label @param {string[]} ends */
-  #dress(label, ends) {
-    tell(this.amount, { label });
-    tell(this.refit, { help: label === 'refit' ? 'refit.help' : 'simplify.help' });
-    ends.forEach((text, i) => tell(this.ends[i], { text }));
+  /** Names the slider and its ends. @param {string} done a command @param {string} of */
+  #dress(done, of) {
+    tell(this.box, { label: done || 'command.reading-next' });
+    tell(this.amount, { label: done || of });
+    tell(this.refit, { help: `${of}.help` });
+    this.ends.forEach((end, i) => tell(end, { text: `${of}.${['low', 'high'][i]}` }));
   }
 
   /** The slider: previews while it is dragged; one undo step when it is released. */

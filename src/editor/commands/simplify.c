@@ -1,10 +1,11 @@
 #include "editor/commands/simplify.h"
+#include "editor/commands/tuning.h"
 #include "base/real.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
-#include "editor/scene/path.h"
+#include "editor/session/journal_line.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
@@ -17,46 +18,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double CORNER = 0.05; /* radians: larger turns stay corners */
 static const double RANGE = 256;   /* the largest tolerance that can be chosen over the smallest */
-static const float FIT_WIDTH = 2;
+
+static const bat_tuning_kind simplifying;
 
 /* ---- what is kept ---- */
-
-static void drop_shown(bat_simplifying *s) {
-    for (int i = 0; i < s->shown; i++) bat_curve_free(s->fit[i]);
-    free(s->fit);
-    s->fit = NULL;
-    s->shown = 0;
-}
-
-void bat_simplify_free(bat_simplifying *s) {
-    drop_shown(s);
-    for (int i = 0; i < s->count; i++) bat_object_release(s->before[i]);
-    free(s->before);
-    *s = (bat_simplifying){.version = s->version, .joints = s->joints};
-}
-
-bool bat_simplify_holds(const bat_context *c) {
-    const bat_simplifying *s = c->simplifying;
-    return s->count > 0 && s->revision == c->session->revision && s->tool == c->choice->tool &&
-           s->selection == c->choice->selection.version && !c->session->busy;
-}
-
-uint32_t bat_simplify_version(const bat_context *c) {
-    return bat_simplify_holds(c) ? c->simplifying->version | 1U << 31 : 0;
-}
-
-/* From now on this is the last thing done. */
-static void mark(bat_context *c, bool stepped) {
-    bat_simplifying *s = c->simplifying;
-    s->stepped = stepped;
-    s->revision = c->session->revision;
-    s->selection = c->choice->selection.version;
-    s->tool = c->choice->tool;
-    s->version++;
-}
 
 /* Planar curves that others can take the place of, neither locked nor hidden in a group that is selected. */
 static bool is_possible(const bat_document *document, int index) {
@@ -68,10 +37,10 @@ static bool is_possible(const bat_document *document, int index) {
 
 /* BAT_STATE: nothing is selected; BAT_ARGUMENT: no curve that can be simplified. */
 static bat_status keep(bat_context *c) {
-    bat_simplifying *s = c->simplifying;
+    bat_tuning *s = c->tuning;
     const bat_document *document = c->session->document;
     int *members = NULL, count = 0;
-    bat_simplify_free(s);
+    bat_tuning_free(c->tuning);
     bat_status status = bat_arrange_members(c, &members, &count);
     if (status != BAT_OK) return status;
     s->before = malloc((size_t)(count > 0 ? count : 1) * sizeof *s->before);
@@ -81,12 +50,6 @@ static bat_status keep(bat_context *c) {
     free(members);
     if (!s->before) return BAT_MEMORY;
     return s->count > 0 ? BAT_OK : BAT_ARGUMENT;
-}
-
-void bat_simplify_place(const bat_context *c, double at[2]) {
-    double box[4];
-    const bool some = bat_arrange_selection_box(c, box);
-    for (int k = 0; k < 2; k++) at[k] = some ? box[k + 2] : 0;
 }
 
 /* ---- simplifying ---- */
@@ -100,16 +63,8 @@ static bat_status put(bat_context *c, const bat_object *object, int index, bat_c
 }
 
 static bat_status show(bat_context *c, const bat_object *object, int index, bat_curve *fewer) {
-    bat_simplifying *s = c->simplifying;
-    bat_curve **more = realloc(s->fit, (size_t)(s->shown + 1) * sizeof *more);
-    bat_status status = more ? BAT_OK : BAT_MEMORY;
-    if (more) s->fit = more;
-    if (more && !fewer) status = bat_curve_copy(bat_object_curve(object, index), &fewer);
-    if (status == BAT_OK)
-        s->fit[s->shown++] = fewer;
-    else
-        bat_curve_free(fewer);
-    return status;
+    bat_status status = fewer ? BAT_OK : bat_curve_copy(bat_object_curve(object, index), &fewer);
+    return status == BAT_OK ? bat_tuning_add(c->tuning, fewer) : status;
 }
 
 /* Fewer points; with G1 joints fewer cubics, or as many with fewer points. *fewer is NULL where there is no such curve.
@@ -134,18 +89,18 @@ static void count(bat_simplified *sum, const bat_curve *curve, bool after) {
 }
 
 static bat_status simplify_all(bat_context *c, double tolerance, taker *take, bat_simplified *sum) {
-    const bat_simplifying *s = c->simplifying;
+    const bat_tuning *t = c->tuning;
     *sum = (bat_simplified){0};
-    for (int i = 0; i < s->count; i++)
-        for (int k = 0; k < bat_object_curve_count(s->before[i]); k++) {
-            const bat_curve *curve = bat_object_curve(s->before[i], k);
+    for (int i = 0; i < t->count; i++)
+        for (int k = 0; k < bat_object_curve_count(t->before[i]); k++) {
+            const bat_curve *curve = bat_object_curve(t->before[i], k);
             bat_curve *fewer = NULL;
-            bat_status status = simpler(curve, tolerance, s->joints, &fewer);
+            bat_status status = simpler(curve, tolerance, c->simplifying->joints, &fewer);
             if (status != BAT_OK) return status;
             count(sum, curve, false);
             count(sum, fewer ? fewer : curve, true);
             sum->changed += fewer != NULL;
-            status = take(c, s->before[i], k, fewer);
+            status = take(c, t->before[i], k, fewer);
             if (status != BAT_OK) return status;
         }
     return BAT_OK;
@@ -160,25 +115,29 @@ static bat_status carry_out(bat_context *c, double tolerance) {
     status = bat_transaction_end(c, status, BAT_STRING_STEP_SIMPLIFY);
     if (status != BAT_OK) return status;
     c->simplifying->sum = sum;
-    mark(c, sum.changed > 0);
+    bat_tuning_mark(c, &simplifying, sum.changed > 0);
     return BAT_OK;
 }
 
-static void tell(bat_context *c) {
-    const bat_simplifying *s = c->simplifying;
+/* "40 → 12", and the words around it. */
+static bat_string told(const bat_simplifying *s, char numbers[64]) {
     const bool joined = s->joints == BAT_JOINTS_G1;
     const size_t *counted = joined ? s->sum.cubics : s->sum.points;
+    snprintf(numbers, 64, "%zu \xE2\x86\x92 %zu", counted[0], counted[1]);
+    return joined ? BAT_STRING_NOTICE_SIMPLIFIED_G1 : BAT_STRING_NOTICE_SIMPLIFIED;
+}
+
+static void tell(bat_context *c) {
     char numbers[64];
-    if (s->sum.changed == 0) {
+    const bat_string words = told(c->simplifying, numbers);
+    if (c->simplifying->sum.changed == 0)
         bat_notice(c, BAT_STRING_NOTICE_SIMPLE_ALREADY);
-        return;
-    }
-    snprintf(numbers, sizeof numbers, "%zu \xE2\x86\x92 %zu", counted[0], counted[1]);
-    bat_notice_value(c, joined ? BAT_STRING_NOTICE_SIMPLIFIED_G1 : BAT_STRING_NOTICE_SIMPLIFIED, numbers);
+    else
+        bat_notice_value(c, words, numbers);
 }
 
 static bat_status refuse(bat_context *c, bat_status status) {
-    bat_simplify_free(c->simplifying);
+    bat_tuning_free(c->tuning);
     const bat_string why = status == BAT_STATE      ? BAT_STRING_NOTICE_SELECT_FIRST
                            : status == BAT_ARGUMENT ? BAT_STRING_NOTICE_NOT_POSSIBLE
                                                     : BAT_STRING_COUNT;
@@ -191,28 +150,28 @@ bat_status bat_command_curve_simplify(bat_context *c, bat_command_id id) {
     bat_status status = keep(c);
     if (status != BAT_OK) return refuse(c, status);
     s->tolerance = c->settings->values[BAT_PROPERTY_TOLERANCE] * bat_stage_pixel(c->stage);
-    s->amount = 0.5;
+    c->tuning->amount = 0.5;
     status = carry_out(c, s->tolerance);
     if (status != BAT_OK) {
-        bat_simplify_free(s);
+        bat_tuning_free(c->tuning);
         bat_notice_failure(c, status);
         return status;
     }
     tell(c);
-    return s->stepped ? BAT_OK : BAT_STATE;
+    return c->tuning->stepped ? BAT_OK : BAT_STATE;
 }
 
 /* ---- again ---- */
 
 /* Replaces the step; when that fails, it is as it was. */
 static bat_status replace(bat_context *c, double tolerance) {
-    const bool stepped = c->simplifying->stepped;
+    const bool stepped = c->tuning->stepped;
     bat_status status = stepped ? bat_session_step(c, true) : BAT_OK;
     if (status != BAT_OK) return status;
     status = carry_out(c, tolerance);
     if (status == BAT_OK) return BAT_OK;
     if (stepped) bat_session_step(c, false);
-    mark(c, stepped);
+    bat_tuning_mark(c, &simplifying, stepped);
     return status;
 }
 
@@ -226,60 +185,69 @@ static bat_status shown(bat_context *c, double tolerance) {
     bat_status status = simplify_all(c, tolerance, show, &sum);
     if (status != BAT_OK) return status;
     s->sum = sum;
-    s->version++;
+    c->tuning->version++;
     return BAT_OK;
 }
 
 /* In place of the step, or only shown. */
 static bat_status choose(bat_context *c, double amount, bool done) {
     bat_simplifying *s = c->simplifying;
-    drop_shown(s);
+    bat_tuning_unshow(c->tuning);
     bat_status status = (done ? replace : shown)(c, chosen(s, amount));
     if (status != BAT_OK) {
-        drop_shown(s);
+        bat_tuning_unshow(c->tuning);
         bat_notice_failure(c, status);
         return status;
     }
-    s->amount = amount;
+    c->tuning->amount = amount;
     if (done) tell(c);
     return BAT_OK;
 }
 
-bat_status bat_simplify_again(bat_context *c, double amount, bool done) {
-    if (!bat_simplify_holds(c)) return BAT_STATE;
+static bat_status again(bat_context *c, double amount, bool done) {
     if (!(amount >= 0 && amount <= 1)) return BAT_ARGUMENT;
     return choose(c, amount, done);
 }
 
-bat_status bat_simplify_joined(bat_context *c, int joints) {
+/* Takes other joints. */
+static bat_status join(bat_context *c, int joints) {
     bat_simplifying *s = c->simplifying;
-    if (!bat_simplify_holds(c)) return BAT_STATE;
-    if (joints < 0 || joints >= BAT_JOINTS_COUNT) return BAT_ARGUMENT;
+    if (joints < 0) joints = s->joints == BAT_JOINTS_C2 ? BAT_JOINTS_G1 : BAT_JOINTS_C2;
+    if (joints >= BAT_JOINTS_COUNT) return BAT_ARGUMENT;
     const bat_joints before = s->joints;
     s->joints = (bat_joints)joints;
-    bat_status status = choose(c, s->amount, true);
+    bat_status status = choose(c, c->tuning->amount, true);
     if (status != BAT_OK) s->joints = before;
     return status;
 }
 
-bool bat_simplify_cancel(bat_context *c) {
-    bat_simplifying *s = c->simplifying;
-    if (!bat_simplify_holds(c)) return false;
-    if (s->stepped && bat_session_step(c, true) == BAT_OK)
-        bat_notice_value(c, BAT_STRING_NOTICE_UNDONE, bat_word(c, BAT_STRING_STEP_SIMPLIFY));
-    bat_simplify_free(s);
-    return true;
+static void counted(bat_text *text, const char *what, const size_t count[2]) {
+    bat_text_string(text, ",\"");
+    bat_text_string(text, what);
+    bat_text_string(text, "\":");
+    bat_line_numbers(text, (double[]){(double)count[0], (double)count[1]}, 2, 1);
 }
 
-bool bat_simplify_accept(bat_context *c) {
-    const bool holds = bat_simplify_holds(c);
-    if (holds) bat_simplify_free(c->simplifying);
-    return holds;
-}
-
-void bat_simplify_show(bat_context *c, bat_overlay *overlay) {
+static void write(bat_context *c, bat_text *text) {
     const bat_simplifying *s = c->simplifying;
-    if (s->shown == 0 || !bat_simplify_holds(c)) return;
-    bat_overlay_item(overlay, BAT_ROLE_FIT, BAT_ITEM_STROKED, FIT_WIDTH);
-    for (int i = 0; i < s->shown; i++) bat_path_curve(&overlay->path, s->fit[i]);
+    char numbers[64];
+    bat_text_string(text, ",\"of\":\"simplify\",\"chosen\":");
+    bat_line_number(text, (int)s->joints);
+    counted(text, "points", s->sum.points);
+    counted(text, "cubics", s->sum.cubics);
+    const char *words = bat_word(c, told(s, numbers)), *hole = strchr(words, '%');
+    bat_text said = {0};
+    bat_text_add(&said, words, hole ? (size_t)(hole - words) : strlen(words));
+    if (hole) bat_text_string(&said, numbers), bat_text_string(&said, hole + 1);
+    bat_text_add(&said, "", 1);
+    bat_text_string(text, ",\"said\":");
+    bat_text_json_string(text, said.failed ? "" : said.data);
+    text->failed = text->failed || said.failed;
+    bat_text_free(&said);
+    bat_text_string(text, ",\"words\":[");
+    bat_text_json_string(text, bat_word(c, BAT_STRING_SIMPLIFY_C2));
+    bat_text_string(text, ",");
+    bat_text_json_string(text, bat_word(c, BAT_STRING_SIMPLIFY_G1));
 }
+
+static const bat_tuning_kind simplifying = {BAT_STRING_STEP_SIMPLIFY, again, join, write, NULL};

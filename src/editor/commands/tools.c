@@ -2,7 +2,7 @@
 #include "editor/show/moves.h"
 #include "editor/commands/three.h"
 #include "editor/choice/choice.h"
-#include "editor/commands/simplify.h"
+#include "editor/commands/tuning.h"
 #include "editor/tables/commands.h"
 #include "editor/edit/arrange.h"
 #include "editor/input/orbit.h"
@@ -22,20 +22,20 @@ bat_status bat_command_to_tool(bat_context *c, bat_command_id id) {
 }
 
 bat_status bat_command_reading(bat_context *c, bat_command_id id) {
-    if (!bat_simplify_holds(c)) return bat_command_to_tool(c, id);
-    return bat_simplify_joined(c, c->simplifying->joints == BAT_JOINTS_C2 ? BAT_JOINTS_G1 : BAT_JOINTS_C2);
+    if (!bat_tuning_holds(c)) return bat_command_to_tool(c, id);
+    return c->tuning->kind->choose(c, -1);
 }
 
 bat_status bat_command_accept(bat_context *c, bat_command_id id) {
     (void)id;
     const bat_slot *tool = bat_toolbox_tool(c);
-    if (bat_simplify_accept(c)) return BAT_OK;
+    if (bat_tuning_accept(c)) return BAT_OK;
     return tool->is->accept && tool->is->accept(c, tool->state) ? BAT_OK : BAT_STATE;
 }
 
 bat_status bat_command_cancel(bat_context *c, bat_command_id id) {
     if (bat_moves_leave(c) || bat_orbit_cancel(c) || bat_three_cancel(c) || bat_toolbox_drop(c) ||
-        (c->moves->camera && bat_gazes_leave(c)) || bat_simplify_cancel(c) || bat_isolate_end(c) ||
+        (c->moves->camera && bat_gazes_leave(c)) || bat_tuning_cancel(c) || bat_isolate_end(c) ||
         bat_arrange_leave(c))
         return BAT_OK;
     return bat_command_deselect(c, id);

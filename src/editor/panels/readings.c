@@ -1,5 +1,6 @@
-/* The chips at the end of a stroke: its other readings; and those beside what was simplified: how its spans meet. */
-#include "editor/commands/simplify.h"
+/* The chips at the end of a stroke: its other readings; and those beside what can be tuned. */
+#include "editor/commands/tuning.h"
+#include "editor/edit/arrange.h"
 #include "editor/panels/panels.h"
 #include "editor/session/journal_line.h"
 #include "editor/session/notice.h"
@@ -37,45 +38,34 @@ static const char *finish(bat_context *c, bat_text *text) {
     return bat_text_keep(text, &c->panels->readings);
 }
 
-static void begin(bat_context *c, bat_text *text, const double place[3], int chosen, double amount) {
+static void begin(bat_context *c, bat_text *text, const double place[3], double amount) {
     double at[2] = {0, 0};
     if (place) bat_stage_look(c->stage, 3, place, at);
     if (place) bat_stage_project(c->stage, (double[]){at[0], at[1]}, at);
     bat_text_string(text, "{\"at\":");
     bat_line_numbers(text, at, 2, 1);
-    bat_text_string(text, ",\"chosen\":");
-    bat_line_number(text, chosen);
     bat_text_string(text, ",\"amount\":");
     bat_line_number(text, amount);
 }
 
-static void counted(bat_text *text, const char *what, const size_t count[2]) {
-    bat_text_string(text, ",\"");
-    bat_text_string(text, what);
-    bat_text_string(text, "\":");
-    bat_line_numbers(text, (double[]){(double)count[0], (double)count[1]}, 2, 1);
-}
-
-/* The same slider for a selection that was simplified, and how its spans can meet. */
-static const char *simplified(bat_context *c) {
-    static const bat_string words[BAT_JOINTS_COUNT] = {BAT_STRING_SIMPLIFY_C2, BAT_STRING_SIMPLIFY_G1};
-    const bat_simplifying *s = c->simplifying;
+/* Of what was done to the selection: at the lower right corner of the box around it. */
+static const char *tuned(bat_context *c) {
     bat_text text = {0};
-    double place[3] = {0};
-    bat_simplify_place(c, place);
-    begin(c, &text, place, (int)s->joints, s->amount);
-    counted(&text, "points", s->sum.points);
-    counted(&text, "cubics", s->sum.cubics);
-    bat_text_string(&text, ",\"words\":[");
-    for (int i = 0; i < BAT_JOINTS_COUNT; i++) {
-        if (i) bat_text_string(&text, ",");
-        bat_text_json_string(&text, bat_word(c, words[i]));
-    }
+    double box[4], place[3] = {0};
+    const bool some = bat_arrange_selection_box(c, box);
+    for (int k = 0; k < 2 && some; k++) place[k] = box[k + 2];
+    begin(c, &text, place, c->tuning->amount);
+    c->tuning->kind->write(c, &text);
     return finish(c, &text);
 }
 
+static void choose(bat_text *text, int chosen) {
+    bat_text_string(text, ",\"chosen\":");
+    bat_line_number(text, chosen);
+}
+
 const char *bat_panel_readings(bat_context *c) {
-    if (bat_simplify_holds(c)) return simplified(c);
+    if (bat_tuning_holds(c)) return tuned(c);
     const bat_sketching *s = bat_sketching_of(c);
     const bat_again *again = &s->again;
     bat_text text = {0};
@@ -83,9 +73,10 @@ const char *bat_panel_readings(bat_context *c) {
     const bool any = bat_sketching_readings(c, s);
     const int count = any && again->count > 1 ? again->count : 0;
     if (kept)
-        begin(c, &text, kept->end, -1, kept->amount);
+        begin(c, &text, kept->end, kept->amount);
     else
-        begin(c, &text, any ? again->place : NULL, again->at, any ? again->amount : -1);
+        begin(c, &text, any ? again->place : NULL, any ? again->amount : -1);
+    choose(&text, kept ? -1 : again->at);
     bat_text_string(&text, ",\"words\":[");
     for (int i = 0; i < count; i++) {
         if (i) bat_text_string(&text, ",");
@@ -95,11 +86,11 @@ const char *bat_panel_readings(bat_context *c) {
 }
 
 bat_status bat_panel_refit(bat_context *c, double amount, bool done) {
-    if (bat_simplify_holds(c)) return bat_simplify_again(c, amount, done);
+    if (bat_tuning_holds(c)) return c->tuning->kind->again(c, amount, done);
     return bat_sketching_refit(c, bat_sketching_of(c), amount, done);
 }
 
 bat_status bat_panel_read_as(bat_context *c, int reading) {
-    if (bat_simplify_holds(c)) return bat_simplify_joined(c, reading);
+    if (bat_tuning_holds(c)) return reading < 0 ? BAT_ARGUMENT : c->tuning->kind->choose(c, reading);
     return bat_sketching_read_as(c, bat_sketching_of(c), reading);
 }

@@ -21,7 +21,8 @@ typedef struct bat_context {
     struct bat_snap *snap;           /* pick/snap.h: what the last position of a drag snapped to */
     struct bat_moves *moves;         /* show/moves.h: the camera move that is looked at */
     struct bat_insight *insight;     /* show/inspect.h: the curve inspected last */
-    struct bat_simplifying *simplifying; /* commands/simplify.h: what can still be simplified otherwise */
+    struct bat_simplifying *simplifying; /* commands/simplify.h */
+    struct bat_tuning *tuning;           /* commands/tuning.h: what can still be done otherwise */
     struct bat_panels *panels;           /* panels/panels.h */
     struct bat_toolbox *toolbox;         /* tools/toolbox.h: the tools, each with its own state */
     uint32_t modifiers;                  /* held at present */

@@ -1,0 +1,55 @@
+/*
+ * What was just done to the selection and can still be chosen otherwise: along a slider, or one of a few ways. What is chosen is
+ * shown, and then takes the place of the step. It ends with the next thing that is done.
+ */
+#ifndef BATTEN_EDITOR_COMMANDS_TUNING_H
+#define BATTEN_EDITOR_COMMANDS_TUNING_H
+
+#include "editor/session/context.h"
+#include "editor/show/overlay.h"
+#include "editor/tables/tables.h"
+#include "text/text.h"
+
+/* What is tuned. */
+typedef struct bat_tuning_kind {
+    bat_string step; /* the name of its step of the history */
+    /* Takes another amount, 0 to 1. done: in place of the step; otherwise only shown. A failure leaves everything as it was. */
+    bat_status (*again)(bat_context *c, double amount, bool done);
+    /* Takes another way; -1: the one after that in force. BAT_ARGUMENT: there is none. */
+    bat_status (*choose)(bat_context *c, int way);
+    /* Writes its members of the readings (panels.h), each with a comma before it. */
+    void (*write)(bat_context *c, bat_text *text);
+    bat_status (*accept)(bat_context *c); /* Enter; NULL: it stays as it is */
+} bat_tuning_kind;
+
+typedef struct bat_tuning {
+    const bat_tuning_kind *kind; /* NULL: nothing can be chosen */
+    int count;                   /* of the objects that it is about, as they were, retained */
+    bat_object **before;
+    bool stepped;  /* a step has changed them; otherwise they are as they were */
+    double amount; /* 0 to 1 */
+    int shown;     /* curves that are only shown, owned */
+    bat_curve **fit;
+    uint64_t revision; /* when all this was made */
+    uint32_t selection, version;
+    bat_tool_id tool;
+} bat_tuning;
+
+/* Ends it; what was done stays. */
+void bat_tuning_free(bat_tuning *tuning);
+/* Drops what is only shown. */
+void bat_tuning_unshow(bat_tuning *tuning);
+/* Shows one curve more, which is taken over whatever it returns. */
+bat_status bat_tuning_add(bat_tuning *tuning, bat_curve *curve);
+/* From now on this is the last thing done. */
+void bat_tuning_mark(bat_context *c, const bat_tuning_kind *kind, bool stepped);
+/* Whether it is still the last thing done. */
+bool bat_tuning_holds(const bat_context *c);
+/* A number that changes when what the slider shows changes; 0: there is nothing to choose. */
+uint32_t bat_tuning_version(const bat_context *c);
+/* Gives the objects back as they were; Enter keeps them. False: there was nothing to choose. */
+bool bat_tuning_cancel(bat_context *c);
+bool bat_tuning_accept(bat_context *c);
+void bat_tuning_show(bat_context *c, bat_overlay *overlay);
+
+#endif
