@@ -13,6 +13,7 @@
 #include <batten/nearest.h>
 
 #include "curve/lsq.h"
+#include "base/lanes.h"
 #include "base/real.h"
 
 #include <float.h>
@@ -325,6 +326,35 @@ typedef struct branch {
     int level, index; /* level -1: a span */
 } branch;
 
+/* How far x lies outside of an interval, squared. */
+BAT_INLINE double outside(double low, double high, double x) {
+    const double below = low - x, above = x - high;
+    double d = below > above ? below : above;
+    d = d > 0 ? d : 0;
+    return d * d;
+}
+
+/* Squared distances of a point from the eight boxes of a node; INFINITY for those that are absent. */
+BAT_INLINE void find_bounds(const node *restrict n, const int m, const double *restrict point,
+                            double *restrict bound) {
+    for (int k = 0; k < FAN; k++) {
+        double sum = 0;
+        for (int c = 0; c < m; c++) sum += outside(n->low[c][k], n->high[c][k], point[c]);
+        bound[k] = sum;
+    }
+}
+
+BAT_CLONES static void bounds_of(const node *n, int m, const double *point, double *bound) {
+#ifdef __OPTIMIZE_SIZE__
+    find_bounds(n, m, point, bound);
+#else
+    if (m == 2)
+        find_bounds(n, 2, point, bound);
+    else
+        find_bounds(n, 3, point, bound);
+#endif
+}
+
 static inline void search_tree(const bat_finder *finder, const int p, const int m, const double *point,
                                search *best) {
     branch stack[LEVELS * FAN + 1];
@@ -338,14 +368,8 @@ static inline void search_tree(const bat_finder *finder, const int p, const int 
             continue;
         }
         const node *n = finder->nodes + finder->base[b.level] + b.index;
-        double bound[FAN] = {0};
-        for (int c = 0; c < m; c++)
-            for (int k = 0; k < FAN; k++) {
-                const double below = n->low[c][k] - point[c], above = point[c] - n->high[c][k];
-                double d = below > above ? below : above;
-                d = d > 0 ? d : 0;
-                bound[k] += d * d;
-            }
+        double bound[FAN];
+        bounds_of(n, m, point, bound);
         /* Nearest on top; of equals the first. */
         const int floor = top;
         for (int k = FAN - 1; k >= 0; k--) {
