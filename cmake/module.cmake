@@ -6,7 +6,7 @@ set(WASM_FEATURES "--enable-simd --enable-bulk-memory") # the features enabled f
 include(cmake/words.cmake)
 
 # The files in which a stroke spends its time: compiled for speed, the rest for size.
-set_source_files_properties(src/curve/lsq.c src/hands/sketch/whittaker.c src/hands/sketch/stroke.c
+set_source_files_properties(src/curve/lsq.c src/curve/lsq_error.c src/hands/sketch/whittaker.c src/hands/sketch/stroke.c
   PROPERTIES COMPILE_OPTIONS "-O2;-fno-unroll-loops")
 # Grids of surfaces, which a tilted view is painted with.
 set_source_files_properties(src/form/surface/tile.c src/form/surface/grid.c src/form/surface/grid_normals.c

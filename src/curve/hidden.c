@@ -70,9 +70,12 @@ bool bat_hidden_knots(const bat_hidden *h, double noise, double *work, double *k
     if (h->count < 4 * reach) return false;
     const size_t n = h->closed ? h->count : h->count - reach;
     double d[BAT_DIMENSION_MAX];
+    size_t over = 0; /* when most are noisy, so is the median */
     for (size_t i = 0; i < n; i++) {
         difference(h, i, d);
         work[i] = size_of(d, (size_t)h->dimension);
+        over += !(work[i] <= noise);
+        if (2 * over > n) return false;
     }
     const double usual = median(work, n), least = fmax(stands_out * usual, rounding(h));
     if (!(usual <= noise)) return false;

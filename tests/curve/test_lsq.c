@@ -141,6 +141,31 @@ static void check_error(const bat_curve *curve) {
     assert_true(bat_lsq_error(curve, m, local, SAMPLES, start, x, 0, NULL, NULL) >= worst);
 }
 
+/* Samples near and far, whose steps often lead out of their slots: all of them at once, and each by itself, give the same bits. */
+static void check_alone(const bat_curve *curve) {
+    const int m = curve->dimension;
+    double local[64 * 8 * 3], u[SAMPLES], x[SAMPLES * 3], near[SAMPLES], distance[SAMPLES];
+    bat_lsq_local(curve, m, bat_curve_points(curve), local);
+    bat_curve_spread(curve, SAMPLES, u);
+    for (int i = 0; i < SAMPLES; i++) {
+        double d[3];
+        bat_curve_eval(curve, u[i], 0, d);
+        const double off = i % 3 == 0 ? 1e-3 : i % 3 == 1 ? 1 : 20;
+        for (int c = 0; c < m; c++) x[i * m + c] = d[c] + off * (uniform() - 0.5);
+    }
+    for (int steps = 0; steps < 6; steps++) {
+        const double worst = bat_lsq_error(curve, m, local, SAMPLES, u, x, steps, near, distance);
+        double most = 0;
+        for (int i = 0; i < SAMPLES; i++) {
+            double one, far;
+            bat_lsq_error(curve, m, local, 1, u + i, x + i * m, steps, &one, &far);
+            assert_true(one == near[i] && far == distance[i]);
+            most = fmax(most, far);
+        }
+        assert_true(most == worst);
+    }
+}
+
 /* An inserted knot is no knot: its rank is rounding, while the others keep theirs. */
 static void check_rank(const bat_curve *curve) {
     const int p = curve->degree, m = curve->dimension;
@@ -209,6 +234,11 @@ static void check_memo(const bat_curve *curve) {
     free(block[0]), free(block[1]);
 }
 
+static void side_by_side(void **state) {
+    (void)state;
+    each(check_alone);
+}
+
 static void remembers(void **state) {
     (void)state;
     each(check_memo);
@@ -232,8 +262,8 @@ static void ranks(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(assembles), cmocka_unit_test(remembers),
-                                       cmocka_unit_test(penalises), cmocka_unit_test(projects),
-                                       cmocka_unit_test(ranks)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(assembles), cmocka_unit_test(side_by_side),
+                                       cmocka_unit_test(remembers), cmocka_unit_test(penalises),
+                                       cmocka_unit_test(projects),  cmocka_unit_test(ranks)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
