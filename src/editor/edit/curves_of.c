@@ -50,6 +50,16 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
     return status;
 }
 
+bat_status bat_dash_new(bat_context *c, bat_id id, bat_dashing dashes) {
+    const int index = bat_document_find(c->session->document, id);
+    bat_object *made = NULL;
+    if (dashes == BAT_DASHING_SOLID || index < 0) return BAT_OK;
+    bat_status status = bat_dashing_give(bat_document_at(c->session->document, index), dashes, &made);
+    if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
+    bat_object_release(made);
+    return status;
+}
+
 bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string label, bat_id *id) {
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) {
@@ -59,6 +69,7 @@ bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string lab
     const bat_id made = bat_document_new_id(c->session->document);
     const bat_style style = bat_styling_new(c);
     status = bat_insert_curve(c, made, &style, c->choice->layer, curve);
+    if (status == BAT_OK) status = bat_dash_new(c, made, bat_styling_dashes(c));
     status = bat_transaction_end(c, status, label);
     if (status == BAT_OK && id) *id = made;
     return status;

@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_EDIT_CURVES_OF_H
 #define BATTEN_EDITOR_EDIT_CURVES_OF_H
 
+#include "editor/edit/dashes.h"
 #include "editor/session/context.h"
 #include "editor/tables/tables.h"
 #include <batten/document.h>
@@ -20,6 +21,8 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
                             bat_curve *curve);
 /* A new path of one curve in the active layer, with the style of new curves, as an undo step of its own; takes ownership
  * of the curve, whatever it returns. id: gets its number, unless it is NULL. */
+/* Gives dashes to an object that was just inserted, within the open transaction. */
+bat_status bat_dash_new(bat_context *c, bat_id id, bat_dashing dashes);
 bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string label, bat_id *id);
 /* The same, and it alone is selected. */
 bat_status bat_commit_chosen_curve(bat_context *c, bat_curve *curve, bat_string label);

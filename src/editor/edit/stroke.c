@@ -144,6 +144,7 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curv
         status = put_several(c, edit, curve);
     else
         status = bat_put_curve(c, edit->object, edit->curve, curve);
+    if (status == BAT_OK && edit->kind == BAT_EDIT_NEW) status = bat_dash_new(c, edit->object, edit->dashes);
     if (status == BAT_OK && edit->kind == BAT_EDIT_NEW && edit->pressed) status = press(c, edit);
     /* The joined curve replaces the first; the second has become part of it. */
     if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)

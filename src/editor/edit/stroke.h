@@ -7,6 +7,7 @@
 #define BATTEN_EDITOR_EDIT_STROKE_H
 
 #include "curve/mirror.h"
+#include "editor/edit/dashes.h"
 #include "editor/session/context.h"
 #include "editor/input/samples.h"
 #include "editor/tables/tables.h"
@@ -54,11 +55,12 @@ typedef struct bat_edit {
     bat_edit_part part[BAT_EDIT_PARTS];
     bat_stage stage; /* the stroke's samples are in its pixels and lie on its ground */
     bat_sketch_options options;
-    bat_style style;   /* NEW */
-    bat_id parent;     /* NEW: the layer it goes into; 0: none */
-    bool pressed;      /* NEW: the pen's pressure becomes the width along it */
-    bat_mirror mirror; /* on: the edit is made on both sides of this axis */
-    bool accepted;     /* the user accepted a fit that misses the tolerance */
+    bat_style style;    /* NEW */
+    bat_id parent;      /* NEW: the layer it goes into; 0: none */
+    bat_dashing dashes; /* NEW */
+    bool pressed;       /* NEW: the pen's pressure becomes the width along it */
+    bat_mirror mirror;  /* on: the edit is made on both sides of this axis */
+    bool accepted;      /* the user accepted a fit that misses the tolerance */
     bat_samples samples;
 } bat_edit;
 

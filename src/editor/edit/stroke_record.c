@@ -142,6 +142,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
         number(line, "stroke_width", edit->style.width);
         write_style(line, &edit->style);
         if (edit->parent) number(line, "parent", (double)edit->parent);
+        if (edit->dashes) number(line, "dashes", edit->dashes);
         if (edit->pressed) bat_text_string(line, ",\"pressed\":true");
         write_new(line, &edit->meaning, bat_stage_dimension(&edit->stage));
     }
@@ -417,6 +418,7 @@ bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_
         out->style.width = read(&r, "stroke_width", 0, 1e9, &out->style.width);
         read_style(&r, &out->style);
         out->parent = (bat_id)read(&r, "parent", 0, ids, &none);
+        out->dashes = (bat_dashing)read(&r, "dashes", 0, BAT_DASHING_OTHER - 1, &none);
         out->pressed = read_switch(&r, "pressed");
         read_new(&r, &out->meaning, bat_stage_dimension(&out->stage));
     }

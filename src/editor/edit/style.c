@@ -58,6 +58,10 @@ bat_style bat_styling_new(const bat_context *c) {
     return style;
 }
 
+bat_dashing bat_styling_dashes(const bat_context *c) {
+    return (bat_dashing)(int)c->settings->values[BAT_PROPERTY_DASHES];
+}
+
 const bat_object *bat_styling_selected(const bat_context *c, bat_property_id property) {
     const bat_document *document = c->session->document;
     const bat_object *found = NULL;
@@ -161,15 +165,16 @@ static bat_status restyle(bat_context *c, int index, int count, const bat_stylin
     return status;
 }
 
-/* Dashes and widths along a stroke belong to objects alone. */
-static bool is_of_objects(bat_property_id property) {
-    return property == BAT_PROPERTY_DASHES || property == BAT_PROPERTY_WIDTHS;
+/* Widths along a stroke belong to objects alone, and so do dashes that have no name. */
+static bool is_of_objects(const bat_styling *v) {
+    return v->property == BAT_PROPERTY_WIDTHS ||
+           (v->property == BAT_PROPERTY_DASHES && (int)v->value == BAT_DASHING_OTHER);
 }
 
 bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values) {
     for (int i = 0; i < count; i++)
-        if (!is_of_objects(values[i].property)) c->settings->values[values[i].property] = values[i].value;
-    if (count == 1 && is_of_objects(values->property) && !c->choice->selection.count)
+        if (!is_of_objects(&values[i])) c->settings->values[values[i].property] = values[i].value;
+    if (count == 1 && is_of_objects(values) && !c->choice->selection.count)
         bat_notice(c, BAT_STRING_NOTICE_SELECT_FIRST);
     if (!c->choice->selection.count || c->session->busy || c->session->transaction.open) return BAT_OK;
     int *members, member_count;

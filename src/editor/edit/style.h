@@ -2,6 +2,7 @@
 #ifndef BATTEN_EDITOR_EDIT_STYLE_H
 #define BATTEN_EDITOR_EDIT_STYLE_H
 
+#include "editor/edit/dashes.h"
 #include "editor/session/context.h"
 #include "editor/tables/tables.h"
 #include <batten/editor.h>
@@ -18,6 +19,8 @@ double bat_styling_value(const bat_style *style, bat_property_id property);
 bat_status bat_styling_set(bat_context *c, int count, const bat_styling *values);
 /* The style that new curves get. */
 bat_style bat_styling_new(const bat_context *c);
+/* The dashes that they get. */
+bat_dashing bat_styling_dashes(const bat_context *c);
 /* The frontmost selected object, or, for its opacity, the group that is selected as a whole; NULL: nothing is selected. */
 const bat_object *bat_styling_selected(const bat_context *c, bat_property_id property);
 /* The object's value for the property, within its range. */

@@ -66,6 +66,8 @@ bat_status bat_styling_take(bat_context *c, const bat_object *from) {
         if (bat_property_at((bat_property_id)i)->group == BAT_GROUP_STYLE && i != BAT_PROPERTY_DASHES &&
             i != BAT_PROPERTY_WIDTHS && i != BAT_PROPERTY_FILL_RULE)
             c->settings->values[i] = bat_styling_value(bat_object_style(from), (bat_property_id)i);
+    const bat_dashing dashes = bat_dashing_of(from);
+    c->settings->values[BAT_PROPERTY_DASHES] = dashes == BAT_DASHING_OTHER ? BAT_DASHING_SOLID : dashes;
     bat_status status = bat_arrange_members(c, &members, &count);
     if (status == BAT_OK) {
         status = bat_transaction_begin(c);

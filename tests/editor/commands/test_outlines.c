@@ -161,6 +161,43 @@ static void strokes_become_shapes(void **state) {
     bat_editor_free(editor);
 }
 
+/* Chosen while nothing is selected, they are those of what is made next: by a stroke, by a shape, by a spline. */
+static void new_curves_are_dashed(void **state) {
+    (void)state;
+    bat_editor *editor = select_editor();
+    pen p = mouse(editor);
+    bat_editor_command(editor, "deselect");
+    set(editor, "dashes", 4); /* no pattern by name */
+    assert_true(got(editor, "dashes") == 0);
+    set(editor, "stroke-width", 5);
+    set(editor, "dashes", 1);
+    assert_true(got(editor, "dashes") == 1);
+    static const char *const tools[] = {"tool-sketch", "tool-line", "tool-rectangle", "tool-tangents"};
+    for (size_t i = 0; i < sizeof tools / sizeof *tools; i++) {
+        const int count = bat_document_count(bat_editor_document(editor));
+        bat_editor_command(editor, tools[i]);
+        bat_editor_command(editor, "deselect");
+        drag(&p, 250, 300 + 60 * (double)i, 700, 330 + 60 * (double)i);
+        if (i == 3) drag(&p, 600, 520, 620, 500);
+        bat_editor_command(editor, "accept");
+        check(editor);
+        if (bat_document_count(bat_editor_document(editor)) != count + 1) fail_msg("%s", tools[i]);
+        const bat_paint *paint = bat_object_paint(bat_document_at(bat_editor_document(editor), count));
+        if (!paint || paint->dash_count != 2) fail_msg("%s", tools[i]);
+        assert_true(paint->dashes[0] == 15);
+    }
+    replays(editor, 0);
+    bat_editor_command(editor, "tool-select");
+    bat_editor_command(editor, "deselect");
+    set(editor, "dashes", 0);
+    bat_editor_command(editor, "tool-line");
+    drag(&p, 250, 700, 700, 720);
+    const bat_document *document = bat_editor_document(editor);
+    const bat_paint *paint = bat_object_paint(bat_document_at(document, bat_document_count(document) - 1));
+    assert_true(!paint || !paint->dash_count);
+    bat_editor_free(editor);
+}
+
 static void dashes_have_names(void **state) {
     (void)state;
     bat_editor *editor = boxes();
@@ -276,10 +313,15 @@ static void what_cannot_be_done(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(offsets_of_closed_curves), cmocka_unit_test(holes_go_along),
-        cmocka_unit_test(many_and_open_ones),       cmocka_unit_test(strokes_become_shapes),
-        cmocka_unit_test(dashes_have_names),        cmocka_unit_test(fill_rules),
-        cmocka_unit_test(mixed_and_same),           cmocka_unit_test(zoom_to_selection),
+        cmocka_unit_test(offsets_of_closed_curves),
+        cmocka_unit_test(holes_go_along),
+        cmocka_unit_test(many_and_open_ones),
+        cmocka_unit_test(strokes_become_shapes),
+        cmocka_unit_test(dashes_have_names),
+        cmocka_unit_test(new_curves_are_dashed),
+        cmocka_unit_test(fill_rules),
+        cmocka_unit_test(mixed_and_same),
+        cmocka_unit_test(zoom_to_selection),
         cmocka_unit_test(what_cannot_be_done),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

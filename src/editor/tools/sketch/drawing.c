@@ -79,6 +79,7 @@ void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *ev
                          .stage = bat_sketching_stage(c, &pick, pixel),
                          .options = options(c),
                          .style = bat_styling_new(c),
+                         .dashes = bat_styling_dashes(c),
                          .pressed = c->settings->values[BAT_PROPERTY_PRESSURE_WIDTH] != 0,
                          .mirror = bat_symmetry(c),
                          .samples = samples};

@@ -1,6 +1,7 @@
 /* The tangents tool: its changes to the document, each an undo step. */
 #include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
+#include "editor/edit/curves_of.h"
 #include "editor/edit/style.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
@@ -62,6 +63,7 @@ bat_status bat_splining_make(bat_context *c, const bat_spline *spline) {
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         status = bat_arrange_insert(c, object);
+        if (status == BAT_OK) status = bat_dash_new(c, id, bat_styling_dashes(c));
         status = bat_transaction_end(c, status, BAT_STRING_STEP_SPLINE);
     }
     bat_object_release(object);

@@ -12,6 +12,7 @@
 #include "hands/tangents/spline.h"
 #include "base/vec.h"
 #include "curve/frames/walk.h"
+#include "editor/edit/curves_of.h"
 #include "editor/edit/style.h"
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
@@ -294,6 +295,7 @@ static bat_status add_point(bat_context *c, const double *point) {
     if (status == BAT_OK) {
         status = s->object ? bat_transaction_replace(c, bat_document_find(c->session->document, id), object)
                            : bat_arrange_insert(c, object);
+        if (status == BAT_OK && !s->object) status = bat_dash_new(c, id, bat_styling_dashes(c));
         if (status != BAT_OK) bat_transaction_cancel(c);
     }
     bat_object_release(object);
