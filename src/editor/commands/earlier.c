@@ -134,7 +134,7 @@ static bat_status choose(bat_context *c, int way) { return way > 0 ? BAT_ARGUMEN
 
 static void write(bat_context *c, bat_text *text) {
     shapes all;
-    bat_text_string(text, ",\"of\":\"earlier\",\"chosen\":-1");
+    bat_text_string(text, ",\"of\":\"earlier\"");
     if (find(c, bat_object_id(c->tuning->before[0]), &all) == BAT_OK && all.count > 1) {
         const int label = all.list[place_of(c->tuning->amount, &all)].label;
         bat_text_string(text, ",\"step\":");
@@ -148,7 +148,7 @@ static void write(bat_context *c, bat_text *text) {
     bat_text_json_string(text, bat_word(c, BAT_STRING_EARLIER_KEEP));
 }
 
-static const bat_tuning_kind earlier = {BAT_STRING_COMMAND_CURVE_EARLIER, again, choose, write, keep};
+static const bat_tuning_kind earlier = {BAT_STRING_COMMAND_CURVE_EARLIER, again, choose, NULL, write, keep};
 
 /* The one object that is selected, or in the group that is; BAT_STATE: there is no such one. */
 static bat_status one_selected(bat_context *c, int *index) {

@@ -221,6 +221,8 @@ static bat_status join(bat_context *c, int joints) {
     return status;
 }
 
+static int way(const bat_context *c) { return (int)c->simplifying->joints; }
+
 static void counted(bat_text *text, const char *what, const size_t count[2]) {
     bat_text_string(text, ",\"");
     bat_text_string(text, what);
@@ -231,8 +233,7 @@ static void counted(bat_text *text, const char *what, const size_t count[2]) {
 static void write(bat_context *c, bat_text *text) {
     const bat_simplifying *s = c->simplifying;
     char numbers[64];
-    bat_text_string(text, ",\"of\":\"simplify\",\"chosen\":");
-    bat_line_number(text, (int)s->joints);
+    bat_text_string(text, ",\"of\":\"simplify\"");
     counted(text, "points", s->sum.points);
     counted(text, "cubics", s->sum.cubics);
     const char *words = bat_word(c, told(s, numbers)), *hole = strchr(words, '%');
@@ -250,4 +251,4 @@ static void write(bat_context *c, bat_text *text) {
     bat_text_json_string(text, bat_word(c, BAT_STRING_SIMPLIFY_G1));
 }
 
-static const bat_tuning_kind simplifying = {BAT_STRING_STEP_SIMPLIFY, again, join, write, NULL};
+static const bat_tuning_kind simplifying = {BAT_STRING_STEP_SIMPLIFY, again, join, way, write, NULL};

@@ -17,6 +17,7 @@ typedef struct bat_tuning_kind {
     bat_status (*again)(bat_context *c, double amount, bool done);
     /* Takes another way; -1: the one after that in force. BAT_ARGUMENT: there is none. */
     bat_status (*choose)(bat_context *c, int way);
+    int (*way)(const bat_context *c); /* the way in force; NULL: there are none */
     /* Writes its members of the readings (panels.h), each with a comma before it. */
     void (*write)(bat_context *c, bat_text *text);
     bat_status (*accept)(bat_context *c); /* Enter; NULL: it stays as it is */

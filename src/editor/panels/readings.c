@@ -38,12 +38,14 @@ static const char *finish(bat_context *c, bat_text *text) {
     return bat_text_keep(text, &c->panels->readings);
 }
 
-static void begin(bat_context *c, bat_text *text, const double place[3], double amount) {
+static void begin(bat_context *c, bat_text *text, const double place[3], int chosen, double amount) {
     double at[2] = {0, 0};
     if (place) bat_stage_look(c->stage, 3, place, at);
     if (place) bat_stage_project(c->stage, (double[]){at[0], at[1]}, at);
     bat_text_string(text, "{\"at\":");
     bat_line_numbers(text, at, 2, 1);
+    bat_text_string(text, ",\"chosen\":");
+    bat_line_number(text, chosen);
     bat_text_string(text, ",\"amount\":");
     bat_line_number(text, amount);
 }
@@ -54,14 +56,9 @@ static const char *tuned(bat_context *c) {
     double box[4], place[3] = {0};
     const bool some = bat_arrange_selection_box(c, box);
     for (int k = 0; k < 2 && some; k++) place[k] = box[k + 2];
-    begin(c, &text, place, c->tuning->amount);
+    begin(c, &text, place, c->tuning->kind->way ? c->tuning->kind->way(c) : -1, c->tuning->amount);
     c->tuning->kind->write(c, &text);
     return finish(c, &text);
-}
-
-static void choose(bat_text *text, int chosen) {
-    bat_text_string(text, ",\"chosen\":");
-    bat_line_number(text, chosen);
 }
 
 const char *bat_panel_readings(bat_context *c) {
@@ -73,10 +70,9 @@ const char *bat_panel_readings(bat_context *c) {
     const bool any = bat_sketching_readings(c, s);
     const int count = any && again->count > 1 ? again->count : 0;
     if (kept)
-        begin(c, &text, kept->end, kept->amount);
+        begin(c, &text, kept->end, -1, kept->amount);
     else
-        begin(c, &text, any ? again->place : NULL, any ? again->amount : -1);
-    choose(&text, kept ? -1 : again->at);
+        begin(c, &text, any ? again->place : NULL, again->at, any ? again->amount : -1);
     bat_text_string(&text, ",\"words\":[");
     for (int i = 0; i < count; i++) {
         if (i) bat_text_string(&text, ",");
