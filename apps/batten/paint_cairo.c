@@ -67,13 +67,18 @@ static void set_colour(cairo_t *cairo, uint32_t colour) {
                           ((colour >> 8) & 255) / 255.0, (colour & 255) / 255.0);
 }
 
-/* What paints: the gradient, or the colour where there is none. */
-static void set_source(cairo_t *cairo, const bat_gradient *g, uint32_t colour) {
+/* How many pixels one of the gradient's units is; 0: the surface has none. */
+static double scale_of(cairo_t *cairo, const double m[6]) {
+    cairo_matrix_t all, own = {m[0], m[1], m[2], m[3], m[4], m[5]};
+    cairo_get_matrix(cairo, &all);
+    cairo_matrix_multiply(&own, &own, &all);
+    const bool pixels = cairo_surface_get_type(cairo_get_group_target(cairo)) == CAIRO_SURFACE_TYPE_IMAGE;
+    return pixels ? fmax(sqrt(own.xx * own.xx + own.yx * own.yx), sqrt(own.xy * own.xy + own.yy * own.yy))
+                  : 0;
+}
+
+static cairo_pattern_t *gradient_pattern(const bat_gradient *g) {
     static const cairo_extend_t extends[] = {CAIRO_EXTEND_PAD, CAIRO_EXTEND_REFLECT, CAIRO_EXTEND_REPEAT};
-    if (!g || g->count == 0) {
-        set_colour(cairo, colour);
-        return;
-    }
     cairo_pattern_t *pattern = g->radial
                                    ? cairo_pattern_create_radial(g->from[0], g->from[1], g->from[2], g->to[0],
                                                                  g->to[1], g->to[2])
@@ -83,10 +88,24 @@ static void set_source(cairo_t *cairo, const bat_gradient *g, uint32_t colour) {
         cairo_pattern_add_color_stop_rgba(pattern, g->stops[i].at, (c >> 24) / 255.0, (c >> 16 & 255) / 255.0,
                                           (c >> 8 & 255) / 255.0, (c & 255) / 255.0);
     }
-    const double *m = g->matrix;
-    cairo_matrix_t matrix = {m[0], m[1], m[2], m[3], m[4], m[5]};
     cairo_pattern_set_extend(pattern, extends[g->spread]);
-    if (cairo_matrix_invert(&matrix) == CAIRO_STATUS_SUCCESS) {
+    return pattern;
+}
+
+/* What paints: the gradient or pattern, or the colour where there is none. */
+static void set_source(cairo_t *cairo, const bat_gradient *g, uint32_t colour) {
+    if (!g || g->count == 0) {
+        set_colour(cairo, colour);
+        return;
+    }
+    const double *m = g->matrix;
+    cairo_matrix_t matrix = {m[0], m[1], m[2], m[3], m[4], m[5]}, own;
+    cairo_pattern_t *pattern = g->tile ? paint_tile(g->tile, (g->stops[0].colour & 255) / 255.0,
+                                                    scale_of(cairo, m))
+                                       : gradient_pattern(g);
+    if (pattern && cairo_matrix_invert(&matrix) == CAIRO_STATUS_SUCCESS) {
+        cairo_pattern_get_matrix(pattern, &own);
+        cairo_matrix_multiply(&matrix, &matrix, &own);
         cairo_pattern_set_matrix(pattern, &matrix);
         cairo_set_source(cairo, pattern);
     } else
@@ -337,14 +356,25 @@ static bool is_layer(const bat_object *object) {
     return bat_object_is_group(object) && (bat_object_style(object)->opacity < 1 || bat_object_clip(object));
 }
 
+static bool can_repeat(const bat_object *object) {
+    const bat_paint *paint = bat_object_paint(object);
+    const bat_gradient none = {0}, *const parts[2] = {paint ? &paint->fill : &none,
+                                                      paint ? &paint->stroke : &none};
+    for (int k = 0; k < 2; k++)
+        if (parts[k]->tile && !paint_can_repeat(parts[k]->tile)) return false;
+    return true;
+}
+
 /* As far as it is seen. */
 static bat_status paint_clipped(cairo_t *cairo, const bat_object *object, double tolerance, bool *whole) {
     cairo_save(cairo);
     bat_status status = clip_to(cairo, bat_object_clip(object), tolerance);
     if (status == BAT_OK && bat_object_is_foreign(object))
         *whole = paint_foreign(cairo, object) && *whole;
-    else if (status == BAT_OK)
+    else if (status == BAT_OK) {
+        *whole = can_repeat(object) && *whole;
         status = paint_marked(cairo, object, tolerance);
+    }
     cairo_restore(cairo);
     return status;
 }

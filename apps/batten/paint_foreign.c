@@ -1,6 +1,7 @@
 #include "paint_foreign.h"
 
 #include <dlfcn.h>
+#include <math.h>
 #include <string.h>
 
 typedef struct rectangle { /* RsvgRectangle */
@@ -34,10 +35,9 @@ static bool load(painter *out) {
     return false;
 }
 
-bool paint_foreign(cairo_t *cairo, const bat_object *object) {
+/* Paints it over its pixels. */
+static bool paint_picture(cairo_t *cairo, const bat_picture *picture) {
     painter p;
-    const bat_picture *picture = bat_object_picture(object);
-    const double *m = bat_object_matrix(object), opacity = bat_object_style(object)->opacity;
     size_t size;
     const unsigned char *bytes = bat_picture_bytes(picture, &size);
     double sides[2];
@@ -47,17 +47,90 @@ bool paint_foreign(cairo_t *cairo, const bat_object *object) {
     /* Without an address of its own, nothing that it refers to can be found. */
     void *handle = p.read(bytes, size, &error);
     if (!handle) return false;
-    const cairo_matrix_t place = {m[0], m[1], m[2], m[3], m[4], m[5]};
     const rectangle all = {0, 0, sides[0], sides[1]};
+    const bool painted = p.paint(handle, cairo, &all, &error) != 0;
+    p.release(handle);
+    return painted;
+}
+
+bool paint_foreign(cairo_t *cairo, const bat_object *object) {
+    const double *m = bat_object_matrix(object), opacity = bat_object_style(object)->opacity;
+    const cairo_matrix_t place = {m[0], m[1], m[2], m[3], m[4], m[5]};
     cairo_save(cairo);
     cairo_transform(cairo, &place);
     if (opacity < 1) cairo_push_group(cairo);
-    const bool painted = p.paint(handle, cairo, &all, &error) != 0;
+    const bool painted = paint_picture(cairo, bat_object_picture(object));
     if (opacity < 1) {
         cairo_pop_group_to_source(cairo);
         cairo_paint_with_alpha(cairo, opacity);
     }
     cairo_restore(cairo);
-    p.release(handle);
     return painted;
+}
+
+/* ---- patterns ---- */
+
+typedef struct reading {
+    const unsigned char *at;
+    size_t left;
+} reading;
+
+static cairo_status_t read_bytes(void *host, unsigned char *to, unsigned count) {
+    reading *r = host;
+    if (count > r->left) return CAIRO_STATUS_READ_ERROR;
+    memcpy(to, r->at, count);
+    r->at += count, r->left -= count;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+static bool is_png(const bat_picture *picture) { return strcmp(bat_picture_type(picture), "image/png") == 0; }
+
+static bool paint_png(cairo_t *cairo, const bat_picture *picture) {
+    reading r;
+    r.at = bat_picture_bytes(picture, &r.left);
+    cairo_surface_t *read = cairo_image_surface_create_from_png_stream(read_bytes, &r);
+    const bool good = cairo_surface_status(read) == CAIRO_STATUS_SUCCESS;
+    if (good) {
+        cairo_set_source_surface(cairo, read, 0, 0);
+        cairo_paint(cairo);
+    }
+    cairo_surface_destroy(read);
+    return good;
+}
+
+bool paint_can_repeat(const bat_picture *picture) {
+    painter p;
+    return is_png(picture) || (strcmp(bat_picture_type(picture), "image/svg+xml") == 0 && load(&p));
+}
+
+cairo_pattern_t *paint_tile(const bat_picture *picture, double opacity, double scale) {
+    enum { SIDE = 4096 };
+    double sides[2];
+    int pixels[2];
+    bat_picture_sides(picture, sides);
+    for (int k = 0; k < 2; k++) pixels[k] = (int)fmin(fmax(ceil(sides[k] * scale), 1), SIDE);
+    const cairo_rectangle_t extents = {0, 0, sides[0], sides[1]};
+    cairo_surface_t *surface = scale > 0
+                                   ? cairo_image_surface_create(CAIRO_FORMAT_ARGB32, pixels[0], pixels[1])
+                                   : cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents);
+    cairo_t *cairo = cairo_create(surface);
+    if (scale > 0) cairo_scale(cairo, pixels[0] / sides[0], pixels[1] / sides[1]);
+    if (opacity < 1) cairo_push_group(cairo);
+    bool painted = is_png(picture) ? paint_png(cairo, picture) : paint_picture(cairo, picture);
+    if (opacity < 1) {
+        cairo_pop_group_to_source(cairo);
+        cairo_paint_with_alpha(cairo, opacity);
+    }
+    painted = painted && cairo_status(cairo) == CAIRO_STATUS_SUCCESS;
+    cairo_destroy(cairo);
+    cairo_pattern_t *pattern = painted ? cairo_pattern_create_for_surface(surface) : NULL;
+    cairo_surface_destroy(surface);
+    if (!pattern) return NULL;
+    cairo_pattern_set_extend(pattern, CAIRO_EXTEND_REPEAT);
+    if (scale > 0) {
+        cairo_matrix_t matrix;
+        cairo_matrix_init_scale(&matrix, pixels[0] / sides[0], pixels[1] / sides[1]);
+        cairo_pattern_set_matrix(pattern, &matrix);
+    }
+    return pattern;
 }

@@ -80,8 +80,9 @@ typedef struct bat_item {
 
 /* The floats of an item's paint. First the pen {a, b, c, d} (of a round one 1, 0, 0, 1), the offset of the dashes, how many
  * there are, and they themselves, in document units; then any number of gradients: 0 for the fill, 1 for the stroke; 1 if
- * it is radial; bat_spread; two circles x, y, radius; the matrix {a, b, c, d, e, f} from its units to those of paths; how
- * many stops, and for each its place, the upper 24 bits of its colour and the lower 8. */
+ * it is radial, 2: it is a pattern; bat_spread; two circles x, y, radius; the matrix {a, b, c, d, e, f} from its units to those of
+ * paths; how many stops, and for each its place, the upper 24 bits of its colour and the lower 8. The first circle of a pattern
+ * is the upper and the lower 16 bits of the number of its picture (bat_editor_picture), and 0. */
 
 /* A short text of live values. `at` is relative to the frame's origin; the text's middle lies `offset` view pixels
  * from there. */

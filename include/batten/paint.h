@@ -1,6 +1,6 @@
 /*
- * What paints an object beyond its style: gradients in place of its colours, dashes, a pen that is not round, a
- * width that changes along the stroke, and the order of fill and stroke.
+ * What paints an object beyond its style: gradients and patterns in place of its colours, dashes, a pen that is not
+ * round, a width that changes along the stroke, and the order of fill and stroke.
  *
  * An object keeps its paint through all edits of its curves; maps of the plane map it along. A gradient takes the place of
  * a colour of the style and goes when that colour is changed.
@@ -33,6 +33,10 @@ typedef struct bat_gradient {
     double matrix[6];      /* from the gradient's own units to the document's; not singular */
     size_t count;          /* 2 to BAT_STOPS_MAX; 0: there is no gradient */
     const bat_stop *stops;
+    /* NULL, or a pattern: this picture, repeated in both directions of its pixels, is painted in place of the colours, as
+     * translucent as the first stop is. matrix: from its pixels. It is linear and repeated, from its left edge, 0 0, to its
+     * right edge; its two stops, at 0 and 1, are the same grey, 0x808080, and seen where no picture can be painted. Source: SVG 2, 14.3. */
+    const bat_picture *tile;
 } bat_gradient;
 
 typedef struct bat_paint {
@@ -48,10 +52,11 @@ typedef struct bat_paint {
                                    * with a round pen and without dashes; the stroke is then a filled outline */
 } bat_paint;
 
-/* A copy with that paint, which is copied; NULL, or a paint with nothing in it: none. BAT_ARGUMENT: the object is not made of
+/* A copy with that paint, which is copied, its pictures retained; NULL, or a paint with nothing in it: none. BAT_ARGUMENT: the object is not made of
  * curves, or has a kind whose curves only show it; BAT_NUMBER: a number that is not finite or beyond BAT_COORDINATE_MAX, a
  * singular matrix or pen, stops that go back, negative dashes or radii, widths that are no profile, a gradient that is a point or
- * whose outer circle has no radius; BAT_COUNT: too many stops, dashes or widths, or a single stop. O(of them all). */
+ * whose outer circle has no radius, a pattern that is not from edge to edge of its picture, or has
+ * other stops; BAT_COUNT: too many stops, dashes or widths, or a single stop. O(of them all). */
 BAT_API bat_status bat_object_with_paint(const bat_object *object, const bat_paint *paint, bat_object **out);
 /* NULL: none, as of most objects. Valid as long as the object. */
 BAT_API const bat_paint *bat_object_paint(const bat_object *object);

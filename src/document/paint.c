@@ -15,6 +15,24 @@ struct bat_painted {
     bat_paint paint; /* what it points to follows in the same block */
 };
 
+enum { GREY = 0x808080 };
+
+bat_gradient bat_paint_pattern(const bat_picture *tile, const double matrix[6], const bat_stop stops[2]) {
+    bat_gradient made = {.spread = BAT_SPREAD_REPEAT, .count = 2, .stops = stops, .tile = tile};
+    double sides[2];
+    bat_picture_sides(tile, sides);
+    made.to[0] = sides[0];
+    memcpy(made.matrix, matrix, sizeof made.matrix);
+    return made;
+}
+
+static bool is_pattern(const bat_gradient *g) {
+    const bat_gradient p = bat_paint_pattern(g->tile, g->matrix, g->stops);
+    return !g->radial && g->spread == p.spread && memcmp(g->from, p.from, sizeof p.from) == 0 &&
+           memcmp(g->to, p.to, sizeof p.to) == 0 && g->count == 2 && g->stops[0].at == 0 &&
+           g->stops[1].at == 1 && g->stops[0].colour == g->stops[1].colour && g->stops[0].colour >> 8 == GREY;
+}
+
 static bat_status check_gradient(const bat_gradient *g) {
     if (g->count == 0) return BAT_OK;
     if (g->count < 2 || g->count > BAT_STOPS_MAX) return BAT_COUNT;
@@ -24,6 +42,7 @@ static bat_status check_gradient(const bat_gradient *g) {
         return BAT_NUMBER;
     if (g->radial ? g->from[2] < 0 || !(g->to[2] > 0) : g->from[2] != 0 || g->to[2] != 0) return BAT_NUMBER;
     if (!g->radial && g->from[0] == g->to[0] && g->from[1] == g->to[1]) return BAT_NUMBER;
+    if (g->tile && !is_pattern(g)) return BAT_NUMBER;
     for (size_t i = 0; i < g->count; i++)
         if (!(g->stops[i].at >= (i > 0 ? g->stops[i - 1].at : 0) && g->stops[i].at <= 1)) return BAT_NUMBER;
     return BAT_OK;
@@ -68,6 +87,7 @@ static uint64_t digest_gradient(const bat_gradient *g) {
     for (int i = 0; i < 6; i++) digest = digest_number(digest, g->matrix[i]);
     for (size_t i = 0; i < g->count; i++)
         digest = bat_digest_number(digest_number(digest, g->stops[i].at), g->stops[i].colour);
+    if (g->tile) digest = bat_digest_number(digest, bat_picture_digest(g->tile));
     return digest;
 }
 
@@ -121,6 +141,7 @@ bat_status bat_painted_create(const bat_paint *given, bat_painted **out) {
         for (size_t i = 0; i < parts[k]->count; i++) at[i] = parts[k]->stops[i];
         parts[k]->stops = at;
         at += parts[k]->count;
+        (void)bat_picture_retain(parts[k]->tile);
     }
     double *dashes = (double *)(void *)at;
     if (paint->dash_count) memcpy(dashes, paint->dashes, paint->dash_count * sizeof *dashes);
@@ -144,7 +165,10 @@ bat_painted *bat_painted_retain(const bat_painted *painted) {
 }
 
 void bat_painted_release(bat_painted *painted) {
-    if (painted && bat_users_drop(&painted->users)) free(painted);
+    if (!painted || !bat_users_drop(&painted->users)) return;
+    bat_picture_release((bat_picture *)painted->paint.fill.tile); /* only the counts change */
+    bat_picture_release((bat_picture *)painted->paint.stroke.tile);
+    free(painted);
 }
 
 const bat_paint *bat_painted_paint(const bat_painted *painted) { return painted ? &painted->paint : NULL; }

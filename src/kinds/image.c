@@ -7,6 +7,8 @@
 #include "kinds/kinds.h"
 #include "text/text.h"
 
+#include <batten/paint.h>
+
 #include <math.h>
 
 typedef struct placed {
@@ -75,6 +77,12 @@ bat_status bat_object_with_matrix(const bat_object *object, const double matrix[
 const bat_picture *bat_object_picture(const bat_object *object) {
     const placed *g = own_of(object);
     return g ? g->picture : NULL;
+}
+
+const bat_picture *bat_object_picture_at(const bat_object *object, int index) {
+    const bat_paint *paint = index > 0 ? bat_object_paint(object) : NULL;
+    if (index == 0) return bat_object_picture(object);
+    return !paint ? NULL : index == 1 ? paint->fill.tile : paint->stroke.tile;
 }
 
 bool bat_object_is_foreign(const bat_object *object) {

@@ -6,7 +6,7 @@ import { Cap, Flag, Join, names } from '../engine/codes.js';
 /** @typedef {import('../engine/types.js').Item} Item */
 /** @typedef {import('./theme.js').Theme} Theme */
 /** @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context */
-/** @typedef {{ radial: boolean, spread: number, circles: number[], matrix: DOMMatrix, stops: number[][] }} Gradient */
+/** @typedef {{ radial: boolean, tile: number | null, spread: number, circles: number[], matrix: DOMMatrix, stops: number[][] }} Gradient */
 /** @typedef {{ pen: DOMMatrix | null, offset: number, dashes: number[], gradients: (Gradient | undefined)[] }} Paint */
 
 const CAPS = /** @type {CanvasLineCap[]} */ (names(Cap));
@@ -15,6 +15,19 @@ const PERIODS = 256; // at most so often is a gradient repeated
 const HAIRLINE = 0.75; // as in paint.js
 const [PAD, REFLECT] = [0, 1]; // bat_spread
 const CORNERS = 13; // numbers in the path around a picture
+const PATTERN = 2; // in the place of `radial`
+const TILE = 2048; // pixels of the side of a pattern's picture, at most
+
+/** What a pattern repeats, by the number of its picture; the painter sets it. @type {(picture: number) => ImageBitmap | HTMLImageElement | null} */
+let tileOf = () => null;
+
+/** @param {typeof tileOf} find */
+export function takeTiles(find) {
+  tileOf = find;
+}
+
+/** The pictures of patterns as they were last painted. @type {WeakMap<ImageBitmap | HTMLImageElement, OffscreenCanvas>} */
+const tiles = new WeakMap();
 
 /** @type {WeakMap<Float32Array, Paint>} */
 const known = new WeakMap();
@@ -32,7 +45,8 @@ function parse(floats) {
     const circles = take(6);
     const matrix = new DOMMatrix(take(6));
     const stops = Array.from({ length: take(1)[0] }, () => take(3));
-    paint.gradients[stroke] = { radial: radial !== 0, spread, circles, matrix, stops };
+    const tile = radial === PATTERN ? circles[0] * 65536 + circles[1] : null;
+    paint.gradients[stroke] = { radial: radial === 1, tile, spread, circles, matrix, stops };
   }
   return paint;
 }
@@ -57,6 +71,34 @@ function periods({ radial, circles: [x0, y0, r0, x1, y1, r1] }, corners) {
 }
 
 /**
+ * A pattern, in a context whose units are the pixels of its picture, painted with about as many pixels as are seen of it; null as
+ * long as the picture is not there.
+ * @param {Context} context @param {Gradient} gradient
+ */
+function patternOf(context, { tile }) {
+  const bitmap = tileOf(/** @type {number} */ (tile));
+  if (!bitmap) {
+    return null;
+  }
+  const { a, b, c, d } = context.getTransform();
+  const scale = 2 ** Math.ceil(Math.log2(Math.max(Math.hypot(a, b), Math.hypot(c, d), 1e-6)));
+  const side = (/** @type {number} */ length) => Math.min(TILE, Math.max(1, Math.round(length * scale)));
+  const [width, height] = [side(bitmap.width), side(bitmap.height)];
+  let canvas = tiles.get(bitmap);
+  if (!canvas || canvas.width !== width || canvas.height !== height) {
+    canvas = new OffscreenCanvas(width, height);
+    canvas.getContext('2d')?.drawImage(bitmap, 0, 0, width, height);
+    tiles.set(bitmap, canvas);
+  }
+  const pattern = context.createPattern(canvas, 'repeat');
+  pattern?.setTransform(new DOMMatrix().scale(bitmap.width / width, bitmap.height / height));
+  return pattern;
+}
+
+/** How translucent a pattern is; a gradient's stops say it themselves. @param {Gradient} gradient */
+const alphaOf = ({ tile, stops }) => (tile === null ? 1 : stops[0][2] / 255);
+
+/**
  * @param {Context} context @param {Gradient} gradient @param {Item} item @param {Theme} theme
  * @param {number[]} [line] its ends in other units (linear)
  */
@@ -79,6 +121,13 @@ function styleOf(context, gradient, item, theme, line) {
     }
   }
   return style;
+}
+
+/** @param {Context} context @param {Gradient} gradient @param {Item} item @param {Theme} theme */
+function setFill(context, gradient, item, theme) {
+  const pattern = gradient.tile === null ? null : patternOf(context, gradient);
+  context.globalAlpha *= pattern ? alphaOf(gradient) : 1;
+  context.fillStyle = pattern ?? styleOf(context, gradient, item, theme);
 }
 
 /**
@@ -123,7 +172,7 @@ function strokeLayer(context, shape, gradient, matrix, item, theme) {
   whole.rect(0, 0, width, height);
   const all = to.getTransform().multiply(matrix);
   to.setTransform(all);
-  to.fillStyle = styleOf(to, gradient, item, theme);
+  setFill(to, gradient, item, theme);
   to.fill(mapped(whole, all.inverse()));
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.drawImage(layer, 0, 0);
@@ -150,7 +199,7 @@ function drawFill(context, item, shape, theme, fill) {
   if (fill) {
     context.save();
     context.transform(...components(fill.matrix));
-    context.fillStyle = styleOf(context, fill, item, theme);
+    setFill(context, fill, item, theme);
     context.fill(mapped(shape, fill.matrix.inverse()), rule);
     context.restore();
   } else {
@@ -176,7 +225,7 @@ function drawStroke(context, item, shape, zoom, theme, paint) {
   context.lineDashOffset = paint.offset;
   const line = pen ? mapped(shape, own.inverse()) : shape;
   const matrix = stroke && own.inverse().multiply(stroke.matrix);
-  if (stroke?.radial && matrix) {
+  if ((stroke?.radial || stroke?.tile != null) && matrix) {
     strokeLayer(context, line, stroke, matrix, item, theme);
   } else {
     context.strokeStyle = stroke && matrix ? styleOf(context, stroke, item, theme, straighten(stroke, matrix))

@@ -283,6 +283,7 @@ export class Painter {
       this.paints = null;
       void import('./gradients.js').then((paints) => {
         this.paints = paints;
+        paints.takeTiles((picture) => this.#pictureOf(picture));
         this.stale = true;
         this.onidle();
       });
@@ -290,13 +291,19 @@ export class Painter {
     return this.paints;
   }
 
+  /** A decoded picture; null as long as it is being fetched. @param {number} picture */
+  #pictureOf(picture) {
+    const bitmap = this.pictures.get(picture);
+    if (bitmap === undefined) {
+      this.pictures.set(picture, null);
+      this.onpicture(picture);
+    }
+    return bitmap ?? null;
+  }
+
   /** @param {Context} context @param {Item} item @param {Float32Array} path @param {number} zoom */
   #drawPicture(context, item, path, zoom) {
-    const bitmap = this.pictures.get(item.picture);
-    if (bitmap === undefined) {
-      this.pictures.set(item.picture, null);
-      this.onpicture(item.picture);
-    }
+    const bitmap = this.#pictureOf(item.picture);
     if (this.#fetched() && bitmap) {
       this.paints?.drawPicture(context, item, path, bitmap, zoom, this.warp);
     }

@@ -32,6 +32,8 @@ void bat_paint_style(const bat_style *style, bat_item *item) {
     item->miter_limit = bat_path_float(style->miter_limit);
 }
 
+enum { PATTERN = 2 }; /* in the place of `radial` */
+
 static float *put(float *at, double number) {
     *at = bat_path_float(number);
     return at + 1;
@@ -39,8 +41,10 @@ static float *put(float *at, double number) {
 
 static float *put_gradient(float *at, const bat_gradient *g, bool stroke, const double origin[2]) {
     if (g->count == 0) return at;
-    at = put(put(put(at, stroke), g->radial), g->spread);
-    for (int i = 0; i < 3; i++) at = put(at, g->from[i]);
+    const uint64_t picture = g->tile ? bat_picture_digest(g->tile) : 0;
+    const double from[3] = {(double)(picture >> 16 & 0xffff), (double)(picture & 0xffff), 0};
+    at = put(put(put(at, stroke), g->tile ? PATTERN : g->radial), g->spread);
+    for (int i = 0; i < 3; i++) at = put(at, g->tile ? from[i] : g->from[i]);
     for (int i = 0; i < 3; i++) at = put(at, g->to[i]);
     for (int i = 0; i < 6; i++) at = put(at, g->matrix[i] - (i > 3 ? origin[i - 4] : 0));
     at = put(at, (double)g->count);

@@ -7,11 +7,8 @@ enum { STEPS = 250 }; /* steps that stay undoable */
 static bat_status write_step(bat_session *session, const bat_step *step, bat_document *document) {
     bat_text line = {0};
     bat_status status = bat_deltas_apply(step->deltas, step->count, document, true);
-    for (int i = 0; i < step->count && status == BAT_OK; i++) {
-        const bat_object *after = step->deltas[i].after;
-        const bat_picture *picture = after ? bat_object_picture(after) : NULL;
-        if (picture) status = bat_session_keep_picture(session, picture);
-    }
+    for (int i = 0; i < step->count && status == BAT_OK; i++)
+        status = bat_session_keep_pictures(session, step->deltas[i].after);
     if (status != BAT_OK) return status;
     bat_change_write(step->deltas, step->count, (bat_string)step->label, &line);
     return bat_session_log(session, &line, document);

@@ -34,10 +34,11 @@ static bat_status write_head(const bat_document *document, const char *name, bat
 bat_status bat_session_begin_journal(const bat_document *document, const char *name, bat_journal *journal,
                                      bat_pictures *pictures) {
     bat_status status = write_head(document, name, journal);
-    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
-        const bat_picture *picture = bat_object_picture(bat_document_at(document, i));
-        if (picture) status = bat_pictures_add(pictures, picture);
-    }
+    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++)
+        for (int k = 0; k < BAT_OBJECT_PICTURES && status == BAT_OK; k++) {
+            const bat_picture *picture = bat_object_picture_at(bat_document_at(document, i), k);
+            if (picture) status = bat_pictures_add(pictures, picture);
+        }
     return status;
 }
 
@@ -59,6 +60,15 @@ bat_status bat_session_keep_picture(bat_session *session, const bat_picture *pic
     status = bat_journal_append(&session->journal, line.data, line.size, line.failed);
     bat_text_free(&line);
     if (status != BAT_OK) bat_pictures_drop(&session->pictures);
+    return status;
+}
+
+bat_status bat_session_keep_pictures(bat_session *session, const bat_object *object) {
+    bat_status status = BAT_OK;
+    for (int k = 0; k < BAT_OBJECT_PICTURES && object && status == BAT_OK; k++) {
+        const bat_picture *picture = bat_object_picture_at(object, k);
+        if (picture) status = bat_session_keep_picture(session, picture);
+    }
     return status;
 }
 

@@ -50,6 +50,8 @@ bat_status bat_session_begin_journal(const bat_document *document, const char *n
 bat_status bat_session_log(bat_session *session, bat_text *line, const bat_document *document);
 /* Makes sure that the journal holds the picture's bytes, on a line of their own. Returns as bat_pictures_add. */
 bat_status bat_session_keep_picture(bat_session *session, const bat_picture *picture);
+/* The same for all pictures of an object; NULL: none. */
+bat_status bat_session_keep_pictures(bat_session *session, const bat_object *object);
 /* Records the losses, in the journal too. NULL: none. */
 bat_status bat_session_set_losses(bat_session *session, const bat_losses *losses);
 /* Sets the axis of symmetry, in the journal too. Off: no axis is chosen. BAT_NUMBER: not a valid axis. */

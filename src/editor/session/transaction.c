@@ -161,11 +161,8 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
     bat_line_digest(line, bat_document_digest(c->session->document));
     bat_text_string(line, "}");
     bat_status status = bat_history_reserve(&c->session->history);
-    for (int i = 0; i < transaction->count && status == BAT_OK; i++) {
-        const bat_object *after = transaction->deltas[i].after;
-        const bat_picture *picture = after ? bat_object_picture(after) : NULL;
-        if (picture) status = bat_session_keep_picture(c->session, picture);
-    }
+    for (int i = 0; i < transaction->count && status == BAT_OK; i++)
+        status = bat_session_keep_pictures(c->session, transaction->deltas[i].after);
     if (status == BAT_OK)
         status = bat_journal_append(&c->session->journal, line->data, line->size, line->failed);
     bat_text_free(&own);

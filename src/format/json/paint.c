@@ -1,6 +1,7 @@
 #include "format/json/paint.h"
 
 #include "base/matrix.h"
+#include "document/digest.h"
 #include "format/json/style.h"
 
 #include <string.h>
@@ -38,6 +39,17 @@ static bat_status read_stops(const bat_fields *f, uint32_t node, bat_stop *stops
     return BAT_OK;
 }
 
+/* The picture of a pattern, if it is one. */
+static bat_status read_tile(const bat_fields *f, uint32_t node, const bat_picture **tile) {
+    const uint32_t named = bat_json_member(f->json, node, "tile");
+    const char *word = bat_json_text(f->json, named);
+    uint64_t digest;
+    if (!named) return BAT_OK;
+    *tile = word && f->pictures && bat_digest_scan(word, &digest) ? bat_pictures_find(f->pictures, digest)
+                                                                  : NULL;
+    return *tile ? BAT_OK : bat_fields_complain(f, named, "tile", "the digest of one of the pictures");
+}
+
 static bat_status read_gradient(const bat_fields *f, uint32_t outer, const char *name, bat_stop *stops,
                                 bat_gradient *out) {
     const uint32_t node = bat_json_member(f->json, outer, name);
@@ -55,6 +67,7 @@ static bat_status read_gradient(const bat_fields *f, uint32_t outer, const char 
     if (status == BAT_OK && bat_json_member(f->json, node, "matrix"))
         status = bat_fields_numbers(f, node, "matrix", 6, "six numbers", made.matrix);
     if (status == BAT_OK) status = read_stops(f, node, stops, &made.count);
+    if (status == BAT_OK) status = read_tile(f, node, &made.tile);
     if (status == BAT_OK) *out = made;
     return status;
 }
@@ -136,7 +149,14 @@ static void write_gradient(bat_text *text, const char *member, const bat_gradien
         bat_colour_write(text, ",", g->stops[i].colour);
         bat_text_string(text, "]");
     }
-    bat_text_string(text, "]}");
+    bat_text_string(text, "]");
+    if (g->tile) {
+        char digest[17];
+        bat_digest_print(bat_picture_digest(g->tile), digest);
+        bat_text_string(text, ",\"tile\":");
+        bat_text_json_string(text, digest);
+    }
+    bat_text_string(text, "}");
 }
 
 void bat_paint_to_json(const bat_paint *paint, bat_text *text) {

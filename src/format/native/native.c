@@ -20,11 +20,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with markers, with strokes whose width
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with patterns, with markers, with strokes whose width
  * changes, drawings with meshes or with
  * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that
  * keep the file that they were read from, drawings with something in space, and all others. */
-enum { PLAIN = 1, SPATIAL = 2, SOURCED = 3, PAINTED = 4, MADE = 5, BOUND = 6, WIDENED = 7, MARKED = 8 };
+enum {
+    PLAIN = 1,
+    SPATIAL = 2,
+    SOURCED = 3,
+    PAINTED = 4,
+    MADE = 5,
+    BOUND = 6,
+    WIDENED = 7,
+    MARKED = 8,
+    PATTERNED = 9
+};
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
 static bat_status exchange(const bat_fields *f, uint32_t node, bat_status status, const char *fault,
@@ -189,9 +199,9 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (!(number >= PLAIN && number <= MARKED && number == floor(number)))
+    if (!(number >= PLAIN && number <= PATTERNED && number == floor(number)))
         return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten",
-                                 "version 1, 2, 3, 4, 5, 6, 7 or 8", f->problem);
+                                 "version 1, 2, 3, 4, 5, 6, 7, 8 or 9", f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
     if (status == BAT_OK) status = read_objects(f, bat_json_member(f->json, 1, "objects"), document);
@@ -261,13 +271,14 @@ void bat_object_to_json(const bat_object *object, bat_text *text) {
     bat_text_string(text, "}");
 }
 
-/* Writes each picture once; writes nothing when there are none. all: not only those of foreign contents. */
+/* Writes each picture once; writes nothing when there are none. all: those of images, too. */
 static void write_pictures(const bat_document *document, bool all, bat_text *text) {
     bat_pictures written = {0};
-    for (int i = 0; i < bat_document_count(document); i++) {
-        const bat_picture *picture = bat_object_picture(bat_document_at(document, i));
+    for (int i = 0; i < BAT_OBJECT_PICTURES * bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i / BAT_OBJECT_PICTURES);
+        const bat_picture *picture = bat_object_picture_at(object, i % BAT_OBJECT_PICTURES);
         int before = written.count;
-        if (!picture || !(all || bat_object_is_foreign(bat_document_at(document, i)))) continue;
+        if (!picture || !(all || i % BAT_OBJECT_PICTURES || bat_object_is_foreign(object))) continue;
         if (bat_pictures_add(&written, picture) != BAT_OK) text->failed = true;
         if (written.count == before) continue;
         bat_text_string(text, before ? ",\n " : ",\n\"pictures\":[");
@@ -292,7 +303,11 @@ static uint64_t version_of(const bat_document *document, bool whole) {
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_paint *paint = bat_object_paint(object);
-        if (bat_object_markers(object)) return MARKED;
+        if (paint && (paint->fill.tile || paint->stroke.tile)) return PATTERNED;
+        if (bat_object_markers(object) || version == MARKED) {
+            version = MARKED;
+            continue;
+        }
         if ((paint && paint->width_count) || version == WIDENED) {
             version = WIDENED;
             continue;

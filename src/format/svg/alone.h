@@ -11,6 +11,10 @@ bat_status bat_svg_alone(bat_svg_walk *w, uint32_t element, const double box[4],
 /* Where the picture lies as long as it is not moved: a matrix from its pixels. */
 bool bat_svg_alone_matrix(const bat_picture *picture, double m[6]);
 
+/* The same for what an element holds, which is written between two texts, in the pixels of a picture of that size. */
+bat_status bat_svg_alone_within(bat_svg_walk *w, uint32_t element, const uint32_t sides[2],
+                                const bat_text *before, const char *after, bat_picture **out);
+
 /* A generous box of a text element, in its own units: fonts are not at hand, so widths are guessed. False: it is empty. */
 bool bat_svg_text_box(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, double box[4]);
 

@@ -25,18 +25,17 @@ static void draw_kind(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
         bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
 }
 
-static bool has_pattern(const bat_svg_walk *w, const bat_svg_paint *paint) {
-    const uint32_t server = paint->server ? bat_svg_tree_refer(w->tree, paint->server) : 0;
-    return server && strcmp(bat_svg_tree_name(w->tree, server), "pattern") == 0;
+/* Whether it may be shown as a whole, as foreign content. */
+static bool may_be_foreign(const bat_svg_walk *w, uint32_t element) {
+    const char *mode = bat_svg_attribute_of(w, element, "inkscape:groupmode");
+    return !w->copied && !(mode && !strcmp(mode, "layer"));
 }
 
-/* Whether it has a filter, a mask or a pattern, which only the whole of it can show. */
+/* Whether only the whole of it can show it, now that it has been drawn: it has a filter, a mask, or a pattern that could not be
+ * painted. */
 static bool has_effect(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
-    const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
-    const char *mode = bat_svg_attribute_of(w, element, "inkscape:groupmode");
-    if (w->copied || (mode && !strcmp(mode, "layer"))) return false;
-    const bool pattern = kind == BAT_SVG_SHAPE && s->style.visible &&
-                         (has_pattern(w, &s->style.fill) || has_pattern(w, &s->style.stroke));
+    const bool pattern = w->tree->elements[element].kind == BAT_SVG_SHAPE &&
+                         bat_svg_noted(&w->notes, element) & 1u << BAT_LOSS_PATTERN;
     return (pattern || s->style.odd & EFFECTS) && bat_svg_may_stand_alone(w);
 }
 
@@ -56,13 +55,13 @@ static void draw_whole(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
     const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
     const bool noted = kind != BAT_SVG_TEXT && kind != BAT_SVG_OTHER, now = w->copied;
     w->copied = copied;
-    const bool whole = noted && has_effect(w, element, s);
+    const bool whole = noted && may_be_foreign(w, element);
     w->copied = now;
     const bat_svg_before before = effect_begin(w);
     if (noted) bat_svg_note_own_style(w, element, &s->style);
     draw_kind(w, element, s);
     w->copied = copied;
-    if (whole) (void)bat_svg_effect_end(w, element, s, &before);
+    if (whole && has_effect(w, element, s)) (void)bat_svg_effect_end(w, element, s, &before);
     w->copied = now;
 }
 

@@ -9,8 +9,7 @@
 
 #include <string.h>
 
-/* The picture in a data URI; NULL when there is none, or it must be left out. */
-static bat_picture *find_picture(bat_svg_walk *w, uint32_t element) {
+bat_picture *bat_svg_find_picture(bat_svg_walk *w, uint32_t element) {
     const char *href = bat_svg_find_href(w, element);
     const char *data = href && !strncmp(href, "data:", 5) ? strchr(href, ',') : NULL;
     bat_picture *picture = NULL;
@@ -24,7 +23,7 @@ static bat_picture *find_picture(bat_svg_walk *w, uint32_t element) {
 }
 
 void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
-    bat_picture *picture = s->style.visible ? find_picture(w, element) : NULL;
+    bat_picture *picture = s->style.visible ? bat_svg_find_picture(w, element) : NULL;
     bat_object *object = NULL;
     if (!picture && s->style.visible && !w->copied && bat_svg_draw_other_image(w, element, s)) return;
     if (!picture) {

@@ -78,7 +78,31 @@ static void write_stops(bat_text *text, const bat_gradient *g) {
     }
 }
 
+/* With the picture in it, as translucent as it is. */
+static void write_pattern(bat_text *text, const bat_gradient *g, const double m[6], const char *id) {
+    static const double same[6] = {1, 0, 0, 1, 0, 0};
+    const bat_svg_ids none = {0};
+    const uint32_t alpha = g->stops[0].colour & 0xff;
+    double sides[2], own[6];
+    bat_picture_sides(g->tile, sides);
+    bat_matrix_compose(m, g->matrix, own);
+    bat_text_string(text, "<pattern id=\"");
+    bat_text_string(text, id);
+    bat_text_string(text, "\" patternUnits=\"userSpaceOnUse\"");
+    bat_svg_write_number(text, " width=\"", sides[0]);
+    bat_svg_write_number(text, " height=\"", sides[1]);
+    bat_text_string(text, " patternTransform=\"");
+    bat_svg_write_matrix(own, text);
+    bat_text_string(text, "\"><image");
+    bat_svg_write_picture(text, g->tile, same, floor(alpha / 0.255 + 0.5) / 1000, &none);
+    bat_text_string(text, "</pattern>");
+}
+
 void bat_svg_write_gradient(bat_text *text, const bat_gradient *g, const double m[6], const char *id) {
+    if (g->tile) {
+        write_pattern(text, g, m, id);
+        return;
+    }
     static const char *const line[] = {" x1=\"", " y1=\"", "", " x2=\"", " y2=\"", ""},
                              *const circle[] = {" fx=\"", " fy=\"", " fr=\"", " cx=\"", " cy=\"", " r=\""};
     static const char *const spreads[] = {"", " spreadMethod=\"reflect\"", " spreadMethod=\"repeat\""};

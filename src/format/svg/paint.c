@@ -1,4 +1,4 @@
-/* How a shape is painted: colours, gradients, dashes, and what replaces a pattern. */
+/* How a shape is painted: colours, gradients, patterns and dashes. */
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
 
@@ -15,18 +15,27 @@ typedef struct painting {
     bat_gradient *gradient;
 } painting;
 
+static bat_svg_served serve(bat_svg_walk *w, uint32_t server, double share, const painting *to,
+                            uint32_t *colour) {
+    if (!bat_svg_is_pattern(w, server))
+        return bat_svg_gradient(w, server, to->scope, to->box, share, to->stops, to->gradient, colour);
+    return bat_svg_pattern(w, server, to->scope, to->box, share, to->stops, to->gradient);
+}
+
 /* What a gradient, pattern or similar paints. *painted, *colour: of its fallback. */
 static void resolve_server(bat_svg_walk *w, uint32_t element, const bat_svg_paint *paint, double share,
                            const painting *to, bool *painted, uint32_t *colour) {
     const uint32_t server = bat_svg_tree_refer(w->tree, paint->server);
-    if (!server || w->tree->elements[server].kind != BAT_SVG_GRADIENT) {
+    const bool pattern = server && bat_svg_is_pattern(w, server);
+    if (!server || (w->tree->elements[server].kind != BAT_SVG_GRADIENT && !pattern)) {
         bat_svg_note(&w->notes, element, server ? BAT_LOSS_PATTERN : BAT_LOSS_BROKEN);
         if (!server && paint->bare) *painted = false; /* it is as if it said none (SVG 2, 13.2) */
         return;
     }
-    const bat_svg_served served = bat_svg_gradient(w, server, to->scope, to->box, share, to->stops,
-                                                   to->gradient, colour);
-    if (served == BAT_SVG_MEAN) bat_svg_note(&w->notes, element, BAT_LOSS_GRADIENT);
+    const bat_svg_served served = serve(w, server, share, to, colour);
+    if (served == BAT_SVG_MEAN)
+        bat_svg_note(&w->notes, element, pattern ? BAT_LOSS_PATTERN : BAT_LOSS_GRADIENT);
+    if (served == BAT_SVG_MEAN && pattern) return;
     if (served != BAT_SVG_NOTHING)
         *painted = true;
     else if (paint->bare)

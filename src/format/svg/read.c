@@ -146,6 +146,7 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
     bat_pictures_free(&w->pictures);
     bat_svg_notes_free(&w->notes);
     bat_svg_stops_free(w);
+    bat_svg_tiles_free(w);
     bat_svg_markers_free(w);
     bat_svg_variables_free(&w->variables);
     free(w);

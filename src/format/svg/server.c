@@ -1,5 +1,6 @@
 /* Gradients: what an element of one says, with what it takes from others (SVG 2, 14.2). */
 #include "base/matrix.h"
+#include "format/svg/chain.h"
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
 #include "text/number.h"
@@ -7,33 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { HOPS_MAX = 32 };
-
-/* The elements that a gradient is made of: itself, and those that it refers to. */
-typedef struct chain {
-    uint32_t elements[HOPS_MAX];
-    int count;
-} chain;
-
-static chain chain_of(const bat_svg_walk *w, uint32_t gradient) {
-    chain c = {{gradient}, 1};
-    while (c.count < HOPS_MAX) {
-        const char *href = bat_svg_find_href(w, c.elements[c.count - 1]);
-        const uint32_t next = href ? bat_svg_tree_refer(w->tree, href) : 0;
-        if (!next || w->tree->elements[next].kind != BAT_SVG_GRADIENT) break;
-        c.elements[c.count++] = next;
-    }
-    return c;
-}
-
-static const char *attribute(const bat_svg_walk *w, const chain *c, const char *name) {
-    for (int i = 0; i < c->count; i++) {
-        const char *value = bat_svg_attribute_of(w, c->elements[i], name);
-        if (value) return value;
-    }
-    return NULL;
-}
 
 /* ---- stops ---- */
 
@@ -98,7 +72,7 @@ static const bat_svg_stops *stops_of(bat_svg_walk *w, uint32_t gradient) {
     if (!w->stops && !(w->stops = calloc(w->tree->count, sizeof *w->stops))) return NULL;
     if (w->stops[gradient]) return w->stops[gradient];
     collection all = {.count = 0};
-    const chain c = chain_of(w, gradient);
+    const bat_svg_chain c = bat_svg_chain_of(w, gradient);
     for (int i = 0; i < c.count && all.count == 0; i++) add_stops(w, c.elements[i], &all);
     bat_svg_stops *made = malloc(sizeof *made + (size_t)all.count * sizeof *made->list);
     if (!made) return NULL;
@@ -121,30 +95,30 @@ typedef struct measure {
 } measure;
 
 /* A coordinate: of the box's share, or in user units. axis: 0 x, 1 y, 2 a radius. */
-static double length(const bat_svg_walk *w, const chain *c, const measure *m, const char *name, int axis,
-                     double otherwise) {
+static double length(const bat_svg_walk *w, const bat_svg_chain *c, const measure *m, const char *name,
+                     int axis, double otherwise) {
     const double width = m->scope->width, height = m->scope->height;
     const double whole = m->boxed    ? 1
                          : axis == 0 ? width
                          : axis == 1 ? height
                                      : sqrt((width * width + height * height) / 2);
-    const char *text = attribute(w, c, name);
+    const char *text = bat_svg_chain_attribute(w, c, name);
     double value;
     return text && bat_svg_length(text, whole, &value) && fabs(value) <= BAT_COORDINATE_MAX
                ? value
                : otherwise * whole;
 }
 
-static void place_circles(const bat_svg_walk *w, const chain *c, const measure *m, bat_gradient *g) {
+static void place_circles(const bat_svg_walk *w, const bat_svg_chain *c, const measure *m, bat_gradient *g) {
     static const char *const from[] = {"fx", "fy", "fr"}, *const to[] = {"cx", "cy", "r"};
     for (int k = 0; k < 3; k++) {
         g->to[k] = length(w, c, m, to[k], k, 0.5);
         g->from[k] = length(w, c, m, from[k], k, 0);
-        if (k < 2 && !attribute(w, c, from[k])) g->from[k] = g->to[k];
+        if (k < 2 && !bat_svg_chain_attribute(w, c, from[k])) g->from[k] = g->to[k];
     }
 }
 
-static void place_line(const bat_svg_walk *w, const chain *c, const measure *m, bat_gradient *g) {
+static void place_line(const bat_svg_walk *w, const bat_svg_chain *c, const measure *m, bat_gradient *g) {
     static const char *const from[] = {"x1", "y1"}, *const to[] = {"x2", "y2"};
     for (int k = 0; k < 2; k++) {
         g->from[k] = length(w, c, m, from[k], k, 0);
@@ -158,9 +132,10 @@ static bat_spread spread_of(const char *word) {
 }
 
 /* False: it has no place; it then paints nothing. */
-static bool place(const bat_svg_walk *w, const chain *c, const bat_svg_scope *s, const double box[4],
+static bool place(const bat_svg_walk *w, const bat_svg_chain *c, const bat_svg_scope *s, const double box[4],
                   bat_gradient *g, bool *boxed) {
-    const char *units = attribute(w, c, "gradientUnits"), *transform = attribute(w, c, "gradientTransform");
+    const char *units = bat_svg_chain_attribute(w, c, "gradientUnits"),
+               *transform = bat_svg_chain_attribute(w, c, "gradientTransform");
     const measure m = {!units || strcmp(units, "userSpaceOnUse") != 0, s};
     double own[6], user[6];
     bat_matrix_identity(own);
@@ -177,7 +152,7 @@ static bool place(const bat_svg_walk *w, const chain *c, const bat_svg_scope *s,
         place_circles(w, c, &m, g);
     else
         place_line(w, c, &m, g);
-    g->spread = spread_of(attribute(w, c, "spreadMethod"));
+    g->spread = spread_of(bat_svg_chain_attribute(w, c, "spreadMethod"));
     *boxed = m.boxed;
     return true;
 }
@@ -193,7 +168,7 @@ bat_svg_served bat_svg_gradient(bat_svg_walk *w, uint32_t element, const bat_svg
         return BAT_SVG_NOTHING;
     }
     if (all->count == 0) return BAT_SVG_NOTHING;
-    const chain c = chain_of(w, element);
+    const bat_svg_chain c = bat_svg_chain_of(w, element);
     if (!place(w, &c, s, box, &g, &boxed)) return BAT_SVG_NOTHING;
     const bool point = g.radial ? !(g.to[2] > 0) : g.from[0] == g.to[0] && g.from[1] == g.to[1];
     const bool plain = all->count == 1 || point;

@@ -62,6 +62,7 @@ struct bat_svg_walk {
     bat_svg_notes notes;
     bat_svg_variables variables;     /* custom properties of styles */
     bat_svg_stops **stops;           /* of gradients, by element; NULL: not known yet */
+    struct bat_svg_tile **tiles;     /* of patterns, by element: the last one made of it */
     struct bat_svg_marker **markers; /* by element; NULL: not known yet */
     bat_svg_collected *collected;    /* where shapes go that are drawn in a marker; NULL: into the document */
     bool boxed;                      /* a gradient of the shape being drawn is placed by its box */
@@ -140,6 +141,13 @@ bat_svg_served bat_svg_gradient(bat_svg_walk *w, uint32_t element, const bat_svg
                                 uint32_t *colour);
 void bat_svg_stops_free(bat_svg_walk *w);
 
+/* ---- pattern.c ---- */
+bool bat_svg_is_pattern(const bat_svg_walk *w, uint32_t element);
+/* The same as bat_svg_gradient, for a pattern; BAT_SVG_MEAN: it cannot be painted. */
+bat_svg_served bat_svg_pattern(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
+                               double share, bat_stop *stops, bat_gradient *out);
+void bat_svg_tiles_free(bat_svg_walk *w);
+
 /* ---- marker.c ---- */
 /* Whether shapes of that kind have markers. */
 bool bat_svg_takes_markers(const bat_svg_walk *w, uint32_t element);
@@ -167,6 +175,11 @@ void bat_svg_note_element(bat_svg_walk *w, uint32_t element);
 void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_style *style);
 void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                         const bat_svg_painted *painted);
+
+/* ---- draw_image.c ---- */
+/* The picture in the element's data URI, as one of those drawn; NULL when there is none, or it must be left out. The caller
+ * releases it. */
+bat_picture *bat_svg_find_picture(bat_svg_walk *w, uint32_t element);
 
 /* ---- walk.c: into the document ---- */
 const char *bat_svg_find_name(const bat_svg_walk *w, uint32_t element);

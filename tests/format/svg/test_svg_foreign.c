@@ -101,9 +101,6 @@ static void what_is_shown(void **unused) {
         {HEAD "<mask id=\"m\"><rect width=\"9\" height=\"50\" fill=\"#fff\"/></mask><rect width=\"50\" "
               "height=\"50\" style=\"mask:url(#m)\"/>" TAIL,
          {5, 5}},
-        {HEAD "<pattern id=\"a\" width=\".1\" height=\".1\"><path d=\"M0 0H3V3Z\"/></pattern><circle "
-              "cx=\"50\" cy=\"50\" r=\"40\" fill=\"url(#a)\"/>" TAIL,
-         {12, 50}},
         {HEAD "<image x=\"10\" y=\"20\" width=\"30\" height=\"30\" "
               "href=\"data:image/gif;base64,R0lGODlhAQABAAAAACw=\"/>" TAIL,
          {12, 22}},

@@ -195,7 +195,7 @@ static void gradients_become_their_mean(void **state) {
         BOX "fill='url(#e) red'/>"                               /* 4: a fallback is for what is not there */
         BOX "fill='url( #f )'/>"                                 /* 5 */
         BOX "fill='url(#g)' stroke='red'/>"                      /* 6: in a circle, no stops */
-        BOX "fill='url(#p)'/>"                                   /* 7 */
+        BOX "fill='url(#p)' stroke='red'/>"                      /* 7: a pattern without a size */
         BOX "fill='url(#p) #123456'/>"                           /* 8 */
         BOX "fill='url(#no) #123456'/>"                          /* 9 */
         BOX "fill='url(#i)'/></svg>";                            /* 10 */
@@ -204,12 +204,12 @@ static void gradients_become_their_mean(void **state) {
     bat_svg_report report;
     bat_document *d = read_whole(text, &report);
     for (int i = 0; i < 11; i++)
-        if (i != 2 && i != 6 && style_at(d, i)->fill != fills[i])
+        if (i != 2 && i != 6 && i != 7 && style_at(d, i)->fill != fills[i])
             fail_msg("%d: %08x", i, style_at(d, i)->fill);
     assert_true(style_at(d, 2)->stroke == 0x80008080 && !style_at(d, 2)->filled);
-    assert_false(style_at(d, 6)->filled); /* SVG 2, 14.2.4: as none */
+    assert_false(style_at(d, 6)->filled || style_at(d, 7)->filled); /* SVG 2, 14.2.4, 14.3: as none */
     assert_int_equal(report.lost.count[BAT_LOSS_GRADIENT], 0);
-    assert_int_equal(report.lost.count[BAT_LOSS_PATTERN], 2);
+    assert_int_equal(report.lost.count[BAT_LOSS_PATTERN], 0);
     assert_int_equal(report.lost.count[BAT_LOSS_BROKEN], 1);
     assert_int_equal(report.lost.count[BAT_LOSS_UNUSED], 0);
     bat_document_free(d);

@@ -323,7 +323,7 @@ static void an_edited_drawing_wins(void **state) {
     bat_document_page(back, page);
     assert_true(report.native && page[2] == 8);
     bat_document_free(back);
-    change(text, "{&quot;batten&quot;:1", "{&quot;batten&quot;:9");
+    change(text, "{&quot;batten&quot;:1", "{&quot;batten&quot;:0");
     back = read_svg(text);
     assert_true(report.edited && bat_document_count(back) == 1);
     bat_document_free(back);
