@@ -9,14 +9,13 @@ import { serve } from './server.mjs';
 const FILE = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 400 300">
 <style>.words{font:bold 60px sans-serif;fill:#c00000} @import url(http://localhost:9/style.css);</style>
 <filter id="f" x="0" y="0" width="1" height="1"><feFlood flood-color="#008000"/></filter>
-<pattern id="p" width="10" height="10" patternUnits="userSpaceOnUse"><rect width="10" height="10" fill="#0000ff"/></pattern>
 <mask id="m"><rect x="20" y="200" width="50" height="60" fill="#fff"/></mask>
 <filter id="n"><feOffset dx="0"/></filter><g filter="url(#n)"><rect x="300" y="20" width="60" height="60"/><text onclick="alert(1)">a<script>fetch('/script')</script></text>
 <image width="9" height="9" xlink:href="http://localhost:9/picture.png"/><image width="9" height="9" href="/own.png"/>
 <foreignObject width="50" height="50"><iframe xmlns="http://www.w3.org/1999/xhtml" src="/frame.html"/></foreignObject></g>
 <rect id="flood" x="20" y="20" width="100" height="60" filter="url(#f)"/>
 <rect id="cover" x="60" y="20" width="20" height="60" fill="#ffff00"/>
-<circle id="dots" cx="200" cy="60" r="40" fill="url(#p)"/>
+<circle id="dots" cx="200" cy="60" r="40" fill="#0000ff" filter="url(#n)"/>
 <rect id="half" x="20" y="200" width="100" height="60" mask="url(#m)"/>
 <text id="words" class="words" x="150" y="260">████</text></svg>`;
 
@@ -67,7 +66,7 @@ test('it is seen in its order, chosen, moved, deleted, and saved as the element 
   while (server.saves < 1) await new Promise((done) => { setTimeout(done, 20); });
   const text = server.bytes.toString();
   const circle = /<circle id="dots"[^>]*>/.exec(text)?.[0] ?? '';
-  assert.match(circle, /fill="url\(#p\)"/);
+  assert.match(circle, /filter="url\(#n\)"/);
   const [, right, down] = /matrix\(1[ ,]0[ ,]0[ ,]1[ ,]([-\d.e]+)[ ,]([-\d.e]+)\)/.exec(circle) ?? [];
   assert.ok(Math.abs(right) < 2 && Math.abs(down - 100) < 2, circle);
   assert.match(text, /<text id="words" class="words" x="150" y="260">████<\/text>/);

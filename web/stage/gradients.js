@@ -18,12 +18,27 @@ const CORNERS = 13; // numbers in the path around a picture
 const PATTERN = 2; // in the place of `radial`
 const TILE = 2048; // pixels of the side of a pattern's picture, at most
 
-/** What a pattern repeats, by the number of its picture; the painter sets it. @type {(picture: number) => ImageBitmap | HTMLImageElement | null} */
-let tileOf = () => null;
+/** @typedef {{ pictures: Map<number, ImageBitmap | HTMLImageElement | null>, onpicture: (picture: number) => void }} Album */
 
-/** @param {typeof tileOf} find */
-export function takeTiles(find) {
-  tileOf = find;
+/**
+ * A decoded picture; null as long as it is being fetched, or cannot be decoded.
+ * @param {Album} album @param {number} picture its number
+ */
+export function pictureOf(album, picture) {
+  const bitmap = album.pictures.get(picture);
+  if (bitmap === undefined) {
+    album.pictures.set(picture, null);
+    album.onpicture(picture);
+  }
+  return bitmap ?? null;
+}
+
+/** Has what patterns repeat. @type {Album} */
+let album = { pictures: new Map(), onpicture: () => {} };
+
+/** @param {Album} painter */
+export function takeTilesFrom(painter) {
+  album = painter;
 }
 
 /** The pictures of patterns as they were last painted. @type {WeakMap<ImageBitmap | HTMLImageElement, OffscreenCanvas>} */
@@ -76,7 +91,7 @@ function periods({ radial, circles: [x0, y0, r0, x1, y1, r1] }, corners) {
  * @param {Context} context @param {Gradient} gradient
  */
 function patternOf(context, { tile }) {
-  const bitmap = tileOf(/** @type {number} */ (tile));
+  const bitmap = pictureOf(album, /** @type {number} */ (tile));
   if (!bitmap) {
     return null;
   }

@@ -283,7 +283,7 @@ export class Painter {
       this.paints = null;
       void import('./gradients.js').then((paints) => {
         this.paints = paints;
-        paints.takeTiles((picture) => this.#pictureOf(picture));
+        paints.takeTilesFrom(this);
         this.stale = true;
         this.onidle();
       });
@@ -291,20 +291,10 @@ export class Painter {
     return this.paints;
   }
 
-  /** A decoded picture; null as long as it is being fetched. @param {number} picture */
-  #pictureOf(picture) {
-    const bitmap = this.pictures.get(picture);
-    if (bitmap === undefined) {
-      this.pictures.set(picture, null);
-      this.onpicture(picture);
-    }
-    return bitmap ?? null;
-  }
-
   /** @param {Context} context @param {Item} item @param {Float32Array} path @param {number} zoom */
   #drawPicture(context, item, path, zoom) {
-    const bitmap = this.#pictureOf(item.picture);
-    if (this.#fetched() && bitmap) {
+    const bitmap = this.#fetched() && this.paints?.pictureOf(this, item.picture);
+    if (bitmap) {
       this.paints?.drawPicture(context, item, path, bitmap, zoom, this.warp);
     }
   }
