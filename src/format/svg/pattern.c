@@ -111,7 +111,7 @@ static bool is_plain_image(const bat_svg_walk *w, uint32_t image) {
             found = found || strcmp(w->tree->strings.data + pair[0], known[k]) == 0;
         if (!found) return false;
     }
-    return e->kind == BAT_SVG_IMAGE && !e->next && !w->style_count;
+    return e->kind == BAT_SVG_IMAGE && !e->next && w->sheet->count == 0;
 }
 
 /* Whether the image fills the tile from corner to corner, as the picture says. */
@@ -239,9 +239,8 @@ bat_svg_served bat_svg_pattern(bat_svg_walk *w, uint32_t element, const bat_svg_
     tile t;
     double sides[2], own[6], all[6];
     if (!read_tile(w, &c, s, box, &t)) return BAT_SVG_NOTHING;
-    if (w->collected || !bat_svg_may_stand_alone(w)) return BAT_SVG_MEAN;
-    bat_picture *picture = picture_of(w, &t);
-    if (!picture) picture = draw(w, &t);
+    bat_picture *picture = w->collected ? NULL : picture_of(w, &t);
+    if (!picture && !w->collected && bat_svg_may_stand_alone(w)) picture = draw(w, &t);
     if (!picture) return BAT_SVG_MEAN;
     bat_picture_sides(picture, sides);
     const double corner[6] = {t.box[2] / sides[0], 0, 0, t.box[3] / sides[1], t.box[0], t.box[1]};

@@ -35,6 +35,16 @@ static bat_status read_file(const char *text, bat_document **out) {
     return status;
 }
 
+/* By a reader that has not got the file's text. */
+static bat_document *read_parts(const char *text) {
+    bat_svg_reader *reader;
+    bat_document *document = NULL;
+    assert_int_equal(bat_svg_reader_create(NULL, &reader), BAT_OK);
+    assert_int_equal(bat_svg_feed(text, strlen(text), reader), BAT_OK);
+    assert_int_equal(bat_svg_reader_finish(reader, &document, &report, NULL), BAT_OK);
+    return document;
+}
+
 static bat_document *opened(const char *content) {
     char text[6000];
     bat_document *document = NULL;
@@ -223,6 +233,9 @@ static void is_kept(void **unused) {
         for (int k = 0; k < 6; k++) assert_true(fabs(a->fill.matrix[k] - b->fill.matrix[k]) <= 1e-9);
         assert_true(a->fill.stops[0].colour == b->fill.stops[0].colour);
         assert_non_null(b->stroke.tile);
+        bat_document_free(back);
+        back = read_parts(svg);
+        assert_non_null(fill_of(back));
         bat_document_free(back);
         bat_free(svg);
         bat_document_free(document);
