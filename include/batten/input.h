@@ -11,7 +11,7 @@ extern "C" {
 typedef struct bat_editor bat_editor;
 
 typedef enum bat_pointer_phase {
-    BAT_POINTER_HOVER,
+    BAT_POINTER_HOVER, /* near, without contact; of a finger: there are some, which hints then speak to */
     BAT_POINTER_DOWN,
     BAT_POINTER_MOVE,
     BAT_POINTER_UP,

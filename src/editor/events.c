@@ -320,7 +320,9 @@ static void one(bat_context *c, bat_pointer event) {
     case BAT_POINTER_HOVER:
         if (index >= 0)
             move(c, &event, index);
-        else if (event.device != BAT_DEVICE_TOUCH) {
+        else if (event.device == BAT_DEVICE_TOUCH) /* there are fingers, which hints then speak to */
+            c->input->points = event.device;
+        else {
             point(c, &event);
             if (!bat_contacts_clear(c)) break;
             if (bat_ruler_at(c, c->input->pen) < 0 && tool->is->hover && bat_toolbox_faces(c))

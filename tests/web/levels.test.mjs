@@ -69,7 +69,7 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal((await state(page)).hint, strings['hint.apart']);
     const suggested = await rows(page).count();
     assert.ok(suggested >= 3);
-    await page.locator('#strip-apart-levels').locator('xpath=preceding-sibling::button').click();
+    await page.locator('#strip-apart-levels').locator('xpath=../preceding-sibling::button').click();
     await settle(page);
     assert.equal(await rows(page).count(), suggested - 1);
     await page.locator('#strip-apart-points').fill('9');

@@ -164,3 +164,13 @@ test('the car, a picture to trace, and a file, from an empty page', async () => 
   assert.equal((await state(page)).check, '');
   await context.close();
 });
+
+for (const [said, options] of [['Tap', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }], ['Click', {}]]) {
+  test(`before the first touch hints say ${said}`, async () => {
+    const { page, context } = await empty(options);
+    await page.evaluate(() => { batten.engine.command('tool-zoom'); batten.wake(); });
+    await settle(page);
+    assert.equal((await state(page)).hint.split(' ')[0], said);
+    await context.close();
+  });
+}

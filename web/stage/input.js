@@ -70,6 +70,9 @@ export class Input {
     /** Number of samples and time spent in the engine, for measurements. */
     this.cost = { samples: 0, milliseconds: 0 };
     this.#listen();
+    if (matchMedia('(pointer: coarse)').matches) { // hints speak to fingers, even before the first touch
+      this.#tell([this.#sample(new PointerEvent('pointermove', { pointerType: 'touch' }), Phase.HOVER)]);
+    }
   }
 
   #listen() {
