@@ -252,6 +252,20 @@ test('a program that ends and is started again is noticed while nobody saves', a
   await context.close();
 });
 
+test('a server that takes a question and gives no answer is silent, too', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
+  const { page, context } = await open(browser, server.address);
+  await page.waitForLoadState('networkidle');
+  await page.route('**/document', (route) => (route.request().method() === 'HEAD' ? null : route.continue()));
+  await lookedAt(page);
+  await page.waitForSelector('[data-about=silent] >> text=does not answer');
+  await page.unroute('**/document');
+  await lookedAt(page);
+  await page.waitForSelector('[data-about=silent]', { state: 'detached' });
+  await context.close();
+});
+
 test('a page that nobody sees asks for nothing', async (t) => {
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
   t.after(server.close);

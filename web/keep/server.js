@@ -7,6 +7,7 @@ export class Changed extends Error {}
 
 /** @typedef {{ name: string, bytes: Uint8Array, tag: string }} FileBytes tag: identifies this version of the file */
 
+const PATIENCE = 10000; // milliseconds: whoever has not answered by then does not answer
 const FORBIDDEN = 403;
 const CHANGED = 412;
 const TOKEN = /name="batten-token" content="([0-9a-f]+)"/;
@@ -67,18 +68,19 @@ export class Server {
 
   /** Asks the server for the file's version; accepts a restarted server. @returns {Promise<string>} the tag */
   async hear() {
-    return (await this.#ask('HEAD', {}, null)).headers.get('ETag') ?? '';
+    return (await this.#ask('HEAD', {}, null, AbortSignal.timeout(PATIENCE))).headers.get('ETag') ?? '';
   }
 
   /**
    * @param {string} method
    * @param {Record<string, string>} headers
    * @param {Uint8Array | null} bytes
+   * @param {AbortSignal} [signal] ends the waiting
    */
-  async #ask(method, headers, bytes) {
-    let response = await this.#send(method, headers, bytes);
-    if (response.status === FORBIDDEN && await this.#meet()) {
-      response = await this.#send(method, headers, bytes);
+  async #ask(method, headers, bytes, signal) {
+    let response = await this.#send(method, headers, bytes, signal);
+    if (response.status === FORBIDDEN && await this.#meet(signal)) {
+      response = await this.#send(method, headers, bytes, signal);
     }
     if (response.status === CHANGED) {
       throw new Changed(word('shell.changed'));
@@ -95,26 +97,30 @@ export class Server {
    * @param {string} method
    * @param {Record<string, string>} headers
    * @param {Uint8Array | null} bytes
+   * @param {AbortSignal} [signal]
    */
-  async #send(method, headers, bytes) {
+  async #send(method, headers, bytes, signal) {
     try {
       const body = /** @type {BodyInit | null} */ (bytes);
-      return await fetch('/document', { method, headers: { ...headers, 'X-Batten-Token': this.token }, body });
+      return await fetch('/document', { method, headers: { ...headers, 'X-Batten-Token': this.token }, body, signal });
     } catch {
       throw new Error(word('shell.no-answer'));
     }
   }
 
-  /** Fetches the token of a restarted server. @returns {Promise<boolean>} whether it serves the same file */
-  async #meet() {
-    const page = await fetch('/', { cache: 'no-store' }).catch(() => null);
-    const token = TOKEN.exec(await page?.text() ?? '')?.[1];
+  /**
+   * Fetches the token of a restarted server.
+   * @param {AbortSignal} [signal] @returns {Promise<boolean>} whether it serves the same file
+   */
+  async #meet(signal) {
+    const page = await fetch('/', { cache: 'no-store', signal }).then((answer) => answer.text()).catch(() => '');
+    const token = TOKEN.exec(page)?.[1];
     if (!token || token === this.token) {
       return false;
     }
     const before = this.token;
     this.token = token;
-    const file = await this.#send('GET', {}, null);
+    const file = await this.#send('GET', {}, null, signal);
     const same = file.ok && (!this.name || nameIn(file) === this.name);
     if (!same) {
       this.token = before;
