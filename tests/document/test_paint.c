@@ -22,8 +22,8 @@ static const double DASHES[] = {4, 1.5, 0.25};
 
 static bat_paint rich(void) {
     return (bat_paint){
-        .fill = {true, BAT_SPREAD_REFLECT, {3, 4, 0}, {5, 5, 6}, {2, 0.5, -0.25, 1, 7, -9}, 3, STOPS},
-        .stroke = {false, BAT_SPREAD_REPEAT, {0, 0, 0}, {1, 0.1, 0}, {9, 0, 0, 9, 1, 2}, 2, STOPS},
+        .fill = {true, BAT_SPREAD_REFLECT, {3, 4, 0}, {5, 5, 6}, {2, 0.5, -0.25, 1, 7, -9}, 3, STOPS, NULL},
+        .stroke = {false, BAT_SPREAD_REPEAT, {0, 0, 0}, {1, 0.1, 0}, {9, 0, 0, 9, 1, 2}, 2, STOPS, NULL},
         .dash_count = 3,
         .dashes = DASHES,
         .dash_offset = -2,
