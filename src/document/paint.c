@@ -15,22 +15,25 @@ struct bat_painted {
     bat_paint paint; /* what it points to follows in the same block */
 };
 
-enum { GREY = 0x808080 };
-
-bat_gradient bat_paint_pattern(const bat_picture *tile, const double matrix[6], const bat_stop stops[2]) {
+bat_gradient bat_paint_pattern(const bat_picture *tile, const double matrix[6], uint32_t alpha,
+                               bat_stop stops[2]) {
     bat_gradient made = {.spread = BAT_SPREAD_REPEAT, .count = 2, .stops = stops, .tile = tile};
     double sides[2];
     bat_picture_sides(tile, sides);
     made.to[0] = sides[0];
     memcpy(made.matrix, matrix, sizeof made.matrix);
+    for (int k = 0; k < 2; k++) stops[k] = (bat_stop){k, 0x80808000 | alpha};
     return made;
 }
 
 static bool is_pattern(const bat_gradient *g) {
-    const bat_gradient p = bat_paint_pattern(g->tile, g->matrix, g->stops);
-    return !g->radial && g->spread == p.spread && memcmp(g->from, p.from, sizeof p.from) == 0 &&
-           memcmp(g->to, p.to, sizeof p.to) == 0 && g->count == 2 && g->stops[0].at == 0 &&
-           g->stops[1].at == 1 && g->stops[0].colour == g->stops[1].colour && g->stops[0].colour >> 8 == GREY;
+    bat_stop stops[2];
+    const bat_gradient p = bat_paint_pattern(g->tile, g->matrix, g->stops[0].colour & 0xff, stops);
+    bool same = !g->radial && g->spread == p.spread && g->count == p.count &&
+                memcmp(g->from, p.from, sizeof p.from) == 0 && memcmp(g->to, p.to, sizeof p.to) == 0;
+    for (int k = 0; k < 2 && same; k++)
+        same = g->stops[k].at == stops[k].at && g->stops[k].colour == stops[k].colour;
+    return same;
 }
 
 static bat_status check_gradient(const bat_gradient *g) {

@@ -26,8 +26,9 @@ uint64_t bat_paint_digest(const bat_paint *paint, bat_paint_part part);
 /* Mapped by the matrix, with dashes longer by the factor. What cannot be mapped is left out. */
 bat_paint bat_paint_mapped(const bat_paint *paint, const double matrix[6], double longer,
                            double dashes[BAT_DASHES_MAX]);
-/* A pattern of that picture, with both stops at the ends. */
-bat_gradient bat_paint_pattern(const bat_picture *tile, const double matrix[6], const bat_stop stops[2]);
+/* A pattern of that picture; alpha: 0 to 255. Fills in the stops, to which it refers. */
+bat_gradient bat_paint_pattern(const bat_picture *tile, const double matrix[6], uint32_t alpha,
+                               bat_stop stops[2]);
 /* The pen of a paint: the identity where it is round. */
 void bat_paint_pen(const bat_paint *paint, double pen[4]);
 

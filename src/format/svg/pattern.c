@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 512, GREY = 0x808080 };
+enum { SIDE = 512 };
 
 /* The last picture made of a pattern. */
 typedef struct bat_svg_tile {
@@ -21,7 +21,6 @@ typedef struct bat_svg_tile {
 } bat_svg_tile;
 
 typedef struct tile {
-    const bat_svg_chain *chain;
     uint32_t holder;   /* the element that holds what is repeated; 0: none */
     bool boxed;        /* it depends on the shape's box */
     double box[4];     /* x, y, width, height in the pattern's units */
@@ -86,7 +85,7 @@ static bool fit(const bat_svg_walk *w, const bat_svg_chain *c, const double box[
 static bool read_tile(const bat_svg_walk *w, const bat_svg_chain *c, const bat_svg_scope *s,
                       const double box[4], tile *t) {
     const char *transform = bat_svg_chain_attribute(w, c, "patternTransform");
-    *t = (tile){.chain = c, .opacity = 1};
+    *t = (tile){.opacity = 1};
     bat_matrix_identity(t->matrix);
     if (transform && !bat_svg_transform(transform, t->matrix)) return false;
     for (int i = 0; i < c->count && !t->holder; i++)
@@ -247,9 +246,7 @@ bat_svg_served bat_svg_pattern(bat_svg_walk *w, uint32_t element, const bat_svg_
     bat_matrix_compose(t.matrix, corner, own);
     bat_matrix_compose(s->matrix, own, all);
     const uint32_t alpha = (uint32_t)floor(255 * fmin(fmax(share * t.opacity, 0), 1) + 0.5);
-    stops[0] = (bat_stop){0, (uint32_t)GREY << 8 | alpha};
-    stops[1] = (bat_stop){1, stops[0].colour};
-    *out = bat_paint_pattern(bat_pictures_find(&w->pictures, bat_picture_digest(picture)), all, stops);
+    *out = bat_paint_pattern(bat_pictures_find(&w->pictures, bat_picture_digest(picture)), all, alpha, stops);
     bat_picture_release(picture); /* the walk keeps one like it */
     const bool regular = bat_matrix_is_regular(all);
     if (!regular) *out = (bat_gradient){0};
