@@ -110,9 +110,6 @@ function patternOf(context, { tile }) {
   return pattern;
 }
 
-/** How translucent a pattern is; a gradient's stops say it themselves. @param {Gradient} gradient */
-const alphaOf = ({ tile, stops }) => (tile === null ? 1 : stops[0][2] / 255);
-
 /**
  * @param {Context} context @param {Gradient} gradient @param {Item} item @param {Theme} theme
  * @param {number[]} [line] its ends in other units (linear)
@@ -141,7 +138,7 @@ function styleOf(context, gradient, item, theme, line) {
 /** @param {Context} context @param {Gradient} gradient @param {Item} item @param {Theme} theme */
 function setFill(context, gradient, item, theme) {
   const pattern = gradient.tile === null ? null : patternOf(context, gradient);
-  context.globalAlpha *= pattern ? alphaOf(gradient) : 1;
+  context.globalAlpha *= pattern ? gradient.stops[0][2] / 255 : 1; // a gradient's stops are painted themselves
   context.fillStyle = pattern ?? styleOf(context, gradient, item, theme);
 }
 
