@@ -26,6 +26,11 @@ async function begin(t, options) {
   const server = await serve({ name: 'tori.batten', bytes: SCENE });
   t.after(() => server.close());
   const { page, hand } = await open(browser, server.address, options);
+  // Its style sheet comes when all that is there has long been painted.
+  await page.route('**/lens.css', async (route) => {
+    await quiet(page);
+    await route.continue();
+  });
   const first = await state(page);
   await page.keyboard.press('v');
   await page.evaluate(() => {

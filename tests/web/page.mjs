@@ -117,6 +117,18 @@ function countTimers() {
   });
 }
 
+/** Runs in every page: a button that comes has its name with it, not a frame later. */
+function watchNames() {
+  const isNameless = (button) => !button.ariaLabel && !button.getAttribute('aria-labelledby') && !button.title &&
+    !button.textContent.trim() && button.checkVisibility();
+  new MutationObserver((changes) => {
+    for (const button of changes.flatMap(({ addedNodes }) => [...addedNodes]).filter((node) => node instanceof Element)
+      .flatMap((node) => [node, ...node.querySelectorAll('*')]).filter((node) => node.matches('button') && isNameless(node))) {
+      console.error(`a button without a name: ${button.outerHTML}`);
+    }
+  }).observe(document, { childList: true, subtree: true });
+}
+
 /** @param {import('playwright-core').BrowserContext} context */
 async function watch(context) {
   contexts.push(context);
@@ -130,6 +142,7 @@ async function watch(context) {
       faults.push(`${message.text()} ${message.location().url}`);
     }
   });
+  await context.addInitScript(watchNames);
   await context.addInitScript(() => document.addEventListener('securitypolicyviolation', (event) =>
     console.error(`refused by ${event.violatedDirective}: ${event.blockedURI} ${event.sample}`)));
   return context;

@@ -60,3 +60,14 @@ export function dress(name) {
     sheet.addEventListener('error', () => reject(new Missing(name)));
   }));
 }
+
+/**
+ * Puts a box over the drawing once its style sheet is there: unstyled it would push the drawing aside. A frame follows, since what
+ * is painted in the box could not be before.
+ * @param {HTMLElement} box @param {string} name of the style sheet @param {{ stage: HTMLElement, wake: () => void }} shell
+ */
+export async function stand(box, name, { stage, wake }) {
+  await dress(name);
+  stage.after(box);
+  wake();
+}

@@ -2,7 +2,7 @@
 // drag turns the view, the ends of the axes are the named views.
 
 import { Device, Phase } from '../engine/codes.js';
-import { dress } from '../page/build.js';
+import { stand } from '../page/build.js';
 import { word } from '../page/words.js';
 
 const REACH = 16; // px from the middle to the end of an axis that is seen in its full length
@@ -51,8 +51,10 @@ export class Dial {
     this.faces = FACES.map(([command]) => this.#end(command, 'face'));
     this.box.append(this.home, ...this.faces, ...this.ends);
     this.shown = '';
+    this.said = '';
     this.#listen();
-    void dress('styles/dial.css').then(() => stage.after(this.box));
+    this.#say();
+    void stand(this.box, 'styles/dial.css', { stage, wake });
   }
 
   /** @param {string} command */
@@ -126,21 +128,29 @@ export class Dial {
     this.box.addEventListener('pointercancel', end);
   }
 
+  /** Names all of it, in the language of now. */
+  #say() {
+    const buttons = [this.home, ...this.ends, ...this.faces];
+    const words = buttons.map((button) => word(`command.${button.dataset.command}`));
+    const said = [word('dial.name'), ...words].join('\n');
+    if (said !== this.said) {
+      this.said = said;
+      this.box.ariaLabel = word('dial.name');
+      buttons.forEach((button, i) => {
+        button.title = words[i];
+      });
+      [this.home.ariaLabel] = words;
+    }
+  }
+
   /** @param {import('../engine/types.js').Frame} frame */
   show(frame) {
-    const words = [word('dial.name'), ...[this.home, ...this.ends, ...this.faces].map((button) => word(`command.${button.dataset.command}`))];
-    const shown = [frame.angle, frame.tilt, ...words].join('\n');
+    this.#say();
+    const shown = [frame.angle, frame.tilt].join();
     if (shown === this.shown) {
       return;
     }
     this.shown = shown;
-    this.box.setAttribute('aria-label', words[0]);
-    [this.home, ...this.ends, ...this.faces].forEach((button, i) => {
-      button.title = words[i + 1];
-      if (button === this.home) {
-        button.ariaLabel = words[i + 1];
-      }
-    });
     this.box.classList.toggle('tilted', frame.tilt !== 0);
     const [angle, tilt] = [frame.angle, frame.tilt].map((degrees) => (degrees * Math.PI) / 180);
     const [c, s, k, h] = [Math.cos(angle), Math.sin(angle), Math.cos(tilt), Math.sin(tilt)];

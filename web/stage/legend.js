@@ -1,6 +1,6 @@
 // The button that changes the look of surfaces, and the colours of curvature with their range.
 
-import { dress } from '../page/build.js';
+import { stand } from '../page/build.js';
 import { word } from '../page/words.js';
 
 const CURVATURES = [2, 3];
@@ -30,7 +30,7 @@ export class Legend {
     this.scale.className = 'scale';
     this.scale.append(document.createElement('i'), ...['', '', ''].map(() => document.createElement('span')));
     this.box.append(this.button, this.scale);
-    void dress('styles/space.css').then(() => stage.after(this.box));
+    void stand(this.box, 'styles/space.css', { stage, wake });
   }
 
   /** The look's name on its button, and the range of curvature. @param {NonNullable<import('./space.js').Picture>} picture */

@@ -2,7 +2,7 @@
 // corrected by the gestures that move the view. Seen through the camera, the two change places. It is painted with the
 // programs and buffers of the tilted view, and copied to a canvas of its own.
 
-import { dress } from '../page/build.js';
+import { stand } from '../page/build.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('./time.js').Move} Move */
@@ -67,7 +67,7 @@ export class Lens {
         event.stopPropagation();
       }
     }, { capture: true });
-    void dress('styles/lens.css').then(() => shell.stage.after(this.box));
+    void stand(this.box, 'styles/lens.css', shell);
   }
 
   /** In device pixels: how large the picture is. */

@@ -2,7 +2,7 @@
 // painted; here it is kept in buffers of the graphics card, and only what has moved is sent there again. Without WebGL 2
 // the drawing stays on the still canvas, as lines.
 
-import { dress } from '../page/build.js';
+import { stand } from '../page/build.js';
 import { word } from '../page/words.js';
 import { Buffers } from './buffers.js';
 import { Legend } from './legend.js';
@@ -97,7 +97,7 @@ export class Space {
 
   /** Beside the dial: perspective or not. */
   #switch() {
-    const { engine, stage, wake } = this.shell;
+    const { engine, wake } = this.shell;
     this.deep = document.createElement('button');
     this.deep.type = 'button';
     this.deep.className = 'deep';
@@ -108,7 +108,7 @@ export class Space {
       engine.command('perspective');
       wake();
     });
-    void dress('styles/space.css').then(() => stage.after(/** @type {HTMLElement} */ (this.deep)));
+    void stand(this.deep, 'styles/space.css', this.shell);
   }
 
   /** @param {Frame} frame */

@@ -1,7 +1,7 @@
 // The time strip: plays the move of a camera, and shows where it is. Nothing of this enters the drawing or its journal. The
 // engine holds all its state; here it is told what time it is while a move plays.
 
-import { dress } from '../page/build.js';
+import { stand } from '../page/build.js';
 import { word } from '../page/words.js';
 import { Lens } from './lens.js';
 import { Timing } from './timing.js';
@@ -79,7 +79,7 @@ export class TimeStrip {
         event.stopPropagation();
       }
     });
-    void dress('styles/time.css').then(() => shell.stage.after(this.box));
+    void stand(this.box, 'styles/time.css', shell);
   }
 
   /** Opens and closes what lies above the strip. */
