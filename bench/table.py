@@ -1,35 +1,35 @@
-"""Reads rows as JSON lines, writes the machine and the table of docs/benchmarks.md. usage: table.py MACHINE < rows"""
+"""Reads rows as JSON lines, writes the machine and the tables of docs/benchmarks.md. usage: table.py MACHINE < rows"""
 import json
 import sys
 
-rows = {}
-programs = []
-units = {}
+tasks = {}
 for line in sys.stdin:
-    r = json.loads(line)
-    rows[r["name"], r["program"]] = r
-    units[r["name"]] = r["unit"]
-    if r["program"] not in programs:
-        programs.append(r["program"])
-peers = [p for p in programs if p != "batten"]
-print(f"""Machine: {sys.argv[1]}
+    if line.startswith("{"):
+        row = json.loads(line)
+        tasks.setdefault(row["name"], {})[row["program"]] = row
 
-| task | unit | Batten | {" | ".join(peers)} |
-|---|---|---|{"---|" * len(peers)}""")
-for name, unit in units.items():
-    own = rows.get((name, "batten"))
+
+def cells(row, own):
+    ratio = f"{row['best'] / own['best']:.3g}" if row is not own else ""
+    return f"{row['best']:.3g} ({row['median']:.3g}) | {ratio} | {row['note']} |"
+
+
+print(f"Machine: {sys.argv[1]}")
+print("\nA ratio above 1 says that Batten is faster.")
+print("\n| task | program | best (median) | ratio | result |\n|---|---|---:|---:|---|")
+alone = []
+for name, rows in tasks.items():
+    own = rows.get("batten")
     if not own:
         continue
-    cells = []
-    for p in ["batten"] + peers:
-        r = rows.get((name, p))
-        if not r:
-            cells.append("")
-            continue
-        text = f"{r['best']:.3g} ({r['median']:.3g})"
-        if p != "batten":
-            text += f", {r['best'] / own['best']:.3g} x"
-        if r["note"]:
-            text += f"; {r['note']}"
-        cells.append(text)
-    print(f"| {name} | {unit} | {' | '.join(cells)} |")
+    if len(rows) == 1:
+        alone.append(own)
+        continue
+    others = sorted((row for row in rows.values() if row is not own), key=lambda row: row["best"])
+    print(f"| **{name}**, {own['unit']} | Batten | {cells(own, own)}")
+    for row in others:
+        print(f"| | {row['program']} | {cells(row, own)}")
+print("\nTasks for which no peer was at hand:")
+print("\n| task | best (median) | result |\n|---|---:|---|")
+for own in alone:
+    print(f"| {own['name']}, {own['unit']} | {own['best']:.3g} ({own['median']:.3g}) | {own['note']} |")

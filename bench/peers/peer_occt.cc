@@ -197,7 +197,8 @@ static Parallel parallel_of(int n) {
     TColStd_Array1OfReal knots(1, n - 2);
     TColStd_Array1OfInteger times(1, n - 2);
     for (int i = 0; i < n; i++) poles.SetValue(i + 1, gp_Pnt2d(x[2 * i], x[2 * i + 1]));
-    for (int i = 0; i < n - 2; i++) knots.SetValue(i + 1, t[i + 3]), times.SetValue(i + 1, i == 0 || i == n - 3 ? 4 : 1);
+    for (int i = 0; i < n - 2; i++)
+        knots.SetValue(i + 1, t[i + 3]), times.SetValue(i + 1, i == 0 || i == n - 3 ? 4 : 1);
     return {new Geom2d_BSplineCurve(poles, knots, times, 3), BENCH_OFFSET, 0, 0};
 }
 
