@@ -105,6 +105,9 @@ static const act acts[] = {
      "command symmetry;draw 380 650 620 640 25;command tool-eraser;then;draw 560 600 570 700 0"},
     {"simplified and calmed",
      "command tool-select;command select-all;then;command curve-simplify;command calm"},
+    {"an offset that is chosen and kept",
+     "command tool-select;command select-all;then;command curve-offset;set offset-distance 3;"
+     "command reading-next;command accept"},
 };
 
 static void add_ring(bat_document *document) {

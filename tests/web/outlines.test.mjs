@@ -39,6 +39,7 @@ for (const [locale, colorScheme, size] of [['en', 'light', undefined], ['ko-KR',
     assert.ok((await objects()).every(({ style }) => style.filled && !style.stroked), 'both are shapes');
     await page.evaluate(() => document.querySelector('#actions [data-name=curve-offset]').click());
     await quiet(page);
+    await command('accept');
     assert.equal((await objects()).length, 4);
     assert.equal((await state(page)).check, '');
     await shot('offset');

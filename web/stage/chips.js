@@ -1,7 +1,8 @@
 // The chips at the end of a stroke: what else it could mean, and how closely it is fitted. A tap chooses that reading;
 // the chips disappear when the next stroke begins. Beside a selection the same for what was done to it: how simple it becomes, or how
-// far back it goes.
+// far back it goes, how far beside it a copy lies.
 
+import { Measure } from '../sheets/measure.js';
 import { dress } from '../page/build.js';
 import { tell } from '../page/words.js';
 
@@ -11,7 +12,9 @@ import { tell } from '../page/words.js';
  * @property {number} chosen
  * @property {number} amount from 0, raw, to 1, fair; -1: the stroke can no longer be refitted
  * @property {string[]} words empty: it has no other reading
- * @property {string} [of] what was done to a selection and can be chosen otherwise: simplify, earlier
+ * @property {string} [of] what was done to a selection and can be chosen otherwise: simplify, earlier, offset
+ * @property {number} [ways] how many of the words are chosen one instead of another; what follows them does something
+ * @property {string} [typed] the property that can also be typed
  * @property {number} [step] of the slider
  * @property {string} [said] what it has come to
  */
@@ -35,6 +38,8 @@ export class Chips {
     this.refit.className = 'refit';
     this.ends = [document.createElement('span'), document.createElement('span')];
     this.points = document.createElement('output');
+    this.typed = '';
+    this.measure = this.#field();
     this.refit.append(this.ends[0], this.amount, this.ends[1], this.points);
     this.shown = '';
     void dress('styles/chips.css').then(() => { // unstyled, it would push the stage aside
@@ -45,7 +50,7 @@ export class Chips {
 
   /** @param {boolean} some */
   show(some) {
-    const { at, chosen, amount, words, of = '', step = 0.05, said = '' } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
+    const { at, chosen, amount, words, ways = Infinity, typed = '', of = '', step = 0.05, said = '' } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
     this.at = at;
     if (amount < 0 && this.box.contains(document.activeElement)) {
       this.stage.focus();
@@ -57,9 +62,15 @@ export class Chips {
     if (shown !== this.shown || !(of || this.box.contains(document.activeElement))) { // a slider in use stays where it is
       this.shown = shown;
       this.#dress(of && `command.curve-${of}`, of || 'refit');
-      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i)), this.refit);
+      this.typed = typed;
+      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i)), ...typed ? [this.measure.box] : [], this.refit);
     }
-    this.box.querySelectorAll('button').forEach((chip, i) => chosen < 0 || chip.setAttribute('aria-pressed', String(i === chosen)));
+    if (typed && document.activeElement !== this.measure.input) { // not over what is being typed
+      tell(this.measure.input, { label: `property.${typed}` });
+      this.measure.show(this.engine.number(typed));
+      this.measure.input.removeAttribute('aria-invalid');
+    }
+    this.box.querySelectorAll('button').forEach((chip, i) => chosen < 0 || i >= ways || chip.setAttribute('aria-pressed', String(i === chosen)));
     this.points.textContent = said;
     this.#place();
   }
@@ -89,6 +100,28 @@ export class Chips {
       }
     });
     return slider;
+  }
+
+  /** What the slider chooses, as text: seen while it is typed. */
+  #field() {
+    const input = document.createElement('input');
+    Object.assign(input, { id: 'refit-typed', type: 'text', autocomplete: 'off' });
+    const measure = new Measure(input);
+    measure.box.classList.add('control');
+    input.addEventListener('focus', () => input.select());
+    input.addEventListener('input', () => {
+      input.setAttribute('aria-invalid', String(!this.engine.enter(this.typed, input.value)));
+      this.wake();
+    });
+    input.addEventListener('keydown', (event) => {
+      const command = { Enter: 'accept', Escape: 'cancel' }[event.key];
+      if (command && (event.key === 'Escape' || input.ariaInvalid !== 'true')) {
+        this.engine.command(command);
+        this.stage.focus();
+        this.wake();
+      }
+    });
+    return measure;
   }
 
   /** @param {string} text @param {number} index */

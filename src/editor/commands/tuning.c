@@ -65,7 +65,7 @@ bool bat_tuning_cancel(bat_context *c) {
 
 bool bat_tuning_accept(bat_context *c) {
     if (!bat_tuning_holds(c)) return false;
-    if (c->tuning->kind->accept) c->tuning->kind->accept(c);
+    if (c->tuning->kind->accept && c->tuning->kind->accept(c) != BAT_OK) return true;
     bat_tuning_free(c->tuning);
     return true;
 }

@@ -20,7 +20,8 @@ typedef struct bat_tuning_kind {
     int (*way)(const bat_context *c); /* the way in force; NULL: there are none */
     /* Writes its members of the readings (panels.h), each with a comma before it. */
     void (*write)(bat_context *c, bat_text *text);
-    bat_status (*accept)(bat_context *c); /* Enter; NULL: it stays as it is */
+    bat_status (*accept)(
+        bat_context *c); /* Enter; NULL: it stays as it is. A failure: it can still be chosen */
 } bat_tuning_kind;
 
 typedef struct bat_tuning {
@@ -31,6 +32,7 @@ typedef struct bat_tuning {
     double amount; /* 0 to 1 */
     int shown;     /* curves that are only shown, owned */
     bat_curve **fit;
+    bat_string why;    /* nothing is shown, where the kind has a reason */
     uint64_t revision; /* when all this was made */
     uint32_t selection, version;
     bat_tool_id tool;
