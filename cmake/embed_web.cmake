@@ -2,10 +2,11 @@
 # parts, and
 # WORDS, from build/wasm: may be empty; MINIFY: esbuild, which strips comments and spaces from scripts and styles, or
 # empty: they are embedded as they are.
+# FACE: the type face and its licence, for the folder fonts; may be empty.
 #
 # All files except those with a fixed address are in a folder named after the digest of all of them, so a page gets the
 # files it was built with, or none. In index.html, the manifest and sw.js that name replaces %BUILD%; sw.js also gets
-# the list of files. index.html is served as "/", with a token inserted, and also under its own name, unchanged.
+# the list of files, index.html the name of the face. index.html is served as "/", with a token inserted, and also under its own name, unchanged.
 #
 # With FOLDER the same files are written there instead, for a static host (cmake/site.cmake). index.html then gets HEAD,
 # a file with lines for its head. PAGES: further pages, in which %BUILD% is replaced, too; DEMOS: files for
@@ -21,9 +22,18 @@ set(type_png "image/png")
 set(type_webmanifest "application/manifest+json")
 set(type_json "application/json")
 set(type_wasm "application/wasm")
+set(type_woff2 "font/woff2")
+set(type_txt "text/plain; charset=utf-8")
 
 string(REPLACE "|" ";" files "${FILES}")
 string(REPLACE "|" ";" built "${WORDS}|${MODULE}")
+string(REPLACE "|" ";" fonts "${FACE}")
+set(face "")
+if(fonts)
+  list(GET fonts 0 face)
+  get_filename_component(face ${face} NAME)
+  string(PREPEND face "fonts/")
+endif()
 list(REMOVE_ITEM built "")
 list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/engine/types\\.js$")
 if(PART)
@@ -51,7 +61,7 @@ if(PART)
   set(staying ${ROOT}/index.html)
 endif()
 set(staying ${pages} ${staying})
-list(APPEND files ${built} ${peers})
+list(APPEND files ${built} ${fonts} ${peers})
 list(LENGTH files first_demo) # one may be a file of the shell, too
 list(APPEND files ${demos} ${staying})
 
@@ -98,10 +108,13 @@ foreach(file ${files})
     endif()
     string(REPLACE "%BUILD%" "${build}" told "${told}")
     string(REPLACE "%FILES%" "${listed}" told "${told}")
+    string(REPLACE "%FACE%" "${face}" told "${told}")
     set(content ${OUT}.told)
     file(WRITE ${content} "${told}")
   elseif(file IN_LIST built)
     string(PREPEND path "${build}/")
+  elseif(file IN_LIST fonts)
+    string(PREPEND path "${build}/fonts/")
   else()
     file(RELATIVE_PATH path ${ROOT} ${file})
     string(REGEX REPLACE "^\\.\\./" "" path ${path})

@@ -4,7 +4,6 @@
 set(BATTEN_SITE ${CMAKE_BINARY_DIR}/site)
 find_program(BATTEN_NPM npm)
 find_program(BATTEN_PANDOC pandoc)
-find_program(BATTEN_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH) # the one of Debian, with its packages
 
 if(NOT BATTEN_MODULE OR NOT BATTEN_NPM OR NOT BATTEN_PYTHON)
   message(STATUS "Without the editor's module, npm and Python there is no target site")
@@ -33,10 +32,10 @@ list(JOIN PEER_FILES "|" PEER_LIST)
 set(SITE_WORDS ${PROJECT_SOURCE_DIR}/web/site/words.json)
 set(SITE_HEAD ${PROJECT_SOURCE_DIR}/web/site/head.txt)
 add_custom_command(OUTPUT ${BATTEN_SITE}/index.html VERBATIM COMMENT "The editor for a static host"
-  DEPENDS ${WEB_INPUTS} ${BATTEN_MODULE} ${BATTEN_WORDS} ${PEER_FILES} ${DEMO_FILES} ${SITE_HEAD} ${SITE_WORDS}
+  DEPENDS ${WEB_INPUTS} ${BATTEN_FACE} ${BATTEN_MODULE} ${BATTEN_WORDS} ${PEER_FILES} ${DEMO_FILES} ${SITE_HEAD} ${SITE_WORDS}
     ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake
   COMMAND ${CMAKE_COMMAND} "-DFILES=${WEB_LIST}|${SITE_WORDS}" "-DMINIFY=${BATTEN_ESBUILD}" "-DMODULE=${MODULE_LIST}"
-    "-DWORDS=${WORDS_LIST}" -DROOT=${PROJECT_SOURCE_DIR}/web -DOUT=${CMAKE_BINARY_DIR}/site_page -DFOLDER=${BATTEN_SITE}
+    "-DWORDS=${WORDS_LIST}" "-DFACE=${FACE_LIST}" -DROOT=${PROJECT_SOURCE_DIR}/web -DOUT=${CMAKE_BINARY_DIR}/site_page -DFOLDER=${BATTEN_SITE}
     -DHEAD=${SITE_HEAD} "-DDEMOS=${DEMO_LIST}" "-DPEERS=${PEER_LIST}"
     -DPAGES=${PROJECT_SOURCE_DIR}/web/site/race.html -P ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake
   COMMAND ${CMAKE_COMMAND} -E copy ${PROJECT_SOURCE_DIR}/LICENSE ${BATTEN_SITE}/LICENSE.txt

@@ -43,6 +43,10 @@ need_to_build() {
     need libclang-rt-16-dev-wasm32 '/usr/lib/llvm-16/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a'
     need binaryen wasm-opt
     need esbuild esbuild
+    # The type face of the page; without it, words stand in the system's.
+    need fonts-inter-variable '/usr/share/fonts/truetype/inter-vf/Inter*'
+    need python3-fonttools /usr/lib/python3/dist-packages/fontTools
+    need python3-brotli '/usr/lib/python3/dist-packages/brotli*'
 }
 
 # For the target site.

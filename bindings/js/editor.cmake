@@ -1,5 +1,6 @@
 # build/wasm/npm/batten-editor: the element's script with its types, and the editor's page for its frame.
 include(${PROJECT_SOURCE_DIR}/cmake/web_inputs.cmake)
+include(${PROJECT_SOURCE_DIR}/cmake/face.cmake)
 set(editor ${PROJECT_BINARY_DIR}/npm/batten-editor)
 set(editor_files ${editor}/page/index.html)
 set(parts ${PROJECT_BINARY_DIR}/batten.wasm ${PROJECT_BINARY_DIR}/batten-later.wasm)
@@ -7,9 +8,9 @@ set(words ${PROJECT_BINARY_DIR}/words.en.json ${PROJECT_BINARY_DIR}/words.ko.jso
 list(JOIN parts "|" parts_list)
 list(JOIN words "|" words_list)
 add_custom_command(OUTPUT ${editor}/page/index.html VERBATIM COMMENT "The editor for frames of other pages"
-  DEPENDS ${WEB_INPUTS} batten_module ${words} ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake ${CMAKE_CURRENT_SOURCE_DIR}/editor/head.txt
+  DEPENDS ${WEB_INPUTS} ${BATTEN_FACE} batten_module ${words} ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake ${CMAKE_CURRENT_SOURCE_DIR}/editor/head.txt
   COMMAND ${CMAKE_COMMAND} "-DFILES=${WEB_LIST}" "-DMINIFY=${BATTEN_ESBUILD}" "-DMODULE=${parts_list}"
-    "-DWORDS=${words_list}" -DROOT=${PROJECT_SOURCE_DIR}/web -DOUT=${made}/page -DFOLDER=${editor}/page
+    "-DWORDS=${words_list}" "-DFACE=${FACE_LIST}" -DROOT=${PROJECT_SOURCE_DIR}/web -DOUT=${made}/page -DFOLDER=${editor}/page
     -DHEAD=${CMAKE_CURRENT_SOURCE_DIR}/editor/head.txt -DPART=ON -P ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${editor}/page/index.html)
 foreach(name index.js index.d.ts README.md)

@@ -12,7 +12,8 @@ import { bezier, expectFaults, Hand, launch, MALFORMED, quiet, SCREENSHOTS, sett
 import { EXAMPLE, MODULE } from './server.mjs';
 
 const POLICY = "default-src 'none'; script-src 'self'; frame-src 'self'; connect-src 'self'; img-src data:; base-uri 'none'";
-const TYPES = { html: 'text/html', js: 'text/javascript', css: 'text/css', svg: 'image/svg+xml', json: 'application/json', wasm: 'application/wasm' };
+const TYPES = { html: 'text/html', js: 'text/javascript', css: 'text/css', svg: 'image/svg+xml', json: 'application/json', wasm: 'application/wasm',
+  woff2: 'font/woff2' };
 /** What a page that uses it has: elements are made by the tests, and what they tell is noted. */
 const HOST = `import 'batten-editor';
 globalThis.told = [];
@@ -245,6 +246,8 @@ test('everything is in the package; it is imported where there is no page, and h
   const folder = path.join(project, 'node_modules/batten-editor');
   assert.deepEqual(fs.readdirSync(folder).sort(), ['LICENSE', 'README.md', 'index.d.ts', 'index.js', 'package.json', 'page']);
   assert.deepEqual(fs.readdirSync(path.join(folder, 'page')).filter((name) => !/^[0-9a-f]{16}$/.test(name)), ['index.html']);
+  const [build] = fs.readdirSync(path.join(folder, 'page')).filter((name) => name !== 'index.html');
+  assert.deepEqual(fs.readdirSync(path.join(folder, 'page', build, 'fonts')).sort(), ['OFL.txt', 'inter.woff2']);
   fs.writeFileSync(path.join(project, 'use.mjs'), "import { BattenEditor } from 'batten-editor';\nconsole.log(typeof BattenEditor);");
   assert.equal(run('node', 'use.mjs'), 'function\n');
   fs.writeFileSync(path.join(project, 'use.mts'), `import 'batten-editor';

@@ -25,7 +25,7 @@ const TYPES = {
   '.png': 'image/png',
   '.webmanifest': 'application/manifest+json',
 };
-const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; " +
+const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; font-src 'self'; " +
   "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /** Files with a fixed address; all others are in the folder of their build. */
@@ -71,7 +71,7 @@ export async function serve(document, lasting = false) {
     }
     let body = fs.readFileSync(file);
     if (staying) {
-      body = Buffer.from(body.toString().replaceAll('%BUILD%', state.version)
+      body = Buffer.from(body.toString().replaceAll('%BUILD%', state.version).replace('%FACE%', '')
         .replace('%FILES%', shellFiles(state.version).join(' ')));
     }
     if (where === '/') {

@@ -2,11 +2,12 @@
 // folder; its policy, which no header sends, is obeyed (page.mjs counts what it refuses as errors); it opens offline.
 // The ghost pen leaves nothing in the drawing. The race fetches its two libraries, and no other page does.
 import assert from 'node:assert/strict';
+import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import zlib from 'node:zlib';
 import { bezier, expectFaults, Hand, launch, place, quiet, ready, SCREENSHOTS, state } from './page.mjs';
-import { buildSite, serveSite } from './static.mjs';
+import { buildSite, serveSite, SITE } from './static.mjs';
 
 let browser;
 let site;
@@ -96,11 +97,17 @@ test('the editor is the front page; a touch stops the ghost, which leaves nothin
   await own.close();
   await open('');
   assert.equal((await state(page)).digest, drawn, 'kept as today');
+  await page.waitForFunction(() => document.fonts.check('13px "Batten-Inter"') && document.fonts.size === 1);
   assert.equal(await page.evaluate(() => batten.engine.get('tolerance')), 2, 'settings, too');
   await page.evaluate(() => batten.pack());
   await open('race.html');
   assert.equal(await page.locator('tbody tr').count(), 1);
   assert.equal(await page.isVisible('#missing'), true);
+});
+
+test('the licence of the type face is beside it', () => {
+  const [fonts] = fs.readdirSync(SITE).map((name) => path.join(SITE, name, 'fonts')).filter((folder) => fs.existsSync(folder));
+  assert.deepEqual(fs.readdirSync(fonts).sort(), ['OFL.txt', 'inter.woff2']);
 });
 
 test('what the page loads first is small', async () => {

@@ -23,6 +23,7 @@ function greet(shell) {
 export async function settleIn(shell) {
   // Safari has no requestIdleCallback.
   (globalThis.requestIdleCallback ?? setTimeout)(async () => {
+    const dressed = import('./face.js').then(({ dressWords }) => dressWords(), () => {}); // without it nothing is missed
     if (await shell.whole.complete()) {
       shell.panel.fetchChips();
       if (!shell.panel.dock.box.hidden) {
@@ -32,6 +33,7 @@ export async function settleIn(shell) {
       shell.dial = new Dial(shell.engine, shell.stage, shell.wake);
       shell.wake();
       if (!shell.server.sole) { // else another page says what is drawn
+        await dressed; // what stands in the middle would change its width
         greet(shell);
       }
     }

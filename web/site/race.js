@@ -189,6 +189,7 @@ async function start() {
   }
   Object.assign(globalThis, { race }); // for tests
   document.documentElement.dataset.ready = 'yes';
+  void import('../page/face.js').then(({ dressWords }) => dressWords());
 }
 
 void start();

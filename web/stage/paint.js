@@ -13,8 +13,8 @@ import { isPage, isWhole } from '../engine/frame.js';
 /** @typedef {{ item: Item, shape: Path2D, weight: number, corners: Float32Array }} Painted */
 
 const FADE = 0.75; // opacity of the paper colour over a line that is about to change
-const RULER_FONT = '10px system-ui, sans-serif';
-const LABEL_FONT = '500 13px system-ui, sans-serif';
+const RULER_FONT = '10px "Batten-Inter", system-ui, sans-serif';
+const LABEL_FONT = '500 13px "Batten-Inter", system-ui, sans-serif';
 
 const CAPS = /** @type {CanvasLineCap[]} */ (names(Cap));
 const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
