@@ -14,6 +14,7 @@ enum { SAMPLES = 8, BETWEEN = 12, ROUNDS = 4, DEPTH_MAX = 20, ROUND_MAX = 64, CU
 
 static const double BACK = 3.1406; /* radians: a turn of half a turn, but for little */
 static const double STILL = 1e-7;  /* of a piece's size: slower at an end, its tangent is noise */
+static const double STEADY = 0.5;  /* cosine of the turn between two samples */
 static const double SMALL = 1e-3;  /* tolerances: what is left of a cusp */
 
 /* What has been made up to now ends at `end`, with the tangent there; `first` and `start`: where it began. */
@@ -260,18 +261,21 @@ static bat_status reach_round(const parallel *p, double u, const double *centre,
 /* Adds the parallel of a span; where it cannot be followed, at a cusp, the next one that can begins after a corner. */
 static bat_status span(parallel *p, const bat_segment *s, int depth) {
     double samples[SAMPLES + 1][2], tangents[SAMPLES + 1][2], speeds[SAMPLES + 1];
-    bool one_way = true;
+    bool is_steady = true; /* one way, and no turn between samples is missed */
     for (int k = 0; k <= SAMPLES; k++) {
         if (k % SAMPLES)
             at(s, (double)k / SAMPLES, p->distance, samples[k], tangents[k], &speeds[k]);
         else
             at_end(s, k / SAMPLES, p->distance, samples[k], tangents[k], &speeds[k]);
-        one_way = one_way && (k < 2 || k == SAMPLES || speeds[k] * speeds[1] > 0);
+        is_steady = is_steady && (k < 2 || k == SAMPLES || speeds[k] * speeds[1] > 0);
+        is_steady = is_steady &&
+                    (k == 0 ||
+                     tangents[k - 1][0] * tangents[k][0] + tangents[k - 1][1] * tangents[k][1] > STEADY);
     }
     double cubic[8], handles[2] = {speeds[0] / 3, speeds[SAMPLES] / 3};
     memcpy(cubic, samples[0], 2 * sizeof *cubic), memcpy(cubic + 6, samples[SAMPLES], 2 * sizeof *cubic);
     const double turn = tangents[0][0] * tangents[SAMPLES][0] + tangents[0][1] * tangents[SAMPLES][1];
-    if (one_way && turn > -0.5 &&
+    if (is_steady && turn > -0.5 &&
         fit(samples[0], tangents[0], tangents[SAMPLES], handles, p->tolerance, cubic) <= p->tolerance &&
         holds_between(p, s, cubic)) {
         bat_status status = BAT_OK;

@@ -79,9 +79,37 @@ static void check(const bat_curve *curve, double distance, double tolerance, siz
     bat_finder_free(finder);
 }
 
+typedef struct asked {
+    bat_curve *curve;
+    double distance, tolerance;
+} asked;
+
+static asked next_asked(random_source *r) {
+    asked a;
+    const int p = random_int(r, 1, 6), kind = random_int(r, 0, 2);
+    a.curve = random_curve(r, p, 2, kind, random_int(r, 0, 7));
+    const double size = bat_curve_size(a.curve);
+    a.tolerance = size * pow(10, -random_between(r, 2.5, 5));
+    const double side = random_int(r, 0, 1) ? 1 : -1;
+    a.distance = side * size * pow(10, -random_between(r, 0.3, 2));
+    return a;
+}
+
+/* Returns of how many curves the offset is. */
+static size_t try_out(const asked *a) {
+    bat_curve **out;
+    size_t count;
+    double error;
+    assert_int_equal(bat_curve_offset(a->curve, a->distance, a->tolerance, CORNER, &count, &out, &error),
+                     BAT_OK);
+    check(a->curve, a->distance, a->tolerance, count, out, error);
+    bat_curves_free(count, out);
+    return count;
+}
+
 /* One round in a thousand needs a rare way through the code: of these seeds the second has an island whose curve has a cusp
- * within, the third a
- * stretch that a cubic with a handle as long as the drawing seems to fit, the fourth a cusp that takes most of the parameters. */
+ * within, the third a stretch that a cubic with a handle as long as the drawing seems to fit, the fourth a cusp that takes most
+ * of the parameters. */
 static void offsets_are_at_the_distance(void **state) {
     (void)state;
     const uint64_t seeds[] = {61, 8, 12, 13};
@@ -89,19 +117,28 @@ static void offsets_are_at_the_distance(void **state) {
     int several = 0;
     for (int round = 0; round < (int)(sizeof seeds / sizeof *seeds) * ROUNDS; round++) {
         if (round % ROUNDS == 0) r = (random_source){seeds[round / ROUNDS]};
-        const int p = random_int(&r, 1, 6), kind = random_int(&r, 0, 2);
-        bat_curve *curve = random_curve(&r, p, 2, kind, random_int(&r, 0, 7)), **out;
-        const double size = bat_curve_size(curve), tolerance = size * pow(10, -random_between(&r, 2.5, 5));
-        const double side = random_int(&r, 0, 1) ? 1 : -1;
-        const double distance = side * size * pow(10, -random_between(&r, 0.3, 2));
-        size_t count;
-        double error;
-        assert_int_equal(bat_curve_offset(curve, distance, tolerance, CORNER, &count, &out, &error), BAT_OK);
-        check(curve, distance, tolerance, count, out, error);
-        several += count > 1;
-        bat_curves_free(count, out), bat_curve_free(curve);
+        const asked a = next_asked(&r);
+        several += try_out(&a) > 1;
+        bat_curve_free(a.curve);
     }
     assert_true(several > 10);
+}
+
+/* Two of twenty thousand have a tip that lies between two samples of a span. */
+static void turns_between_samples_are_seen(void **state) {
+    (void)state;
+    const struct {
+        uint64_t seed;
+        int round;
+    } rare[] = {{9, 1077}, {20, 319}};
+    for (size_t i = 0; i < sizeof rare / sizeof *rare; i++) {
+        random_source r = {rare[i].seed};
+        for (int round = 0; round <= rare[i].round; round++) {
+            const asked a = next_asked(&r);
+            if (round == rare[i].round) try_out(&a);
+            bat_curve_free(a.curve);
+        }
+    }
 }
 
 static bat_curve *square(double side) {
@@ -224,6 +261,7 @@ int main(void) {
         cmocka_unit_test(rings_have_closed_forms),
         cmocka_unit_test(a_waist_comes_apart),
         cmocka_unit_test(cusps_end),
+        cmocka_unit_test(turns_between_samples_are_seen),
         cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
