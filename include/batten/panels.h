@@ -152,8 +152,9 @@ BAT_API bat_status bat_editor_correct(bat_editor *editor, bat_correction kind, c
 /* ---- levels of the chosen curve, for the level strip ---- */
 
 /* As JSON: {"rows":[{"points","gain","muted","solo","active"}], one a level, the base first; "points": of the
- * curve; "apart": the rows are what taking apart would give; "copying": a tap chooses who gets the detail}. The
- * three words, muted, solo and active are 0 or 1. Owned by the editor, valid until the next call of it; NULL: out
+ * curve; "apart": the rows are what taking apart would give; "copying": a tap chooses who gets the detail}. In the
+ * tool for widths the levels of the width along the chosen curve, with "of":"width"; "points": stops; gains tell from where the faders
+ * began, and are 1 again when something else has changed the width. The three words, muted, solo and active are 0 or 1. Owned by the editor, valid until the next call of it; NULL: out
  * of memory. */
 BAT_API const char *bat_editor_levels(bat_editor *editor);
 

@@ -13,6 +13,7 @@
 #include "editor/show/ruler.h"
 #include "editor/tools/gazes/find.h"
 #include "editor/tools/levels/state.h"
+#include "editor/tools/width/state.h"
 #include "editor/tools/modes/guides.h"
 #include "editor/tools/modes/reach.h"
 #include "editor/tools/sketch/sketching.h"
@@ -197,6 +198,10 @@ static uint32_t readings(const bat_context *c) {
     return tuned ? tuned : bat_toolbox_readings(c);
 }
 
+static uint32_t levels(bat_context *c) {
+    return bat_toolbox_has(c, BAT_EDITS_WIDTHS) ? bat_broadening_levels_version(c) : bat_leveling_version(c);
+}
+
 /* A drag shows in the same frame, and with it what follows its curves. */
 static void update(bat_context *c, const bat_slot *tool) {
     if (tool->is->update) tool->is->update(c, tool->state);
@@ -249,7 +254,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .selected = (uint32_t)c->choice->selection.count,
         .layer = (uint32_t)c->choice->layer,
         .readings = readings(c),
-        .levels = bat_leveling_version(c),
+        .levels = levels(c),
         .moves = bat_moves_version(c),
         .lost = (uint32_t)bat_losses_total(&c->session->losses),
         .first = bat_first_shown(c)};

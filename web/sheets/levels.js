@@ -20,6 +20,7 @@ import { tell, word } from '../page/words.js';
  * @property {number} points of the curve
  * @property {number} apart the rows show what decomposing the curve would give
  * @property {number} copying the next tap chooses the curve that receives the detail
+ * @property {string} [of] width: the levels are those of the width along the curve
  */
 
 const LOUDEST = 2; // upper end of the fader; the engine accepts more
@@ -116,9 +117,10 @@ export class LevelStrip {
     if (!visible) {
       return;
     }
-    const { rows, apart, copying } = this.engine.levels();
+    const { rows, apart, copying, of } = this.engine.levels();
+    tell(this.box, { label: of ? 'property.widths' : 'tool.levels' });
     this.apart.hidden = apart === 0;
-    this.tools.hidden = apart !== 0;
+    this.tools.hidden = apart !== 0 || of !== undefined;
     this.study.hidden = rows.length === 0;
 
     for (const button of /** @type {NodeListOf<HTMLButtonElement>} */ (this.more.querySelectorAll('[data-text^="command.levels-"]'))) {

@@ -10,6 +10,7 @@
 #include "editor/tools/levels/state.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
+#include "editor/tools/width/state.h"
 #include "text/text.h"
 #include <math.h>
 #include <string.h>
@@ -34,14 +35,44 @@ static void number(bat_text *text, const char *name, double value) {
     bat_line_number(text, value);
 }
 
-static void row(const bat_context *c, bat_ladder ladder, int level, bat_text *text) {
+typedef struct row {
+    double points, gain;
+    bool muted, solo, active;
+} row;
+
+static void write_row(bat_text *text, int level, const row *r) {
     bat_text_string(text, level ? ",{" : "{");
-    number(text, "\"points\":", bat_ladder_points(ladder, level));
-    number(text, ",\"gain\":", level ? bat_ladder_gain(ladder, level) : 1);
-    number(text, ",\"muted\":", level && bat_ladder_is_muted(ladder, level));
-    number(text, ",\"solo\":", solo(ladder, level));
-    number(text, ",\"active\":", level == bat_leveling_of(c)->level);
+    number(text, "\"points\":", r->points);
+    number(text, ",\"gain\":", r->gain);
+    number(text, ",\"muted\":", r->muted);
+    number(text, ",\"solo\":", r->solo);
+    number(text, ",\"active\":", r->active);
     bat_text_string(text, "}");
+}
+
+static row row_of(const bat_context *c, bat_ladder ladder, int level) {
+    return (row){.points = bat_ladder_points(ladder, level),
+                 .gain = level ? bat_ladder_gain(ladder, level) : 1,
+                 .muted = level && bat_ladder_is_muted(ladder, level),
+                 .solo = solo(ladder, level),
+                 .active = level == bat_leveling_of(c)->level};
+}
+
+/* Of the width along the curve that is chosen in its tool. */
+static const char *widths(bat_context *c) {
+    const int top = bat_broadening_top(c);
+    bat_text text = {0};
+    bat_text_string(&text, "{\"rows\":[");
+    for (int k = 0; top && k <= top; k++) {
+        const bat_breadth_level now = bat_broadening_row(c, k);
+        row r = {.points = now.points, .gain = now.gain, .muted = now.muted, .active = now.active};
+        r.solo = k < top;
+        for (int l = 1; l <= top; l++) r.solo = r.solo && bat_broadening_row(c, l).muted == (l > k);
+        write_row(&text, k, &r);
+    }
+    number(&text, "],\"points\":", top ? bat_broadening_row(c, top).points : 0);
+    bat_text_string(&text, ",\"apart\":0,\"copying\":0,\"of\":\"width\"}");
+    return bat_text_keep(&text, &bat_leveling_of(c)->strip);
 }
 
 static double points_of(const bat_surface *surface) {
@@ -50,13 +81,17 @@ static double points_of(const bat_surface *surface) {
 
 const char *bat_panel_levels(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
+    if (bat_toolbox_has(c, BAT_EDITS_WIDTHS)) return widths(c);
     bat_leveling_settle(c);
     const bat_curve *curve = bat_leveling_curve(c);
     const bat_object *solid = bat_leveling_solid(c);
     const bat_ladder ladder = bat_ladder_any(l->apart) ? l->apart : bat_leveling_ladder(c);
     bat_text text = {0};
     bat_text_string(&text, "{\"rows\":[");
-    for (int k = 0; bat_ladder_any(ladder) && k <= bat_ladder_levels(ladder); k++) row(c, ladder, k, &text);
+    for (int k = 0; bat_ladder_any(ladder) && k <= bat_ladder_levels(ladder); k++) {
+        const row r = row_of(c, ladder, k);
+        write_row(&text, k, &r);
+    }
     number(&text, "],\"points\":",
            solid   ? points_of(bat_object_surface(solid))
            : curve ? bat_point_count(curve)
@@ -128,6 +163,8 @@ static bat_status silence(bat_context *c, bat_ladder ladder, bat_level_act act, 
 bat_status bat_level_do(bat_context *c, bat_level_act act, int level, double value, bool done) {
     bat_leveling *l = bat_leveling_of(c);
     if (isnan(value)) return BAT_NUMBER;
+    if (bat_broadening_of(c)->fading || bat_toolbox_has(c, BAT_EDITS_WIDTHS))
+        return bat_broadening_fade(c, act, level, value, done);
     if (!l->fading && (bat_toolbox_busy(c) || c->session->transaction.open)) return BAT_STATE;
     if (!l->fading) bat_leveling_settle(c);
     const bat_ladder ladder = bat_leveling_ladder(c);

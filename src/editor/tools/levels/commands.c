@@ -176,13 +176,17 @@ static bat_status step(bat_context *c, int direction) {
     bat_notice_value(c, BAT_STRING_NOTICE_LEVEL, number);
     return BAT_OK;
 }
+/* The levels of widths are those of the tool that pulls them. */
+static bat_status to_widths(bat_context *c, bat_command_id id) {
+    const bat_slot *tool = bat_toolbox_chosen(c);
+    return tool->is->command(c, tool->state, id);
+}
+
 bat_status bat_command_level_up(bat_context *c, bat_command_id id) {
-    (void)id;
-    return step(c, 1);
+    return bat_toolbox_has(c, BAT_EDITS_WIDTHS) ? to_widths(c, id) : step(c, 1);
 }
 bat_status bat_command_level_down(bat_context *c, bat_command_id id) {
-    (void)id;
-    return step(c, -1);
+    return bat_toolbox_has(c, BAT_EDITS_WIDTHS) ? to_widths(c, id) : step(c, -1);
 }
 
 /* ---- properties ---- */

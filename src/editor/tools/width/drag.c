@@ -67,7 +67,8 @@ void bat_broadening_begin_drag(bat_context *c, bat_broadening *b) {
     b->dragging = true;
 }
 
-/* The width follows the pen: it grows by as much on either side as the pen moves away from the curve. */
+/* The width follows the pen: it grows by as much on either side as the pen moves away from the curve; around it by what the level that is
+ * pulled tells. */
 static bool broaden(bat_context *c, const bat_object *object, const bat_broadening *b, bat_breadths *breadths,
                     int *stop) {
     double now;
@@ -76,8 +77,9 @@ static bool broaden(bat_context *c, const bat_object *object, const bat_broadeni
     const bool beside = fabs(b->from) > ON_IT * bat_stage_pixel(c->stage);
     const double out = beside ? (b->from > 0 ? now - b->from : b->from - now) : fabs(now) - fabs(b->from);
     const double share = 2 * (b->half + out) / bat_object_style(object)->width;
-    return bat_width_move(breadths->count, breadths->stops, b->held, breadths->stops[b->held].at, share) ==
-           BAT_OK;
+    if (!isfinite(share)) return false;
+    bat_breadths_pull(breadths, b->held, share, bat_broadening_pulled(b));
+    return true;
 }
 
 static bool slide(bat_context *c, const bat_object *object, const bat_broadening *b, bat_breadths *breadths,

@@ -98,8 +98,8 @@ static bat_status nudge(bat_context *c, bat_broadening *b, double wider, double 
     const double length = bat_broadening_length(object, b->curve), width = bat_object_style(object)->width;
     if (along != 0 && length > 0)
         at = bat_breadths_slide(&breadths, at, breadths.stops[at].at + along * pixel / length);
-    bat_width_move(breadths.count, breadths.stops, at, breadths.stops[at].at,
-                   breadths.stops[at].share + 2 * wider * pixel / width);
+    bat_breadths_pull(&breadths, at, breadths.stops[at].share + 2 * wider * pixel / width,
+                      bat_broadening_pulled(b));
     const bat_status status = commit(c, b, &breadths, at);
     if (status == BAT_OK && wider != 0) tell(c, breadths.stops[at].share * width);
     return status;
@@ -113,6 +113,8 @@ bat_status bat_broadening_command(bat_context *c, void *state, bat_command_id id
     case BAT_COMMAND_POINT_PREVIOUS: return step(c, b, -1);
     case BAT_COMMAND_POINT_ADD: return add_beside(c, b);
     case BAT_COMMAND_POINT_DELETE: return take_out(c, b);
+    case BAT_COMMAND_LEVEL_UP: return bat_broadening_step_level(c, b, 1);
+    case BAT_COMMAND_LEVEL_DOWN: return bat_broadening_step_level(c, b, -1);
     case BAT_COMMAND_NUDGE_LEFT: return nudge(c, b, 0, -1);
     case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, b, 0, 1);
     case BAT_COMMAND_NUDGE_UP: return nudge(c, b, 1, 0);
@@ -144,7 +146,6 @@ bat_status bat_broadening_enter(bat_context *c, bool place, double value) {
     if (place && length > 0)
         at = bat_breadths_slide(&breadths, at, value / length);
     else if (!place)
-        bat_width_move(breadths.count, breadths.stops, at, breadths.stops[at].at,
-                       value / bat_object_style(object)->width);
+        bat_breadths_pull(&breadths, at, value / bat_object_style(object)->width, bat_broadening_pulled(b));
     return commit(c, b, &breadths, at);
 }

@@ -2,11 +2,12 @@
 #ifndef BATTEN_EDITOR_TOOLS_WIDTH_STATE_H
 #define BATTEN_EDITOR_TOOLS_WIDTH_STATE_H
 
-#include "editor/edit/breadths.h"
+#include "editor/edit/breadth_levels.h"
 #include "editor/input/double_tap.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
+#include <batten/panels.h>
 
 /* What a press would take hold of. */
 typedef struct bat_breadth_hit {
@@ -23,6 +24,22 @@ typedef struct bat_breadth_spot {
     double half;                /* half the width, document units */
     double seen[3][2];          /* middle, and the two sides: drawing coordinates */
 } bat_breadth_spot;
+
+/* What the faders of levels have made of the width of a curve since they were first moved. */
+typedef struct bat_damping {
+    bat_id object; /* 0: nothing */
+    int curve;
+    bat_breadths base, made; /* as it was, and as it is in the document */
+    double gain[BAT_BREADTH_LEVELS + 1];
+    bool muted[BAT_BREADTH_LEVELS + 1];
+} bat_damping;
+
+/* A level, as the strip has it. */
+typedef struct bat_breadth_level {
+    int points;
+    double gain;
+    bool muted, active;
+} bat_breadth_level;
 
 typedef struct bat_broadening {
     bool hovering;
@@ -43,6 +60,14 @@ typedef struct bat_broadening {
     double from, half; /* at the press: how far across the pen was, with its side's sign; half the width */
     bat_breadths base; /* before the drag, with the stop that is held */
     int held;
+
+    int level; /* that is pulled; one more than its number, 0: the finest */
+    bat_damping damping;
+    bool fading; /* a fader is being dragged and holds the transaction */
+    int faded;
+    double gain_before;
+    uint32_t version; /* of the contents of the strip */
+    uint64_t shown;
 
     bat_double_tap tap;
 } bat_broadening;
@@ -74,6 +99,20 @@ bat_breadth_hit bat_broadening_find(bat_context *c, const bat_broadening *b, con
 void bat_broadening_begin_drag(bat_context *c, bat_broadening *b);
 void bat_broadening_drag(bat_context *c, bat_broadening *b);
 void bat_broadening_release(bat_broadening *b);
+
+/* levels.c: as the level strip has it. The number of the level that is pulled, or of one beyond the finest. */
+int bat_broadening_pulled(const bat_broadening *b);
+/* The finest level of the chosen curve's width; 0: there are no levels. */
+int bat_broadening_top(const bat_context *c);
+bat_breadth_level bat_broadening_row(const bat_context *c, int level);
+/* Another number whenever these change; 0: there are none. */
+uint32_t bat_broadening_levels_version(bat_context *c);
+/* As bat_editor_level. */
+bat_status bat_broadening_fade(bat_context *c, bat_level_act act, int level, double value, bool done);
+/* Ends a fader's drag and takes it back; false: there was none. */
+bool bat_broadening_let_go(bat_context *c);
+/* The next level is pulled, 1: a finer one, -1: a coarser one. */
+bat_status bat_broadening_step_level(bat_context *c, bat_broadening *b, int direction);
 
 /* keys.c */
 bat_status bat_broadening_add(bat_context *c, bat_broadening *b, double at);

@@ -4,7 +4,8 @@
  * stands there. Stops are dragged along the curve by their middles, and taken out by Delete.
  *
  * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a tap,
- * which chooses; a double tap asks for the width as a number. cancel: reverts a drag or drops a press; otherwise deselects.
+ * which chooses; a double tap asks for the width as a number. cancel: reverts a drag or drops a press; otherwise deselects. A fader of
+ * the level strip holds a transaction, too, from its first move until it is let go (levels.c).
  */
 #include "base/real.h"
 #include "editor/edit/curves_of.h"
@@ -158,11 +159,19 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
     return b->dragging || b->hot.object ? BAT_CURSOR_MOVE : BAT_CURSOR_ARROW;
 }
 
+static bool held_by_panel(const void *state) { return ((const bat_broadening *)state)->fading; }
+
+static void let_go(bat_context *c, void *state) {
+    (void)state;
+    bat_broadening_let_go(c);
+}
+
 static const char *check(const bat_context *c, const void *state) {
     const bat_broadening *b = state;
     if (b->dragging && !b->pressed) return "a drag without a press";
     if (b->dragging && !c->session->transaction.open) return "a drag without a transaction";
     if (b->dragging && (size_t)b->held >= b->base.count) return "a drag without its stop";
+    if (b->fading && !c->session->transaction.open) return "a fader without a transaction";
     if (b->pressed && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a press without a pointer";
     return NULL;
@@ -180,6 +189,8 @@ const bat_tool *bat_tool_width(void) {
                                   .accept = accept,
                                   .command = bat_broadening_command,
                                   .busy = busy,
+                                  .held_by_panel = held_by_panel,
+                                  .let_go = let_go,
                                   .update = update,
                                   .overlay = bat_broadening_overlay,
                                   .hint = hint,
