@@ -218,6 +218,40 @@ static bat_status stroke_path(cairo_t *cairo, const bat_object *object) {
     return BAT_OK;
 }
 
+/* Begins what is painted through the masks of a clip: each a group. */
+static void begin_masks(cairo_t *cairo, const bat_clip *clip) {
+    for (; clip; clip = bat_clip_within(clip))
+        if (bat_clip_picture(clip)) cairo_push_group(cairo);
+}
+
+/* Paints the group as far as the picture covers it. */
+static bool end_mask(cairo_t *cairo, const bat_clip *mask) {
+    const double *m = bat_clip_matrix(mask);
+    const cairo_matrix_t place = {m[0], m[1], m[2], m[3], m[4], m[5]};
+    cairo_pattern_t *inner = cairo_pop_group(cairo);
+    cairo_save(cairo);
+    cairo_push_group(cairo);
+    cairo_transform(cairo, &place);
+    const bool painted = paint_once(cairo, bat_clip_picture(mask));
+    cairo_pattern_t *cover = cairo_pop_group(cairo);
+    cairo_restore(cairo);
+    cairo_set_source(cairo, inner);
+    if (painted)
+        cairo_mask(cairo, cover);
+    else
+        cairo_paint(cairo);
+    cairo_pattern_destroy(cover);
+    cairo_pattern_destroy(inner);
+    return painted;
+}
+
+static bool end_masks(cairo_t *cairo, const bat_clip *clip) {
+    bool whole = true;
+    for (; clip; clip = bat_clip_within(clip))
+        if (bat_clip_picture(clip)) whole = end_mask(cairo, clip) && whole;
+    return whole;
+}
+
 /* From now on only what lies in all regions is painted, until cairo_restore. */
 static bat_status clip_to(cairo_t *cairo, const bat_clip *clip, double tolerance) {
     bat_status status = BAT_OK;
@@ -312,8 +346,10 @@ typedef struct layers {
     struct {
         bat_id id;
         double opacity; /* 1: they are no picture of their own */
+        const bat_clip *clip;
     } open[BAT_NESTING_MAX];
     int depth;
+    bool whole; /* all masks could be painted */
 } layers;
 
 /* What follows is painted for itself, in no more of the picture than the group's contents can reach. */
@@ -322,8 +358,10 @@ static bat_status begin_layer(cairo_t *cairo, const bat_document *document, int 
     const bat_object *group = bat_document_at(document, index);
     cairo_save(cairo);
     l->open[l->depth].id = bat_object_id(group);
+    l->open[l->depth].clip = bat_object_clip(group);
     l->open[l->depth++].opacity = bat_object_style(group)->opacity;
     const bat_status status = clip_to(cairo, bat_object_clip(group), tolerance);
+    begin_masks(cairo, bat_object_clip(group));
     if (status != BAT_OK || bat_object_style(group)->opacity == 1) return status;
     double box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY}, room = 2, across = 0;
     for (int i = index + 1; i < bat_document_end(document, index); i++)
@@ -348,6 +386,7 @@ static void end_layers(cairo_t *cairo, const bat_nesting *nesting, layers *l) {
             cairo_pop_group_to_source(cairo);
             cairo_paint_with_alpha(cairo, l->open[l->depth].opacity);
         }
+        l->whole = end_masks(cairo, l->open[l->depth].clip) && l->whole;
         cairo_restore(cairo);
     }
 }
@@ -369,12 +408,14 @@ static bool can_repeat(const bat_object *object) {
 static bat_status paint_clipped(cairo_t *cairo, const bat_object *object, double tolerance, bool *whole) {
     cairo_save(cairo);
     bat_status status = clip_to(cairo, bat_object_clip(object), tolerance);
+    begin_masks(cairo, bat_object_clip(object));
     if (status == BAT_OK && bat_object_is_foreign(object))
         *whole = paint_foreign(cairo, object) && *whole;
     else if (status == BAT_OK) {
         *whole = can_repeat(object) && *whole;
         status = paint_marked(cairo, object, tolerance);
     }
+    *whole = end_masks(cairo, bat_object_clip(object)) && *whole;
     cairo_restore(cairo);
     return status;
 }
@@ -391,7 +432,7 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
     cairo_scale(cairo, scale, scale);
     cairo_translate(cairo, -area->view[0], -area->view[1]);
     bat_nesting nesting = {0};
-    layers translucent = {.depth = 0};
+    layers translucent = {.whole = true};
     bat_status status = BAT_OK;
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         const bat_object *object = bat_document_at(document, i);
@@ -404,6 +445,7 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
             status = paint_clipped(cairo, object, 0.05 / scale, whole);
     }
     end_layers(cairo, NULL, &translucent);
+    *whole = translucent.whole && *whole;
     return status;
 }
 

@@ -98,6 +98,11 @@ static bool paint_png(cairo_t *cairo, const bat_picture *picture) {
     return good;
 }
 
+bool paint_once(cairo_t *cairo, const bat_picture *picture) {
+    if (is_png(picture)) return paint_png(cairo, picture);
+    return strcmp(bat_picture_type(picture), "image/svg+xml") == 0 && paint_picture(cairo, picture);
+}
+
 bool paint_can_repeat(const bat_picture *picture) {
     painter p;
     return is_png(picture) || (strcmp(bat_picture_type(picture), "image/svg+xml") == 0 && load(&p));
@@ -116,7 +121,7 @@ cairo_pattern_t *paint_tile(const bat_picture *picture, double opacity, double s
     cairo_t *cairo = cairo_create(surface);
     if (scale > 0) cairo_scale(cairo, pixels[0] / sides[0], pixels[1] / sides[1]);
     if (opacity < 1) cairo_push_group(cairo);
-    bool painted = is_png(picture) ? paint_png(cairo, picture) : paint_picture(cairo, picture);
+    bool painted = paint_once(cairo, picture);
     if (opacity < 1) {
         cairo_pop_group_to_source(cairo);
         cairo_paint_with_alpha(cairo, opacity);

@@ -1,4 +1,4 @@
-/* Foreign content and patterns, painted by librsvg where that is installed: it is loaded when it is first needed. */
+/* Foreign content, patterns and masks, painted by librsvg where that is installed: it is loaded when it is first needed. */
 #ifndef BATTEN_APPS_PAINT_FOREIGN_H
 #define BATTEN_APPS_PAINT_FOREIGN_H
 
@@ -9,6 +9,8 @@
  * content refers to beyond itself is not fetched, and nothing in it is run. */
 bool paint_foreign(cairo_t *cairo, const bat_object *object);
 
+/* Paints the picture over its pixels; false: it cannot be painted. */
+bool paint_once(cairo_t *cairo, const bat_picture *picture);
 /* Whether patterns of the picture can be painted: not without librsvg, or when cairo cannot read its kind. */
 bool paint_can_repeat(const bat_picture *picture);
 /* The picture repeated, from its pixels; NULL: it cannot be painted. scale: how many pixels of the surface are to be one of the

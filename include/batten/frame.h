@@ -49,7 +49,8 @@ typedef enum bat_role {
     BAT_ROLE_PAGE_BACK, /* instead of PAGE: seen from behind */
     BAT_ROLE_PIVOT,     /* what the view turns about */
     BAT_ROLE_GROUP, /* in the static list: the items that follow are painted as one picture, which then has the opacity */
-    BAT_ROLE_CLIP /* in the static list: of the items that follow, what lies within the path is painted */
+    BAT_ROLE_CLIP /* in the static list: of the items that follow, what lies within the path is painted; or a mask: `fill` is
+                   * the number of a picture, the path goes round its corners, and they are painted as far as it covers */
 } bat_role;
 
 enum {
@@ -65,7 +66,7 @@ typedef struct bat_item {
     uint32_t id, version; /* the same pair means the same path: cache it. 0, 0: do not cache.
                              * Objects: the low 32 bits of their id; the page: 0xffffffff */
     uint32_t role, flags;
-    uint32_t stroke, fill; /* 0xRRGGBBAA, role OBJECT only */
+    uint32_t stroke, fill; /* 0xRRGGBBAA, role OBJECT only; `fill` of a CLIP: of its mask, 0: none */
     float width, opacity;  /* width in document units, or in view pixels with SCREEN_WIDTH */
     uint32_t cap, join;    /* bat_cap, bat_join */
     float miter_limit;

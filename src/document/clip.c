@@ -2,6 +2,7 @@
 
 #include "base/matrix.h"
 #include "base/users.h"
+#include "curve/curve.h"
 #include "document/digest.h"
 
 #include <stdlib.h>
@@ -13,7 +14,9 @@ struct bat_clip {
     int count;
     bool even_odd;
     uint64_t digest;
-    bat_curve *curves[]; /* owned */
+    bat_picture *picture; /* of a mask, retained; else NULL */
+    double matrix[6];     /* of a mask */
+    bat_curve *curves[];  /* owned */
 };
 
 /* matrix NULL: as they are. */
@@ -54,6 +57,46 @@ bat_status bat_clip_create(int count, bat_curve *const *curves, bool even_odd, c
     return create(count, curves, even_odd, NULL, within, out);
 }
 
+/* Where the picture lies, from its top left on clockwise, and back. */
+static void go_round(const bat_picture *picture, const double m[6], int count, double *corners) {
+    double sides[2];
+    bat_picture_sides(picture, sides);
+    for (int i = 0; i < count; i++) {
+        const double x = i == 1 || i == 2 ? sides[0] : 0, y = i == 2 || i == 3 ? sides[1] : 0;
+        for (int k = 0; k < 2; k++) corners[2 * i + k] = m[k] * x + m[2 + k] * y + m[4 + k];
+    }
+}
+
+static bat_status edge_of(const bat_picture *picture, const double m[6], bat_curve **out) {
+    static const double knots[] = {0, 0, 1, 2, 3, 4, 4};
+    double corners[10];
+    go_round(picture, m, 5, corners);
+    return bat_curve_create(2, 1, false, 5, corners, 7, knots, out);
+}
+
+bat_status bat_clip_mask(const bat_picture *picture, const double matrix[6], const bat_clip *within,
+                         bat_clip **out) {
+    bat_curve *edge = NULL;
+    bat_clip *made = NULL;
+    if (!picture || !matrix || !out) return BAT_ARGUMENT;
+    if (!bat_are_coordinates(matrix, 6)) return BAT_NUMBER;
+    const bool regular = bat_matrix_is_regular(matrix);
+    bat_status status = regular ? edge_of(picture, matrix, &edge) : BAT_OK;
+    if (status == BAT_OK) status = create(regular, &edge, false, NULL, within, &made);
+    bat_curve_free(edge);
+    if (status != BAT_OK) return status;
+    if (regular) {
+        made->picture = bat_picture_retain(picture);
+        made->digest = bat_digest_number(made->digest, bat_picture_digest(picture));
+        for (int i = 0; i < 6; i++) {
+            made->matrix[i] = matrix[i] + 0.0; /* -0 is 0 */
+            made->digest = bat_digest_double(made->digest, made->matrix[i]);
+        }
+    }
+    *out = made;
+    return BAT_OK;
+}
+
 bat_clip *bat_clip_retain(const bat_clip *clip) {
     bat_clip *shared = (bat_clip *)clip; /* only the count changes */
     if (shared) bat_users_add(&shared->users);
@@ -64,9 +107,20 @@ void bat_clip_release(bat_clip *clip) {
     while (clip && bat_users_drop(&clip->users)) {
         bat_clip *within = clip->within;
         for (int i = 0; i < clip->count; i++) bat_curve_free(clip->curves[i]);
+        bat_picture_release(clip->picture);
         free(clip);
         clip = within;
     }
+}
+
+/* One region in the place of `region`, mapped, within `within`. */
+static bat_status remake(const bat_clip *region, const double *matrix, const bat_clip *within,
+                         bat_clip **out) {
+    double own[6];
+    if (!region->picture) return create(region->count, region->curves, region->even_odd, matrix, within, out);
+    if (!matrix) return bat_clip_mask(region->picture, region->matrix, within, out);
+    bat_matrix_compose(matrix, region->matrix, own);
+    return bat_clip_mask(region->picture, own, within, out);
 }
 
 /* The regions mapped by a matrix (NULL: as they are), and within `within` besides. */
@@ -77,8 +131,7 @@ static bat_status stack(const bat_clip *clip, const double *matrix, const bat_cl
     bat_clip *made = bat_clip_retain(within);
     while (count-- > 0) {
         bat_clip *next = NULL;
-        const bat_status status = create(list[count]->count, list[count]->curves, list[count]->even_odd,
-                                         matrix, made, &next);
+        const bat_status status = remake(list[count], matrix, made, &next);
         bat_clip_release(made);
         if (status != BAT_OK) return status;
         made = next;
@@ -103,3 +156,8 @@ int bat_clip_curve_count(const bat_clip *clip) { return clip ? clip->count : 0; 
 const bat_curve *bat_clip_curve(const bat_clip *clip, int index) { return clip->curves[index]; }
 bool bat_clip_is_even_odd(const bat_clip *clip) { return clip && clip->even_odd; }
 int bat_clip_count(const bat_clip *clip) { return clip ? clip->regions : 0; }
+const bat_picture *bat_clip_picture(const bat_clip *clip) { return clip ? clip->picture : NULL; }
+const double *bat_clip_matrix(const bat_clip *clip) { return clip->matrix; }
+void bat_clip_corners(const bat_clip *clip, double corners[8]) {
+    go_round(clip->picture, clip->matrix, 4, corners);
+}

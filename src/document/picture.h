@@ -14,8 +14,9 @@ const char *bat_picture_head(const unsigned char *bytes, size_t size, uint32_t *
  * <svg xmlns="http://www.w3.org/2000/svg" width="W" height="H" viewBox="..."> and whole numbers W and H of pixels. */
 bool bat_picture_is_drawing(const bat_picture *picture);
 
-/* The pictures of an object: its own, and those of its patterns; NULL: it has none there. */
-enum { BAT_OBJECT_PICTURES = 3 };
+/* The pictures of an object: its own, those of its patterns, and those of its masks, the innermost first; NULL: it has none
+ * there. */
+enum { BAT_OBJECT_PICTURES = 3 + 16 };
 const bat_picture *bat_object_picture_at(const bat_object *object, int index);
 
 /* A set of pictures. All zeros: empty. */

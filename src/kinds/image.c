@@ -1,6 +1,7 @@
 /* Images, and foreign content: pictures placed by a matrix that maps their pixels to the document. Foreign content is what the
  * program does not edit, kept as a small SVG file of its own. */
 #include "base/matrix.h"
+#include "document/clip.h"
 #include "document/digest.h"
 #include "document/picture.h"
 #include "format/json/fields.h"
@@ -82,6 +83,11 @@ const bat_picture *bat_object_picture(const bat_object *object) {
 const bat_picture *bat_object_picture_at(const bat_object *object, int index) {
     const bat_paint *paint = index > 0 ? bat_object_paint(object) : NULL;
     if (index == 0) return bat_object_picture(object);
+    if (index > 2) {
+        const bat_clip *clip = bat_object_clip(object);
+        while (clip && index-- > 3) clip = bat_clip_within(clip);
+        return bat_clip_picture(clip);
+    }
     return !paint ? NULL : index == 1 ? paint->fill.tile : paint->stroke.tile;
 }
 

@@ -80,7 +80,9 @@ class Foreign(ProgramTest):
                     f'height="1"><feImage xlink:href="file://{secret}" width="100" height="100"/></filter><g filter="url(#f)" onclick='
                     f'"x()"><rect width="90" height="90"/><image width="90" height="90" xlink:href="{address}/image"/><image width="90" '
                     f'height="90" xlink:href="file://{secret}"/><image width="90" height="90" xlink:href="secret.png"/></g><script '
-                    f'xlink:href="{address}/script">x()</script><text y="20" font-size="9">a<tref xlink:href="file:///etc/passwd#a"/>'
+                    f'xlink:href="{address}/script">x()</script><mask id="m"><image width="90" height="90" xlink:href="{address}/mask"/><image '
+                    f'width="90" height="90" xlink:href="file://{secret}"/></mask><rect width="9" height="9" fill="red" '
+                    f'mask="url(#m)"/><text y="20" font-size="9">a<tref xlink:href="file:///etc/passwd#a"/>'
                     f'<xi:include xmlns:xi="http://www.w3.org/2001/XInclude" href="file:///etc/passwd" parse="text"/></text></svg>')
             path.write_text(text, encoding="utf-8")
             for name in ("hostile.png", "hostile.pdf"):

@@ -41,7 +41,7 @@ assert [kinds["id"]["maximum"], kinds["parent"]["maximum"], schema["properties"]
 assert f"| `id` | 1 to {ids}, each once |" in text and f"1 to {ids + 1}; may be left out" in text
 
 example = examples[parts.index(None)]
-for path, value in [(("batten",), 9), (("page",), [0, 0, -1, 1]), (("page",), [0, 0]), (("objects",), {}),
+for path, value in [(("batten",), 11), (("page",), [0, 0, -1, 1]), (("page",), [0, 0]), (("objects",), {}),
                     (("objects", 0, "id"), 0), (("objects", 0, "id"), ids + 1), (("next",), ids + 2), (("objects", 0, "kind"), "blob"), (("objects", 0, "curves"), []),
                     (("objects", 0, "style", "stroke"), "red"), (("objects", 0, "style", "opacity"), 2),
                     (("objects", 0, "curves", 0, "degree"), 8), (("objects", 0, "curves", 0, "points", 0), [1])]:

@@ -331,5 +331,21 @@ export function drawPicture(context, item, path, bitmap, zoom, warp) {
   context.restore();
 }
 
+/**
+ * What is painted in a layer is then seen as far as the picture of a mask covers it.
+ * @param {Album} album @param {Context} context @param {Item} item @param {Float32Array} corners @param {number[]} box
+ * @param {number} zoom @param {(layer: Context) => void} draw
+ */
+export function drawMasked(album, context, item, corners, box, zoom, draw) {
+  const mask = pictureOf(album, item.fill);
+  if (mask) {
+    drawLayer(context, item, box, (layer) => {
+      draw(layer);
+      layer.globalCompositeOperation = 'destination-in';
+      drawPicture(layer, item, corners, mask, zoom, undefined);
+    });
+  }
+}
+
 /** @param {DOMMatrix} m @returns {[number, number, number, number, number, number]} */
 const components = ({ a, b, c, d, e, f }) => [a, b, c, d, e, f];

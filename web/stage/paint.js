@@ -154,7 +154,7 @@ export class Painter {
       if (item.id !== 0) {
         kept.set(item.id, { version: item.version, shape });
       }
-      const corners = item.role === Role.IMAGE ? item.path.slice() : item.path;
+      const corners = item.role === Role.IMAGE || item.role === Role.CLIP ? item.path.slice() : item.path;
       return { item, shape, weight: item.path.length, corners };
     });
     this.cache = kept;
@@ -254,6 +254,12 @@ export class Painter {
       const { item, shape, corners } = this.list[i];
       const held = item.role === Role.CLIP || item.role === Role.GROUP ? item.picture : 0;
       if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
+        i += held;
+      } else if (item.role === Role.CLIP && item.fill) {
+        const first = i + 1;
+        if (this.#fetched()) {
+          this.paints?.drawMasked(this, context, item, corners, box, zoom, (layer) => this.#paintItems(layer, first, first + held, box, zoom));
+        }
         i += held;
       } else if (item.role === Role.CLIP) {
         context.save();

@@ -65,12 +65,8 @@ static bat_status add(bat_scene_marks *marks, const bat_object *object, const do
     }
     for (int k = 0; k < regions && list; k++) {
         bat_item *item = &marks->items[marks->count++];
-        *item = (bat_item){.role = BAT_ROLE_CLIP,
-                           .flags = list[k].flags,
-                           .opacity = 1,
-                           .path_count = list[k].count,
-                           .path = list[k].path,
-                           .picture = (uint32_t)(regions - k)};
+        *item = bat_scene_region_item(&list[k]);
+        item->picture = (uint32_t)(regions - k);
         memcpy(item->bounds, own.bounds, sizeof own.bounds);
     }
     free(list); /* its paths are the items' */

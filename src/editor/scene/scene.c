@@ -401,13 +401,10 @@ static void begin_layer(layers *l, int item, int end) {
 static bat_item region_item(bat_scene *scene, const bat_scene_entry *entry, int region) {
     /* Behind the numbers of objects. */
     const uint32_t id = region == 0 ? 1u << 31 | (uint32_t)bat_object_id(entry->object) : 0;
-    return (bat_item){.id = id,
-                      .version = id ? ++scene->versions : 0,
-                      .role = BAT_ROLE_CLIP,
-                      .flags = entry->regions[region].flags,
-                      .opacity = 1,
-                      .path_count = entry->regions[region].count,
-                      .path = entry->regions[region].path};
+    bat_item item = bat_scene_region_item(&entry->regions[region]);
+    item.id = id;
+    item.version = id ? ++scene->versions : 0;
+    return item;
 }
 
 /* Adds the items that a group or an object begins with; returns how many there are in all. */

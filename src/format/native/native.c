@@ -20,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with patterns, with markers, with strokes whose width
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with masks, with patterns, with markers, with strokes whose width
  * changes, drawings with meshes or with
  * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that
  * keep the file that they were read from, drawings with something in space, and all others. */
@@ -33,7 +33,8 @@ enum {
     BOUND = 6,
     WIDENED = 7,
     MARKED = 8,
-    PATTERNED = 9
+    PATTERNED = 9,
+    MASKED = 10
 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
@@ -199,9 +200,9 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (!(number >= PLAIN && number <= PATTERNED && number == floor(number)))
+    if (!(number >= PLAIN && number <= MASKED && number == floor(number)))
         return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten",
-                                 "version 1, 2, 3, 4, 5, 6, 7, 8 or 9", f->problem);
+                                 "version 1, 2, 3, 4, 5, 6, 7, 8, 9 or 10", f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
     if (status == BAT_OK) status = read_objects(f, bat_json_member(f->json, 1, "objects"), document);
@@ -298,12 +299,22 @@ static bool is_new(const bat_object *object) {
            (bat_object_sources(object, NULL) > 0 && bat_object_wires(object, NULL, NULL) > 0);
 }
 
+static bool is_masked(const bat_object *object) {
+    const bat_clip *clip = bat_object_clip(object);
+    while (clip && !bat_clip_picture(clip)) clip = bat_clip_within(clip);
+    return clip != NULL;
+}
+
 static uint64_t version_of(const bat_document *document, bool whole) {
     uint64_t version = whole && bat_document_origin(document) ? SOURCED : PLAIN;
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_paint *paint = bat_object_paint(object);
-        if (paint && (paint->fill.tile || paint->stroke.tile)) return PATTERNED;
+        if (is_masked(object)) return MASKED;
+        if ((paint && (paint->fill.tile || paint->stroke.tile)) || version == PATTERNED) {
+            version = PATTERNED;
+            continue;
+        }
         if (bat_object_markers(object) || version == MARKED) {
             version = MARKED;
             continue;

@@ -122,6 +122,7 @@ static bool copy_bare(const bat_svg_walk *w, uint32_t element, unsigned without,
         if (!styled) bat_text_string(out, " style=\"");
         if (without & BAT_SVG_ITS_OPACITY) bat_text_string(out, "opacity:1!important;");
         if (without & BAT_SVG_ITS_CLIP) bat_text_string(out, "clip-path:none!important;");
+        if (without & BAT_SVG_ITS_MASK) bat_text_string(out, "mask:none!important;");
         if (!styled) bat_text_string(out, "\"");
         bat_text_add(out, tag.data + put, tag.size - put);
     }
@@ -291,6 +292,46 @@ bat_status bat_svg_alone_within(bat_svg_walk *w, uint32_t element, const uint32_
     bat_text text = {0};
     write_head(own, (double[4]){0, 0, own[0], own[1]}, &text);
     return make(w, element, &(content){before, after}, &text, out);
+}
+
+void bat_svg_alone_attributes(const bat_svg_walk *w, uint32_t holder, bat_text *out) {
+    static const char *const own[] = {"id",
+                                      "x",
+                                      "y",
+                                      "width",
+                                      "height",
+                                      "viewBox",
+                                      "patternTransform",
+                                      "patternUnits",
+                                      "patternContentUnits",
+                                      "maskUnits",
+                                      "maskContentUnits",
+                                      "href",
+                                      "xlink:href",
+                                      "transform",
+                                      "preserveAspectRatio"};
+    const bat_svg_element *e = &w->tree->elements[holder];
+    const uint32_t *pair = w->tree->attributes + e->attributes;
+    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
+        const char *name = w->tree->strings.data + pair[0], *value = w->tree->strings.data + pair[1];
+        bool taken = strncmp(name, "on", 2) == 0 || strncmp(name, "inkscape:", 9) == 0 ||
+                     strncmp(name, "sodipodi:", 9) == 0;
+        for (size_t k = 0; k < sizeof own / sizeof *own; k++) taken = taken || strcmp(name, own[k]) == 0;
+        if (taken) continue;
+        bat_text_string(out, " ");
+        bat_text_string(out, name);
+        bat_text_string(out, "=\"");
+        bat_text_xml(out, value, strlen(value), true);
+        bat_text_string(out, "\"");
+    }
+}
+
+/* About so many pixels, of these proportions as far as pixels are whole. */
+void bat_svg_alone_sides(double width, double height, uint32_t sides[2]) {
+    int power;
+    frexp(SIDE / fmax(width, height), &power);
+    sides[0] = (uint32_t)fmax(1, floor(ldexp(width, power - 1) + 0.5));
+    sides[1] = (uint32_t)fmax(1, floor(ldexp(height, power - 1) + 0.5));
 }
 
 bool bat_svg_alone_matrix(const bat_picture *picture, double m[6]) {

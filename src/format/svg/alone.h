@@ -15,6 +15,14 @@ bool bat_svg_alone_matrix(const bat_picture *picture, double m[6]);
 bat_status bat_svg_alone_within(bat_svg_walk *w, uint32_t element, const uint32_t sides[2],
                                 const bat_text *before, const char *after, bat_picture **out);
 
+/* The size of such a picture for a box of that size. */
+void bat_svg_alone_sides(double width, double height, uint32_t sides[2]);
+/* The attributes of an element that holds something, as far as they say how that looks. */
+void bat_svg_alone_attributes(const bat_svg_walk *w, uint32_t element, bat_text *out);
+/* The same as bat_svg_alone_within, kept by the walk among its pictures (pattern.c). */
+bat_status bat_svg_held(bat_svg_walk *w, uint32_t holder, const uint32_t sides[2], const bat_text *before,
+                        const char *after, bat_picture **out);
+
 /* A generous box of a text element, in its own units: fonts are not at hand, so widths are guessed. False: it is empty. */
 bool bat_svg_text_box(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, double box[4]);
 

@@ -1,7 +1,9 @@
 /* Clip paths: what of an element is seen. */
 #include "document/clip.h"
 #include "base/matrix.h"
+#include "document/digest.h"
 #include "document/document.h"
+#include "document/kind.h"
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
@@ -286,8 +288,25 @@ static void box_within(const bat_svg_walk *w, int index, const double matrix[6],
     }
 }
 
-void bat_svg_clip_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, int index) {
+/* A mask that is placed by the box. */
+static void mask_group(bat_svg_walk *w, uint32_t element, bat_svg_scope *s, int index) {
+    const uint64_t before = s->clip_digest;
+    double box[4];
+    if (!s->mask || !bat_svg_mask_is_boxed(w, s)) return;
+    bool exact = s->matrix[1] == 0 && s->matrix[2] == 0; /* else the box is not quite that of the contents */
+    for (int i = index + 1; i < bat_document_count(w->document); i++)
+        exact = exact && !bat_object_is_foreign(bat_document_at(w->document, i));
+    box_within(w, index, s->matrix, box);
+    if (exact)
+        bat_svg_mask_paint(w, element, box, s);
+    else
+        bat_svg_note(&w->notes, element, BAT_LOSS_MASK);
+    if (s->clip_digest != before && !w->unseen) w->digest = bat_digest_number(w->digest, s->clip_digest);
+}
+
+void bat_svg_clip_group(bat_svg_walk *w, uint32_t element, bat_svg_scope *s, int index) {
     double box[4] = {0, 0, 0, 0};
+    mask_group(w, element, s, index);
     if (!s->clip && !s->boxed) return;
     bat_object *object = bat_object_retain(bat_document_at(w->document, index));
     if (s->boxed) {

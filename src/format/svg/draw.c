@@ -31,12 +31,12 @@ static bool may_be_foreign(const bat_svg_walk *w, uint32_t element) {
     return !w->copied && !(mode && !strcmp(mode, "layer"));
 }
 
-/* Whether only the whole of it can show it, now that it has been drawn: it has a filter, a mask, or a pattern that could not be
+/* Whether only the whole of it can show it, now that it has been drawn: it has a filter, or a mask or a pattern that could not be
  * painted. */
 static bool has_effect(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
-    const bool pattern = w->tree->elements[element].kind == BAT_SVG_SHAPE &&
-                         bat_svg_noted(&w->notes, element) & 1u << BAT_LOSS_PATTERN;
-    return (pattern || s->style.odd & EFFECTS) && bat_svg_may_stand_alone(w);
+    const uint32_t shape = w->tree->elements[element].kind == BAT_SVG_SHAPE ? 1u << BAT_LOSS_PATTERN : 0;
+    const bool failed = bat_svg_noted(&w->notes, element) & (shape | 1u << BAT_LOSS_MASK);
+    return (failed || s->style.odd & EFFECTS) && bat_svg_may_stand_alone(w);
 }
 
 static bat_svg_before effect_begin(const bat_svg_walk *w) {
@@ -107,6 +107,7 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
     w->active[w->depth++] = element;
     w->unseen += !shown;
     bat_svg_clip_begin(w, element, outer, &s);
+    bat_svg_mask_begin(w, element, &s);
     if (w->status == BAT_OK) draw_whole(w, element, &s, copied);
     bat_svg_clip_end(&s);
     w->unseen -= !shown;

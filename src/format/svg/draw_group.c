@@ -1,4 +1,5 @@
 /* Groups, layers, and switches. */
+#include "document/clip.h"
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -42,10 +43,24 @@ static void draw_collected(bat_svg_walk *w, uint32_t element, const bat_svg_scop
     if (s->boxed) bat_svg_note(&w->notes, element, BAT_LOSS_CLIP);
 }
 
+/* A group that is not needed gives way to what is in it. Returns how many members there are then. */
+static int dissolve(bat_svg_walk *w, const bat_svg_scope *s, int index, bat_id above, int members) {
+    bat_object *moved = NULL;
+    bat_document_remove(w->document, index);
+    if (w->members == 1) {
+        w->status = bat_object_with_parent(bat_document_at(w->document, index), above, &moved);
+        if (moved) bat_document_replace(w->document, index, moved);
+        bat_object_release(moved);
+        if (s->opacity < 1) fade_member(w, index, s->opacity);
+    }
+    return members - 1 + w->members;
+}
+
 /* A group in the file becomes a group in the document when it is a layer, has several members, or has one
  * member and a name or is hidden or locked. The others only carry a transform or a style. */
 void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     const char *mode = bat_svg_attribute_of(w, element, "inkscape:groupmode");
+    static const double none[4] = {0, 0, 0, 0};
     bat_object *group = NULL;
     const bat_object *outer = bat_document_at(w->document, bat_document_find(w->document, w->group));
     bool layer = mode && !strcmp(mode, "layer") && (!outer || bat_object_is(outer, BAT_LAYER));
@@ -66,11 +81,18 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
         w->status = status;
         return;
     }
-    w->boxed = s->boxed != NULL;
+    bat_svg_scope around = *s; /* with the mask, as soon as it can be painted */
+    around.clip = bat_clip_retain(s->clip);
+    const bool waits = s->mask && bat_svg_mask_is_boxed(w, s);
+    if (s->mask && !waits) bat_svg_mask_paint(w, element, none, &around);
+    w->boxed = s->boxed || waits;
     bat_svg_put_object(w, element, s->style.shown, group);
-    if (w->status != BAT_OK) return;
-    const bool clipped = s->clip || s->boxed;
-    if (s->clip_digest && !w->unseen) w->digest = bat_digest_number(w->digest, s->clip_digest);
+    if (w->status != BAT_OK) {
+        bat_clip_release(around.clip);
+        return;
+    }
+    const bool clipped = around.clip || s->boxed || waits;
+    if (around.clip_digest && !w->unseen) w->digest = bat_digest_number(w->digest, around.clip_digest);
     w->group = own;
     w->members = 0;
     w->groups++;
@@ -79,26 +101,19 @@ void bat_svg_draw_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     inner.clip = inner.boxed = NULL;
     inner.clip_digest = 0;
     w->given[w->depth - 1] = (uint8_t)((s->style.opacity < 1 ? BAT_SVG_ITS_OPACITY : 0) |
-                                       (clipped ? BAT_SVG_ITS_CLIP : 0));
+                                       (s->clip || s->boxed ? BAT_SVG_ITS_CLIP : 0) |
+                                       (s->mask ? BAT_SVG_ITS_MASK : 0));
     bat_svg_draw_children(w, element, &inner);
     w->groups--;
     w->group = above;
     const bat_object *made = bat_document_at(w->document, index);
     bool plain = !layer && !clipped && !*bat_object_name(made) && !bat_object_is_hidden(made) &&
                  !bat_object_is_locked(made);
-    if (w->status == BAT_OK && ((w->members == 1 && plain) || (w->members == 0 && !layer))) {
-        members = members - 1 + w->members;
-        bat_document_remove(w->document, index);
-        bat_object *moved = NULL;
-        if (w->members == 1) {
-            w->status = bat_object_with_parent(bat_document_at(w->document, index), above, &moved);
-            if (moved) bat_document_replace(w->document, index, moved);
-            bat_object_release(moved);
-            if (s->opacity < 1) fade_member(w, index, s->opacity);
-        }
-    }
+    if (w->status == BAT_OK && ((w->members == 1 && plain) || (w->members == 0 && !layer)))
+        members = dissolve(w, s, index, above, members);
     if (w->status == BAT_OK && bat_document_find(w->document, own) == index)
-        bat_svg_clip_group(w, element, s, index);
+        bat_svg_clip_group(w, element, &around, index);
+    bat_clip_release(around.clip);
     w->members = members;
 }
 

@@ -1,26 +1,13 @@
 /* An image whose picture is embedded in the file becomes an image object. */
 #include "base/matrix.h"
+#include "document/clip.h"
 #include "document/digest.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
-#include "text/base64.h"
 
 #include <string.h>
-
-bat_picture *bat_svg_find_picture(bat_svg_walk *w, uint32_t element) {
-    const char *href = bat_svg_find_href(w, element);
-    const char *data = href && !strncmp(href, "data:", 5) ? strchr(href, ',') : NULL;
-    bat_picture *picture = NULL;
-    if (!data || data - href < 7 || memcmp(data - 7, ";base64", 7) != 0) return NULL;
-    bat_status status = bat_picture_from_base64(data + 1, strlen(data + 1), &picture);
-    if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
-    if (status == BAT_MEMORY) w->status = status;
-    if (status == BAT_OK) return picture;
-    bat_picture_release(picture);
-    return NULL;
-}
 
 void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
     bat_picture *picture = s->style.visible ? bat_svg_find_picture(w, element) : NULL;
@@ -43,22 +30,26 @@ void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
                           bat_svg_length_of(w, element, "y", s->height, 0)};
     bat_svg_fit(box, at[0], at[1], width, height, ratio, m);
     bat_matrix_compose(s->matrix, m, matrix);
+    w->boxed = s->boxed != NULL;
+    bat_svg_scope own = *s;
+    own.clip = bat_clip_retain(s->clip);
+    const double place[4] = {at[0], at[1], at[0] + width, at[1] + height};
+    if (s->mask) bat_svg_mask_paint(w, element, place, &own);
     bat_status status = (bat_picture_is_drawing(picture) ? bat_object_create_foreign
                                                          : bat_object_create_image)(
         bat_document_new_id(w->document), bat_svg_find_name(w, element), picture, matrix, s->opacity,
         &object);
-    if (status == BAT_OK)
-        status = bat_svg_clip_object(s, (double[4]){at[0], at[1], at[0] + width, at[1] + height}, &object);
+    if (status == BAT_OK) status = bat_svg_clip_object(&own, place, &object);
     if (status == BAT_OK) {
-        if (s->clip_digest && !w->unseen) w->digest = bat_digest_number(w->digest, s->clip_digest);
+        if (own.clip_digest && !w->unseen) w->digest = bat_digest_number(w->digest, own.clip_digest);
         if (!w->unseen)
             w->digest = bat_svg_digest_image(w->digest, picture, bat_object_matrix(object), s->opacity);
-        w->boxed = s->boxed != NULL;
         bat_svg_put_object(w, element, s->style.shown, object);
     } else {
         bat_object_release(object);
         bat_svg_note(&w->notes, element, BAT_LOSS_IMAGE);
     }
     if (status == BAT_MEMORY) w->status = status;
+    bat_clip_release(own.clip);
     bat_picture_release(picture);
 }

@@ -1,5 +1,6 @@
 /* A shape becomes a path object with one curve per subpath. */
 #include "curve/curve.h"
+#include "document/clip.h"
 #include "document/digest.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
@@ -166,13 +167,14 @@ static const char *shape_attribute(const void *element, const char *name) {
 }
 
 /* As bat_svg_draw_shape, what is in w->outline. */
-static void draw_outline(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
-                         const bat_markers *markers, uint64_t marked) {
+static void draw_outline(bat_svg_walk *w, uint32_t element, bat_svg_scope *s, const bat_markers *markers,
+                         uint64_t marked) {
     bat_svg_painted painted;
     double box[4];
     bat_outline_box(&w->outline, box);
     bat_outline_transform(&w->outline, s->matrix);
     bat_svg_resolve_style(w, element, s, box, &painted);
+    if (s->mask) bat_svg_mask_paint(w, element, box, s);
     w->boxed = w->boxed || s->boxed;
     const bat_style style = painted.style;
     if (!style.stroked && !style.filled && !markers) {
@@ -201,6 +203,11 @@ void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
         bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
     if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
-    if (w->outline.subpath_count > 0 && w->status == BAT_OK) draw_outline(w, element, s, markers, marked);
+    if (w->outline.subpath_count > 0 && w->status == BAT_OK) {
+        bat_svg_scope own = *s;
+        own.clip = bat_clip_retain(s->clip);
+        draw_outline(w, element, &own, markers, marked);
+        bat_clip_release(own.clip);
+    }
     bat_markers_release(markers);
 }

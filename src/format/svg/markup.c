@@ -156,21 +156,54 @@ bat_status bat_svg_write_region(bat_text *text, const bat_clip *region, const do
     return status;
 }
 
+/* With the picture in it, within the one around it; only its alpha counts. */
+static void write_mask(bat_text *text, const bat_clip *mask, const double m[6], const char *id,
+                       const char *outer) {
+    static const char *const names[] = {" x=\"", " y=\"", " width=\"", " height=\""};
+    const bat_svg_ids none = {0};
+    double own[6], sides[2], box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+    bat_picture_sides(bat_clip_picture(mask), sides);
+    bat_matrix_compose(m, bat_clip_matrix(mask), own);
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 2; k++) {
+            const double at = own[k] * (i & 1 ? sides[0] : 0) + own[2 + k] * (i & 2 ? sides[1] : 0) +
+                              own[4 + k];
+            box[k] = fmin(box[k], at), box[k + 2] = fmax(box[k + 2], at);
+        }
+    bat_text_string(text, "<mask id=\"");
+    bat_text_string(text, id);
+    bat_text_string(text, "\" maskUnits=\"userSpaceOnUse\"");
+    for (int i = 0; i < 4; i++) bat_svg_write_number(text, names[i], box[i] - (i > 1 ? box[i - 2] : 0));
+    bat_text_string(text, " style=\"mask-type:alpha\">");
+    if (*outer) {
+        bat_text_string(text, "<g mask=\"url(#");
+        bat_text_string(text, outer);
+        bat_text_string(text, ")\">");
+    }
+    bat_text_string(text, "<image");
+    bat_svg_write_picture(text, bat_clip_picture(mask), own, 1, &none);
+    bat_text_string(text, *outer ? "</g></mask>" : "</mask>");
+}
+
 /* From the outermost region inwards. */
 bat_status bat_svg_write_clip(bat_text *text, const bat_object *object, const double m[6], int number,
-                              char id[BAT_SVG_ID]) {
+                              bat_svg_ids *ids) {
     const bat_clip *list[BAT_CLIP_REGIONS_MAX];
     int count = 0;
     bat_status status = BAT_OK;
     for (const bat_clip *at = bat_object_clip(object); at; at = bat_clip_within(at)) list[count++] = at;
     for (int k = count - 1; k >= 0 && status == BAT_OK; k--) {
-        char outer[BAT_SVG_ID];
+        char outer[BAT_SVG_ID], *id = bat_clip_picture(list[k]) ? ids->mask : ids->clip;
         memcpy(outer, id, sizeof outer);
-        snprintf(id, BAT_SVG_ID, BAT_SVG_PAINT_ID "%lu-clip-%d-%d", (unsigned long)bat_object_id(object), k,
-                 number);
+        snprintf(id, BAT_SVG_ID, BAT_SVG_PAINT_ID "%lu-%s-%d-%d", (unsigned long)bat_object_id(object),
+                 id == ids->mask ? "mask" : "clip", k, number);
+        if (id == ids->mask) {
+            write_mask(text, list[k], m, id, outer);
+            continue;
+        }
         bat_text_string(text, "<clipPath id=\"");
         bat_text_string(text, id);
-        if (k < count - 1) {
+        if (*outer) {
             bat_text_string(text, "\" clip-path=\"url(#");
             bat_text_string(text, outer);
             bat_text_string(text, ")");
@@ -289,10 +322,13 @@ static void write_paint(bat_text *text, const char *property, uint32_t colour, c
 }
 
 void bat_svg_refer_clip(bat_text *text, const bat_svg_ids *ids) {
-    if (!*ids->clip) return;
-    bat_text_string(text, " clip-path=\"url(#");
-    bat_text_string(text, ids->clip);
-    bat_text_string(text, ")\"");
+    const char *const own[2] = {ids->clip, ids->mask};
+    for (int k = 0; k < 2; k++) {
+        if (!*own[k]) continue;
+        bat_text_string(text, k ? " mask=\"url(#" : " clip-path=\"url(#");
+        bat_text_string(text, own[k]);
+        bat_text_string(text, ")\"");
+    }
 }
 
 void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg_ids *ids) {
@@ -406,9 +442,11 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
     }
     declare_markers(text, ids);
     declare(text, "opacity:", style->opacity);
-    if (*ids->clip) {
-        bat_text_string(text, ";clip-path:url(#");
-        bat_text_string(text, ids->clip);
+    const char *const own[2] = {ids->clip, ids->mask};
+    for (int k = 0; k < 2; k++) {
+        if (!*own[k]) continue;
+        bat_text_string(text, k ? ";mask:url(#" : ";clip-path:url(#");
+        bat_text_string(text, own[k]);
         bat_text_string(text, ")");
     }
     bat_text_string(text, "\"");

@@ -27,24 +27,26 @@ enum { BAT_SVG_ID = 48 };
 void bat_svg_write_gradient(bat_text *text, const bat_gradient *gradient, const double m[6], const char *id);
 /* The elements of the gradients of a paint (NULL: it has none) that are used, and their ids: empty without one. */
 typedef struct bat_svg_ids {
-    char fill[BAT_SVG_ID], stroke[BAT_SVG_ID], clip[BAT_SVG_ID], markers[BAT_MARKER_PLACES][BAT_SVG_ID];
+    char fill[BAT_SVG_ID], stroke[BAT_SVG_ID], clip[BAT_SVG_ID], mask[BAT_SVG_ID],
+        markers[BAT_MARKER_PLACES][BAT_SVG_ID];
     bat_marker_ink inks[2]; /* where fill and stroke come from */
     bool unmarked;          /* something around it could have markers */
 } bat_svg_ids;
-/* Ids that begin so belong to gradients, clip paths and markers. */
+/* Ids that begin so belong to gradients, clip paths, masks and markers. */
 #define BAT_SVG_PAINT_ID "batten-paint-"
 /* number: to tell the ids from those that are taken. */
 bat_svg_ids bat_svg_write_gradients(bat_text *text, const bat_object *object, const double m[6], int number);
 /* Path data of a clip's innermost region, mapped by m before. */
 bat_status bat_svg_write_region(bat_text *text, const bat_clip *region, const double m[6]);
-/* The elements of the object's clip, which is mapped by m before; id: of the innermost; it stays as it is without a clip. */
+/* The elements of the object's clip, which is mapped by m before, and the ids of the innermost region and the innermost mask;
+ * they stay as they are without one. */
 bat_status bat_svg_write_clip(bat_text *text, const bat_object *object, const double m[6], int number,
-                              char id[BAT_SVG_ID]);
+                              bat_svg_ids *ids);
 /* The value of stroke-dasharray. */
 void bat_svg_write_dashes(bat_text *text, const bat_paint *paint, double scale);
 /* The value of paint-order. */
 const char *bat_svg_order(const bat_object *object);
-void bat_svg_refer_clip(bat_text *text, const bat_svg_ids *ids); /* the attribute; nothing without one */
+void bat_svg_refer_clip(bat_text *text, const bat_svg_ids *ids); /* the attributes; nothing without them */
 void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg_ids *ids);
 /* The same as one attribute, which overrules style sheets and says all that something around it could say otherwise. */
 void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, const bat_style *style,

@@ -12,9 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 512 };
-
-/* The last picture made of a pattern. */
+/* The last picture made of a pattern or a mask. */
 typedef struct bat_svg_tile {
     uint64_t digest; /* of what it depends on */
     bat_picture *picture;
@@ -27,7 +25,6 @@ typedef struct tile {
     double content[6]; /* from the units of what is repeated to those, from the box's corner */
     double matrix[6];  /* from the pattern's units to those of the shape */
     double opacity;    /* of the picture that it is, if it is one */
-    uint32_t sides[2]; /* of the picture to be made */
 } tile;
 
 bool bat_svg_is_pattern(const bat_svg_walk *w, uint32_t element) {
@@ -146,42 +143,11 @@ static bat_picture *picture_of(bat_svg_walk *w, tile *t) {
 
 /* ---- one that is drawn ---- */
 
-/* What the pattern says for all that it holds. */
-static void write_inherited(const bat_svg_walk *w, uint32_t holder, bat_text *out) {
-    static const char *const own[] = {"id",
-                                      "x",
-                                      "y",
-                                      "width",
-                                      "height",
-                                      "viewBox",
-                                      "patternTransform",
-                                      "patternUnits",
-                                      "patternContentUnits",
-                                      "href",
-                                      "xlink:href",
-                                      "transform",
-                                      "preserveAspectRatio"};
-    const bat_svg_element *e = &w->tree->elements[holder];
-    const uint32_t *pair = w->tree->attributes + e->attributes;
-    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
-        const char *name = w->tree->strings.data + pair[0], *value = w->tree->strings.data + pair[1];
-        bool taken = strncmp(name, "on", 2) == 0 || strncmp(name, "inkscape:", 9) == 0 ||
-                     strncmp(name, "sodipodi:", 9) == 0;
-        for (size_t k = 0; k < sizeof own / sizeof *own; k++) taken = taken || strcmp(name, own[k]) == 0;
-        if (taken) continue;
-        bat_text_string(out, " ");
-        bat_text_string(out, name);
-        bat_text_string(out, "=\"");
-        bat_text_xml(out, value, strlen(value), true);
-        bat_text_string(out, "\"");
-    }
-}
-
 /* From the picture's pixels to the tile, and what the tile's contents begin with. */
-static void write_before(const bat_svg_walk *w, const tile *t, bat_text *out) {
+static void write_before(const bat_svg_walk *w, const tile *t, const uint32_t sides[2], bat_text *out) {
     static const char *const names[] = {"<svg x=\"0\" y=\"0\" preserveAspectRatio=\"none\" width=\"",
                                         "\" height=\"", "\" viewBox=\"0 0 ", " "};
-    const double numbers[] = {t->sides[0], t->sides[1], t->box[2], t->box[3]};
+    const double numbers[] = {sides[0], sides[1], t->box[2], t->box[3]};
     for (int k = 0; k < 4; k++) {
         bat_text_string(out, names[k]);
         bat_text_number(out, numbers[k]);
@@ -189,45 +155,45 @@ static void write_before(const bat_svg_walk *w, const tile *t, bat_text *out) {
     bat_text_string(out, "\"><g transform=\"");
     bat_svg_write_matrix(t->content, out);
     bat_text_string(out, "\"");
-    write_inherited(w, t->holder, out);
+    bat_svg_alone_attributes(w, t->holder, out);
     bat_text_string(out, ">");
 }
 
-/* About so many pixels, of the tile's proportions as far as pixels are whole. */
-static void measure(tile *t) {
-    int power;
-    const double most = fmax(t->box[2], t->box[3]);
-    frexp(SIDE / most, &power);
-    for (int k = 0; k < 2; k++) t->sides[k] = (uint32_t)fmax(1, floor(ldexp(t->box[2 + k], power - 1) + 0.5));
+bat_status bat_svg_held(bat_svg_walk *w, uint32_t holder, const uint32_t sides[2], const bat_text *before,
+                        const char *after, bat_picture **out) {
+    const uint64_t digest = bat_digest_bytes(bat_digest_begin(), before->data, before->size);
+    bat_picture *picture = NULL;
+    if (!w->tiles && !(w->tiles = calloc(w->tree->count, sizeof *w->tiles))) return BAT_MEMORY;
+    bat_svg_tile *known = w->tiles[holder];
+    if (known && known->digest == digest) {
+        *out = bat_picture_retain(known->picture);
+        return BAT_OK;
+    }
+    bat_status status = bat_svg_alone_within(w, holder, sides, before, after, &picture);
+    if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
+    if (status == BAT_OK && !known && !(known = w->tiles[holder] = calloc(1, sizeof *known)))
+        status = BAT_MEMORY;
+    if (status != BAT_OK) {
+        bat_picture_release(picture);
+        return status;
+    }
+    bat_picture_release(known->picture);
+    *known = (bat_svg_tile){digest, bat_picture_retain(picture)};
+    *out = picture;
+    return BAT_OK;
 }
 
 /* NULL: it cannot be made. */
-static bat_picture *draw(bat_svg_walk *w, tile *t) {
+static bat_picture *draw(bat_svg_walk *w, const tile *t) {
     bat_text before = {0};
     bat_picture *picture = NULL;
-    measure(t);
-    write_before(w, t, &before);
-    const uint64_t digest = before.failed ? 0
-                                          : bat_digest_bytes(bat_digest_begin(), before.data, before.size);
-    bat_status status = before.failed ? BAT_MEMORY : BAT_OK;
-    if (!w->tiles && !(w->tiles = calloc(w->tree->count, sizeof *w->tiles))) status = BAT_MEMORY;
-    bat_svg_tile *known = status == BAT_OK ? w->tiles[t->holder] : NULL;
-    if (known && known->digest == digest) picture = bat_picture_retain(known->picture);
-    if (status == BAT_OK && !picture) {
-        status = bat_svg_alone_within(w, t->holder, t->sides, &before, "</g></svg>", &picture);
-        if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
-        if (status == BAT_OK && !known && !(known = w->tiles[t->holder] = calloc(1, sizeof *known)))
-            status = BAT_MEMORY;
-        if (status == BAT_OK) {
-            bat_picture_release(known->picture);
-            *known = (bat_svg_tile){digest, bat_picture_retain(picture)};
-        }
-    }
+    uint32_t sides[2];
+    bat_svg_alone_sides(t->box[2], t->box[3], sides);
+    write_before(w, t, sides, &before);
+    const bat_status status = before.failed
+                                  ? BAT_MEMORY
+                                  : bat_svg_held(w, t->holder, sides, &before, "</g></svg>", &picture);
     if (status == BAT_MEMORY) w->status = status;
-    if (status != BAT_OK) {
-        bat_picture_release(picture);
-        picture = NULL;
-    }
     bat_text_free(&before);
     return picture;
 }

@@ -30,7 +30,7 @@ bat_svg_style bat_svg_style_child(const bat_svg_style *parent) {
     bat_svg_style style = *parent, initial = bat_svg_style_initial();
     style.odd &= BAT_SVG_INHERITED;
     style.opacity = style.stop_opacity = 1;
-    style.clip = NULL;
+    style.clip = style.mask = NULL;
     style.overflows = false;
     style.shown = true;
     style.stop = initial.stop;
@@ -109,6 +109,7 @@ static void inherit(bat_svg_style *style, const bat_svg_style *parent, bat_svg_n
     case BAT_SVG_RULE: style->even_odd = parent->even_odd; break;
     case BAT_SVG_CLIP_RULE: style->clip_even_odd = parent->clip_even_odd; break;
     case BAT_SVG_CLIP: style->clip = parent->clip; break;
+    case BAT_SVG_MASK: style->mask = parent->mask; break;
     case BAT_SVG_ORDER:
         style->stroke_first = parent->stroke_first;
         style->marker_order = parent->marker_order;
@@ -318,6 +319,12 @@ bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double
         set_odd(style, name, value);
         style->clip = strncmp(value, "url(", 4) == 0 ? source + 4 : NULL;
         return true;
+    case BAT_SVG_MASK: {
+        const char *end = strchr(value, ')'); /* one mask, and nothing else about it */
+        set_odd(style, name, value);
+        style->mask = strncmp(value, "url(", 4) == 0 && end && !end[1] ? source + 4 : NULL;
+        return true;
+    }
     default: set_odd(style, name, value); return true;
     }
 }

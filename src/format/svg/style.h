@@ -57,8 +57,8 @@ typedef struct bat_svg_style {
     uint32_t odd;           /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
     /* not inherited */
     double opacity;
-    const char *clip; /* the content of url(), where it was read; NULL: none */
-    bool overflows;   /* what is beyond its viewport is seen */
+    const char *clip, *mask; /* the content of url(), where it was read; NULL: none */
+    bool overflows;          /* what is beyond its viewport is seen */
     bool shown;
     bat_svg_paint stop; /* of a gradient */
     double stop_opacity;

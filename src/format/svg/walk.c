@@ -3,6 +3,7 @@
 #include "document/kind.h"
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
+#include "text/base64.h"
 #include "text/utf8.h"
 
 #include <math.h>
@@ -19,6 +20,19 @@ double bat_svg_length_of(const bat_svg_walk *w, uint32_t element, const char *na
 const char *bat_svg_find_href(const bat_svg_walk *w, uint32_t element) {
     const char *href = bat_svg_attribute_of(w, element, "href");
     return href ? href : bat_svg_attribute_of(w, element, "xlink:href");
+}
+
+bat_picture *bat_svg_find_picture(bat_svg_walk *w, uint32_t element) {
+    const char *href = bat_svg_find_href(w, element);
+    const char *data = href && !strncmp(href, "data:", 5) ? strchr(href, ',') : NULL;
+    bat_picture *picture = NULL;
+    if (!data || data - href < 7 || memcmp(data - 7, ";base64", 7) != 0) return NULL;
+    bat_status status = bat_picture_from_base64(data + 1, strlen(data + 1), &picture);
+    if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
+    if (status == BAT_MEMORY) w->status = status;
+    if (status == BAT_OK) return picture;
+    bat_picture_release(picture);
+    return NULL;
 }
 
 void bat_svg_draw_children(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {

@@ -27,7 +27,8 @@ typedef struct bat_svg_scope {
     double opacity;         /* product of the opacities of the containers */
     struct bat_clip *clip;  /* what of it is seen; NULL: all */
     struct bat_clip *boxed; /* within this, too, in parts of its box; NULL: all */
-    uint64_t clip_digest;   /* of both, as they were read */
+    uint32_t mask;          /* the element of the mask that it has still to be painted through; 0: none */
+    uint64_t clip_digest;   /* of all, as they were read */
     double width, height;   /* of the viewport */
 } bat_svg_scope;
 
@@ -40,7 +41,11 @@ typedef struct bat_svg_stops {
 } bat_svg_stops;
 
 /* What an element has given to the group of the document that it is. */
-typedef enum bat_svg_given { BAT_SVG_ITS_OPACITY = 1, BAT_SVG_ITS_CLIP = 2 } bat_svg_given;
+typedef enum bat_svg_given {
+    BAT_SVG_ITS_OPACITY = 1,
+    BAT_SVG_ITS_CLIP = 2,
+    BAT_SVG_ITS_MASK = 4
+} bat_svg_given;
 
 typedef struct bat_svg_walk bat_svg_walk;
 
@@ -62,7 +67,7 @@ struct bat_svg_walk {
     bat_svg_notes notes;
     bat_svg_variables variables;     /* custom properties of styles */
     bat_svg_stops **stops;           /* of gradients, by element; NULL: not known yet */
-    struct bat_svg_tile **tiles;     /* of patterns, by element: the last one made of it */
+    struct bat_svg_tile **tiles;     /* of patterns and masks, by element: the last one made of it */
     struct bat_svg_marker **markers; /* by element; NULL: not known yet */
     bat_svg_collected *collected;    /* where shapes go that are drawn in a marker; NULL: into the document */
     bool boxed;                      /* a gradient of the shape being drawn is placed by its box */
@@ -165,8 +170,17 @@ void bat_svg_clip_begin(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
 void bat_svg_clip_end(bat_svg_scope *s);
 /* Gives that to the object of the element, whose box is that in its own units. */
 bat_status bat_svg_clip_object(const bat_svg_scope *s, const double box[4], bat_object **object);
-/* The same for the group of that index, once it holds all that it does. */
-void bat_svg_clip_group(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, int index);
+/* The same for the group of that index, once it holds all that it does; with a mask that is placed by its box. */
+void bat_svg_clip_group(bat_svg_walk *w, uint32_t element, bat_svg_scope *s, int index);
+
+/* ---- mask.c ---- */
+/* Sets the mask of an element in the scope at its place. */
+void bat_svg_mask_begin(bat_svg_walk *w, uint32_t element, bat_svg_scope *s);
+/* Whether that, of a scope with a mask, depends on the element's box. */
+bool bat_svg_mask_is_boxed(const bat_svg_walk *w, const bat_svg_scope *s);
+/* Adds it to the clip of the scope; box: of the element in its own units, of use only if it depends on it. What cannot be painted
+ * is noted. */
+void bat_svg_mask_paint(bat_svg_walk *w, uint32_t element, const double box[4], bat_svg_scope *s);
 
 /* ---- note_drawn.c: what is lost ---- */
 /* Losses from an element apart from its style; from its style, apart from what is inherited; from a shape's
@@ -176,7 +190,7 @@ void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_sty
 void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                         const bat_svg_painted *painted);
 
-/* ---- draw_image.c ---- */
+/* ---- walk.c: pictures ---- */
 /* The picture in the element's data URI, as one of those drawn; NULL when there is none, or it must be left out. The caller
  * releases it. */
 bat_picture *bat_svg_find_picture(bat_svg_walk *w, uint32_t element);

@@ -1,4 +1,4 @@
-/* What is not edited is seen where it lies: texts, filters, masks, patterns and pictures of other formats become foreign
+/* What is not edited is seen where it lies: texts, filters and pictures of other formats become foreign
  * content, which can be moved, ordered and deleted, and is written back as the element that it was. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -98,9 +98,6 @@ static void what_is_shown(void **unused) {
               "d=\"M10 10H90V60Z\"/><text "
               "x=\"9\" y=\"9\">t</text></g>" TAIL,
          {6, 6}},
-        {HEAD "<mask id=\"m\"><rect width=\"9\" height=\"50\" fill=\"#fff\"/></mask><rect width=\"50\" "
-              "height=\"50\" style=\"mask:url(#m)\"/>" TAIL,
-         {5, 5}},
         {HEAD "<image x=\"10\" y=\"20\" width=\"30\" height=\"30\" "
               "href=\"data:image/gif;base64,R0lGODlhAQABAAAAACw=\"/>" TAIL,
          {12, 22}},

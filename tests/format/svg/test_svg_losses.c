@@ -73,7 +73,8 @@ static void every_kind_is_found(void **state) {
         {"<image href='x.png'/><image href='data:image/gif;base64,AAAA'/>", "{\"images\":2}"},
         {BOX "clip-path='url(#c)'/><g style='clip-path:circle()'/>" BOX "clip-path='none'/>",
          "{\"clips\":2}"},
-        {BOX "mask='url(#c)'/>", "{\"masks\":1}"},
+        {"<mask id='k'><rect width='9' height='9'/></mask>" BOX "mask='url(#k)'/>" BOX "mask='url(#no)'/>",
+         "{\"masks\":1}"},
         {"<g filter='blur(2px)'>" BOX "filter='url(#f)'/></g>", "{\"filters\":2}"},
         {"<marker id='m'><text>a</text></marker><g marker-mid='url(#m)'>" LINE "/>" BOX "stroke='red'/>" LINE
          "marker='none'/></g>",

@@ -77,7 +77,8 @@ static size_t id_size(const char *text) {
 static const char *id_of(const bat_svg_plan *plan, const bat_svg_tag *tag) {
     static const char *const begins[] = {
         "<linearGradient id=\"" BAT_SVG_PAINT_ID, "<radialGradient id=\"" BAT_SVG_PAINT_ID,
-        "<clipPath id=\"" BAT_SVG_PAINT_ID, "<marker id=\"" BAT_SVG_PAINT_ID};
+        "<clipPath id=\"" BAT_SVG_PAINT_ID,       "<mask id=\"" BAT_SVG_PAINT_ID,
+        "<pattern id=\"" BAT_SVG_PAINT_ID,        "<marker id=\"" BAT_SVG_PAINT_ID};
     for (size_t i = 0; i < sizeof begins / sizeof *begins; i++)
         if (strncmp(plan->text + tag->open, begins[i], strlen(begins[i])) == 0)
             return plan->text + tag->open + strlen(begins[i]) - PREFIX;

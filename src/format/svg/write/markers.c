@@ -26,7 +26,7 @@ static bat_status write_part(writing *w, bat_object *part, const bat_marker_part
     double pen[6], back[6];
     const bool uneven = bat_svg_pen(part, pen, back);
     bat_svg_ids ids = bat_svg_write_gradients(w->text, part, back, w->number);
-    bat_status status = bat_svg_write_clip(w->text, part, back, w->number++, ids.clip);
+    bat_status status = bat_svg_write_clip(w->text, part, back, w->number++, &ids);
     ids.inks[0] = from->fill, ids.inks[1] = from->stroke;
     bat_text_string(w->text, "<path");
     if (uneven) {

@@ -96,6 +96,7 @@ void bat_svg_patch_clip(bat_svg_patch *p, const bat_object *object, const bat_so
                         bat_svg_ids *ids);
 void bat_svg_patch_set_clip(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
                             const bat_svg_ids *ids);
+void bat_svg_unclip(bat_svg_retag *r); /* all of it is seen */
 bool bat_svg_is_clipped(const bat_document *document);
 /* Whether objects of two documents are seen in the same box. */
 bool bat_svg_same_clip(const bat_document *one, const bat_object *a, const bat_document *other,

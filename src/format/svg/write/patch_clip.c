@@ -39,23 +39,30 @@ void bat_svg_patch_clip(bat_svg_patch *p, const bat_object *object, const bat_so
     bat_svg_retag r;
     bat_svg_retag_begin(&r, p->plan.text + tag->open, tag->body - tag->open, p->plan.types,
                         p->plan.types_size, p->plan.sheets);
-    /* The clip path of foreign content is part of its picture. */
-    const bool has = bat_object_is_foreign(object) && bat_svg_retag_says(&r, "clip-path");
+    /* The clip path and the mask of foreign content are part of its picture. */
+    const bool has = bat_object_is_foreign(object) &&
+                     (bat_svg_retag_says(&r, "clip-path") || bat_svg_retag_says(&r, "mask"));
     const bool can = !has && find_units(&r, object, entry, m);
     bat_svg_retag_free(&r);
     bat_status status = BAT_UNSUPPORTED;
-    if (can) status = bat_svg_write_clip(&p->made, object, m, bat_svg_patch_number(p), ids->clip);
+    if (can) status = bat_svg_write_clip(&p->made, object, m, bat_svg_patch_number(p), ids);
     if (status != BAT_OK) p->status = status;
 }
 
 void bat_svg_patch_set_clip(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
                             const bat_svg_ids *ids) {
+    const char *const own[2] = {ids->clip, ids->mask};
     char value[BAT_SVG_ID + 8];
-    snprintf(value, sizeof value, "url(#%s)", ids->clip);
-    if (*ids->clip)
-        bat_svg_retag_style(r, "clip-path", value);
-    else if (entry->clip && !bat_object_clip(object))
-        bat_svg_retag_style(r, "clip-path", "none");
+    for (int k = 0; k < 2; k++) {
+        snprintf(value, sizeof value, "url(#%s)", own[k]);
+        if (*own[k]) bat_svg_retag_style(r, k ? "mask" : "clip-path", value);
+    }
+    if (entry->clip && !bat_object_clip(object)) bat_svg_unclip(r);
+}
+
+void bat_svg_unclip(bat_svg_retag *r) {
+    bat_svg_retag_style(r, "clip-path", "none");
+    if (bat_svg_retag_says(r, "mask")) bat_svg_retag_style(r, "mask", "none");
 }
 
 /* ---- whether what was written shows as much ---- */

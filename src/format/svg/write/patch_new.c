@@ -140,7 +140,7 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
         double m[6], own[6];
         bat_svg_ids ids = {0};
         if (bat_svg_inverse(bat_object_matrix(object), own))
-            p->status = bat_svg_write_clip(out, object, own, bat_svg_patch_number(p), ids.clip);
+            p->status = bat_svg_write_clip(out, object, own, bat_svg_patch_number(p), &ids);
         bat_svg_patch_mark(p, bat_object_id(object));
         bat_matrix_compose(s->back, bat_object_matrix(object), m);
         bat_text_string(out, "<image");
@@ -152,7 +152,7 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
     double pen[6], back[6], m[6];
     const bool uneven = bat_svg_pen(object, pen, back);
     bat_svg_ids ids = bat_svg_write_gradients(out, object, back, bat_svg_patch_number(p));
-    p->status = bat_svg_write_clip(out, object, back, bat_svg_patch_number(p), ids.clip);
+    p->status = bat_svg_write_clip(out, object, back, bat_svg_patch_number(p), &ids);
     bat_svg_patch_markers(p, object, pen, &ids);
     bat_svg_patch_mark(p, bat_object_id(object));
     bat_text_string(out, "<path");
@@ -242,7 +242,7 @@ static void write_group(bat_svg_patch *p, int index, int end, const spot *s) {
         if (depth == BAT_NESTING_MAX) continue;
         bat_svg_ids ids = {0};
         const bat_status status = bat_svg_write_clip(&p->made, object, s->back, bat_svg_patch_number(p),
-                                                     ids.clip);
+                                                     &ids);
         if (status != BAT_OK) p->status = status;
         bat_svg_patch_mark(p, bat_object_id(object));
         bat_text_string(&p->made, "<g");

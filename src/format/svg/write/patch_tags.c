@@ -341,7 +341,7 @@ bool bat_svg_patch_group_tag(bat_svg_patch *p, uint32_t element) {
     bat_svg_retag_begin(&r, plan->text + tag->open, tag->body - tag->open, plan->types, plan->types_size,
                         plan->sheets);
     if (own->style.opacity != 1) set_number(&r, "opacity", 1);
-    if (own->clip) bat_svg_retag_style(&r, "clip-path", "none");
+    if (own->clip) bat_svg_unclip(&r);
     bat_svg_retag_write(&r, &p->made);
     bat_svg_retag_free(&r);
     return true;

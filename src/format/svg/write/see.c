@@ -15,6 +15,7 @@ bat_status bat_svg_see_clip(const bat_object *object, const double m[6], const d
     if (!bat_object_clip(object)) return BAT_OK;
     for (const bat_clip *at = bat_object_clip(object); at && status == BAT_OK; at = bat_clip_within(at)) {
         bat_text data = {0};
+        if (bat_clip_picture(at)) continue;
         status = bat_svg_write_region(&data, at, back);
         bat_outline_clear(outline);
         if (data.failed) status = BAT_MEMORY;
@@ -23,6 +24,13 @@ bat_status bat_svg_see_clip(const bat_object *object, const double m[6], const d
         bat_outline_transform(outline, m);
         if (bat_clip_curve_count(at) > 0) own = bat_svg_digest_region(own, outline, bat_clip_is_even_odd(at));
         bat_text_free(&data);
+    }
+    for (const bat_clip *at = bat_object_clip(object); at; at = bat_clip_within(at)) {
+        double written[6], seen[6];
+        if (!bat_clip_picture(at)) continue;
+        bat_matrix_compose(back, bat_clip_matrix(at), written);
+        bat_matrix_compose(m, written, seen);
+        own = bat_svg_digest_image(own, bat_clip_picture(at), seen, 1);
     }
     if (own) *digest = bat_digest_number(*digest, own);
     return status;

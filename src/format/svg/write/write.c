@@ -64,7 +64,7 @@ static bat_status open_group(bat_text *text, const bat_object *object, bool as_i
                              bat_outline *outline, uint64_t *digest) {
     static const double same[6] = {1, 0, 0, 1, 0, 0};
     bat_svg_ids ids = {0};
-    bat_status status = bat_svg_write_clip(text, object, same, 1, ids.clip);
+    bat_status status = bat_svg_write_clip(text, object, same, 1, &ids);
     const double opacity = bat_object_style(object)->opacity;
     bool layer = bat_object_is(object, BAT_LAYER);
     bat_text_string(text, layer ? "<g inkscape:groupmode=\"layer\"" : "<g");
@@ -92,7 +92,7 @@ static bat_status write_path(bat_text *text, const bat_object *object, bool as_i
     const bool uneven = bat_svg_pen(object, pen, back);
     bat_svg_ids ids = bat_svg_write_gradients(text, object, back, number);
     uint64_t marked = 0;
-    bat_status status = bat_svg_write_clip(text, object, back, number, ids.clip);
+    bat_status status = bat_svg_write_clip(text, object, back, number, &ids);
     if (status == BAT_OK)
         status = bat_svg_write_markers(text, object, pen, number, precision, outline, &ids, &marked);
     bat_text_string(text, "<path");
@@ -148,7 +148,7 @@ static bat_status write_image(bat_text *text, const bat_object *object, bool as_
     bat_svg_ids ids = {0};
     bat_status status = BAT_OK;
     if (bat_svg_inverse(m, back)) {
-        status = bat_svg_write_clip(text, object, back, 1, ids.clip);
+        status = bat_svg_write_clip(text, object, back, 1, &ids);
         if (status == BAT_OK && !hidden) status = bat_svg_see_clip(object, m, back, outline, digest);
     }
     bat_text_string(text, "<image");
