@@ -76,7 +76,7 @@ BAT_API bat_status bat_editor_select(bat_editor *editor, bat_id id, bool add);
  * command "curve-simplify", as long as that is the last thing done: the place of the selection, how the spans of the
  * result can meet (C2, G1), "points":[before,after], "cubics":[before,after], "of":"simplify" and "said", what it came to in words.
  * After "curve-earlier": "of":"earlier", "step", the share of the slider that a shape takes, "said", what made the one that is shown,
- * "words", what keeps it, "chosen" -1. After "curve-offset": "of":"offset", "step", "typed", the property that the amount stands for,
+ * "around", the box of all shapes in view pixels, x0, y0, x1, y1, "words", what keeps it, "chosen" -1. After "curve-offset": "of":"offset", "step", "typed", the property that the amount stands for,
  * "said", why nothing would be left, "words", the sides and what keeps it; "ways", how many of them are sides. When one object is selected that an earlier stroke changed, and that stretch of it is as the
  * stroke left it: the stroke's end and amount, no words. Owned by the editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_readings(bat_editor *editor);

@@ -17,6 +17,10 @@ const AWAY = 12; // pixels between the selection's box and the row
 const RULER = 30; // pixels that rulers take at the top and the left
 const EDGE = 8;
 
+// What is selected, and the shape that it had or could have.
+/** @type {number[]} */
+const SEEN = [Role.HANDLE, Role.SELECTION, Role.FIT];
+
 /**
  * Where what is selected is seen, with its handles: x0, y0, x1, y1 on the stage. Null: nothing of it is drawn.
  * @param {Frame} frame
@@ -26,7 +30,7 @@ function seen({ live, x, y, zoom, angle, originX, originY }) {
   const cosine = Math.cos((angle * Math.PI) / 180) * zoom;
   const sine = Math.sin((angle * Math.PI) / 180) * zoom;
   for (const item of live) {
-    if (item.role !== Role.HANDLE && item.role !== Role.SELECTION) {
+    if (!SEEN.includes(item.role)) {
       continue;
     }
     for (const [px, py] of [[item.x0, item.y0], [item.x1, item.y0], [item.x1, item.y1], [item.x0, item.y1]]) {
@@ -161,12 +165,20 @@ export class Offers {
     return /** @type {any} */ (this.row).currentCSSZoom ?? 1;
   }
 
-  /** Above the selection, else below it, else in the corner that hides the least of it. */
+  /** Where the chips are, on the stage. @returns {number[] | null} */
+  get #chips() {
+    const box = document.querySelector('.chips:not([hidden])')?.getBoundingClientRect();
+    const { left, top } = this.stage.getBoundingClientRect();
+    return box?.width ? [box.left - left, box.top - top, box.right - left, box.bottom - top] : null;
+  }
+
+  /** Above the selection, else below it, else in the corner that hides the least of it; not over the chips. */
   #place() {
     const { stage, row, frame } = this;
     const box = (frame && seen(frame)) ?? [0, 0, stage.clientWidth, 0];
     const low = this.#low();
-    const now = `${box.map(Math.round)} ${row.offsetWidth} ${row.offsetHeight} ${stage.clientWidth} ${low} ${stage.offsetLeft}`;
+    const chips = this.#chips;
+    const now = `${[...box, ...chips ?? []].map(Math.round)} ${row.offsetWidth} ${row.offsetHeight} ${stage.clientWidth} ${low} ${stage.offsetLeft}`;
     if (now === this.at) {
       return;
     }
@@ -179,7 +191,11 @@ export class Offers {
     const fits = above >= RULER || below + high <= low - EDGE;
     const top = above >= RULER ? above : fits ? below : RULER;
     const middle = fits ? (box[0] + box[2]) / 2 : clientWidth / 2;
-    const left = Math.max(RULER, Math.min(middle - wide / 2, clientWidth - wide - EDGE));
+    let left = Math.max(RULER, Math.min(middle - wide / 2, clientWidth - wide - EDGE));
+    if (chips && left < chips[2] + EDGE && left + wide > chips[0] - EDGE && top < chips[3] + EDGE && top + high > chips[1] - EDGE) {
+      const beside = chips[0] - EDGE - wide;
+      left = beside >= RULER ? beside : Math.min(chips[2] + EDGE, clientWidth - wide - EDGE);
+    }
     const grown = row.offsetHeight * scale - high; // what "more" adds goes down where there is room
     const up = top + high + grown > low - EDGE ? Math.max(0, Math.min(grown, top - RULER)) : 0;
     row.classList.toggle('upwards', up > 0);

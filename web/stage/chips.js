@@ -16,11 +16,13 @@ import { tell } from '../page/words.js';
  * @property {number} [ways] how many of the words are chosen one instead of another; what follows them does something
  * @property {string} [typed] the property that can also be typed
  * @property {number} [step] of the slider
+ * @property {number[]} [around] what they must not lie over: x0, y0, x1, y1
  * @property {string} [said] what it has come to
  */
 
 const AWAY = 16; // px from the stroke's end
 const EDGE = 4;
+const SLACK = 90; // px that what is said can grow by while the slider is dragged
 
 export class Chips {
   /** @param {import('../engine/engine.js').Engine} engine @param {HTMLElement} stage @param {() => void} wake */
@@ -33,6 +35,8 @@ export class Chips {
     this.box.setAttribute('role', 'group');
     this.box.hidden = true;
     this.at = [0, 0];
+    /** @type {number[] | undefined} */
+    this.around = undefined;
     this.amount = this.#slider();
     this.refit = document.createElement('label');
     this.refit.className = 'refit';
@@ -50,8 +54,9 @@ export class Chips {
 
   /** @param {boolean} some */
   show(some) {
-    const { at, chosen, amount, words, ways = Infinity, typed = '', of = '', step = 0.05, said = '' } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
+    const { at, chosen, amount, words, ways = Infinity, typed = '', of = '', around, step = 0.05, said = '' } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
     this.at = at;
+    this.around = around;
     if (amount < 0 && this.box.contains(document.activeElement)) {
       this.stage.focus();
     }
@@ -139,13 +144,20 @@ export class Chips {
     return chip;
   }
 
-  /** Places the chips beside the stroke's end, inside the stage. */
+  /** Places the chips beside the stroke's end, or around what is shown, inside the stage. */
   #place() {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.stage;
     const within = (/** @type {number} */ x, /** @type {number} */ most) => Math.max(EDGE, Math.min(x, most - EDGE));
     const { width, height } = this.box.getBoundingClientRect();
-    const left = within(this.at[0] + AWAY, offsetWidth - width);
-    const top = within(this.at[1] + AWAY, offsetHeight - height);
+    const [x0, y0, x1, y1] = this.around ?? [0, 0, ...this.at];
+    const places = [[x1 + AWAY, y1 + AWAY]];
+    if (this.around) {
+      places.push([x0, y1 + AWAY], [x1 + AWAY, y0], [x0, y0 - AWAY - height], [x0 - AWAY - width - SLACK, y0]);
+    }
+    const fits = (/** @type {number[]} */ [x, y]) => x === within(x, offsetWidth - width - SLACK) && y === within(y, offsetHeight - height);
+    const [x, y] = places.find(fits) ?? places[0];
+    const left = within(x, offsetWidth - width);
+    const top = within(y, offsetHeight - height);
     const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
     this.box.style.setProperty('left', `${(offsetLeft + left) / scale}px`);
     this.box.style.setProperty('top', `${(offsetTop + top) / scale}px`);

@@ -14,9 +14,11 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/commands.h"
 #include "editor/tables/tables.h"
+#include "editor/view/stage.h"
 #include <batten/paint.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* One shape, and what made it: a string, BAT_STRING_COUNT: it was there at first. */
 typedef struct shape {
@@ -29,11 +31,12 @@ typedef struct shapes {
     int count;
 } shapes;
 
-/* Curves are shared by copies of an object as long as they are the same. */
+/* Copies of an object share their curves as long as these are the same. */
 static bool same_curves(const bat_object *a, const bat_object *b) {
     bool same = bat_object_curve_count(a) == bat_object_curve_count(b);
     for (int i = 0; same && i < bat_object_curve_count(a); i++)
-        same = bat_object_curve(a, i) == bat_object_curve(b, i);
+        same = bat_object_curve(a, i) == bat_object_curve(b, i) ||
+               bat_curve_is_equal(bat_object_curve(a, i), bat_object_curve(b, i));
     return same;
 }
 
@@ -61,6 +64,28 @@ static bat_status find(const bat_context *c, bat_id id, shapes *all) {
         }
     }
     return BAT_OK;
+}
+
+static bool differs(const bat_object *was, const bat_object *now) {
+    return was && bat_object_id(was) == bat_object_id(now) && bat_outlining_is_flat(was) &&
+           !same_curves(was, now);
+}
+
+/* Newest first, back to the step after which the same object was asked for last. */
+static bool had_another(const bat_history *history, const bat_object *now, bat_tuning_past *past) {
+    uint64_t found = 0;
+    for (int i = history->done - 1; i >= 0 && !found; i--) {
+        const bat_step *step = &history->steps[i];
+        if (past->object == bat_object_id(now) && past->state == step->after) {
+            found = past->step >= history->steps[0].after ? past->step : 0; /* else that step was dropped */
+            break;
+        }
+        for (int k = 0; k < step->count && !found; k++)
+            if (differs(step->deltas[k].before, now) || differs(step->deltas[k].after, now))
+                found = step->after;
+    }
+    *past = (bat_tuning_past){bat_object_id(now), history->state, found};
+    return found != 0;
 }
 
 static int place_of(double amount, const shapes *all) { return (int)floor(amount * (all->count - 1) + 0.5); }
@@ -130,11 +155,28 @@ static bat_status keep(bat_context *c) {
     return status;
 }
 
+/* The box in view pixels of a box on the page. */
+static void look(const bat_stage *stage, const double box[4], double seen[4]) {
+    for (int k = 0; k < 4; k++) {
+        const double corner[3] = {box[k & 1 ? 2 : 0], box[k & 2 ? 3 : 1], 0};
+        double at[2], pixel[2];
+        bat_stage_look(stage, 3, corner, at);
+        bat_stage_project(stage, at, pixel);
+        for (int j = 0; j < 2; j++) {
+            seen[j] = k ? fmin(seen[j], pixel[j]) : pixel[j];
+            seen[j + 2] = k ? fmax(seen[j + 2], pixel[j]) : pixel[j];
+        }
+    }
+}
+
 static bat_status choose(bat_context *c, int way) { return way > 0 ? BAT_ARGUMENT : keep(c); }
 
 static void write(bat_context *c, bat_text *text) {
     shapes all;
-    bat_text_string(text, ",\"of\":\"earlier\"");
+    double seen[4];
+    look(c->stage, c->tuning->around, seen);
+    bat_text_string(text, ",\"of\":\"earlier\",\"around\":");
+    bat_line_numbers(text, seen, 4, 1);
     if (find(c, bat_object_id(c->tuning->before[0]), &all) == BAT_OK && all.count > 1) {
         const int label = all.list[place_of(c->tuning->amount, &all)].label;
         bat_text_string(text, ",\"step\":");
@@ -163,6 +205,13 @@ static bat_status one_selected(bat_context *c, int *index) {
     return status == BAT_OK && found != 1 ? BAT_STATE : status;
 }
 
+bool bat_tuning_has_earlier(bat_context *c) {
+    int index = 0;
+    if (one_selected(c, &index) != BAT_OK) return false;
+    const bat_object *now = bat_document_at(c->session->document, index);
+    return bat_outlining_is_flat(now) && had_another(&c->session->history, now, &c->tuning->past);
+}
+
 bat_status bat_command_curve_earlier(bat_context *c, bat_command_id id) {
     (void)id;
     bat_tuning *t = c->tuning;
@@ -176,12 +225,22 @@ bat_status bat_command_curve_earlier(bat_context *c, bat_command_id id) {
     const bat_object *now = bat_document_at(c->session->document, index);
     status = find(c, bat_object_id(now), &all);
     const bool some = status == BAT_OK && all.count > 1;
+    double around[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+    for (int i = 0; i < all.count; i++) {
+        double box[4];
+        bat_object_bounds(all.list[i].object, box);
+        for (int k = 0; k < 2; k++) {
+            around[k] = fmin(around[k], box[k]);
+            around[k + 2] = fmax(around[k + 2], box[k + 2]);
+        }
+    }
     free(all.list);
     if (status == BAT_OK && !some) return bat_notice_refuse(c, BAT_STATE, BAT_STRING_NOTICE_NO_EARLIER);
     if (some) t->before = malloc(sizeof *t->before);
     if (!t->before) return bat_notice_refuse(c, BAT_MEMORY, BAT_STRING_COUNT);
     t->before[t->count++] = bat_object_retain(now);
     t->amount = 1;
+    memcpy(t->around, around, sizeof around);
     bat_tuning_mark(c, &earlier, false);
     return BAT_OK;
 }

@@ -20,7 +20,7 @@ void bat_tuning_free(bat_tuning *t) {
     bat_tuning_unshow(t);
     for (int i = 0; i < t->count; i++) bat_object_release(t->before[i]);
     free(t->before);
-    *t = (bat_tuning){.version = t->version};
+    *t = (bat_tuning){.version = t->version, .past = t->past};
 }
 
 bat_status bat_tuning_add(bat_tuning *t, bat_curve *curve) {

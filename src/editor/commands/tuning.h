@@ -24,6 +24,13 @@ typedef struct bat_tuning_kind {
         bat_context *c); /* Enter; NULL: it stays as it is. A failure: it can still be chosen */
 } bat_tuning_kind;
 
+/* What was last found out about the history of one object. All zero: nothing. */
+typedef struct bat_tuning_past {
+    bat_id object;
+    uint64_t state,
+        step; /* serial numbers: of the history's state then; after the last step that changed the shape, or 0 */
+} bat_tuning_past;
+
 typedef struct bat_tuning {
     const bat_tuning_kind *kind; /* NULL: nothing can be chosen */
     int count;                   /* of the objects that it is about, as they were, retained */
@@ -32,10 +39,12 @@ typedef struct bat_tuning {
     double amount; /* 0 to 1 */
     int shown;     /* curves that are only shown, owned */
     bat_curve **fit;
+    double around[4];  /* of all that can be shown */
     bat_string why;    /* nothing is shown, where the kind has a reason */
     uint64_t revision; /* when all this was made */
     uint32_t selection, version;
     bat_tool_id tool;
+    bat_tuning_past past;
 } bat_tuning;
 
 /* Ends it; what was done stays. */
@@ -54,5 +63,7 @@ uint32_t bat_tuning_version(const bat_context *c);
 bool bat_tuning_cancel(bat_context *c);
 bool bat_tuning_accept(bat_context *c);
 void bat_tuning_show(bat_context *c, bat_overlay *overlay);
+/* Whether one curve is selected that had another shape. Asked again it looks only through the steps made since. */
+bool bat_tuning_has_earlier(bat_context *c);
 
 #endif

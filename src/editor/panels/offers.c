@@ -5,6 +5,7 @@
 #include "editor/choice/choice.h"
 #include "editor/commands/body.h"
 #include "editor/commands/surfaces.h"
+#include "editor/commands/tuning.h"
 #include "editor/commands/wires.h"
 #include "editor/panels/panels.h"
 #include "editor/session/context.h"
@@ -55,7 +56,7 @@ static bat_status find(const bat_context *c, facts *f) {
     return BAT_OK;
 }
 
-static bool possible(const bat_context *c, const facts *f, bat_command_id id, bool point) {
+static bool possible(bat_context *c, const facts *f, bat_command_id id, bool point) {
     switch (id) {
     case BAT_COMMAND_DELETE:
     case BAT_COMMAND_ORDER_FRONT:
@@ -108,7 +109,7 @@ static bool possible(const bat_context *c, const facts *f, bat_command_id id, bo
     case BAT_COMMAND_CURVE_OUTLINE: return f->open + f->closed > f->space;
     case BAT_COMMAND_MIRROR_LINE: return f->roots > 1 && f->open > 0;
     case BAT_COMMAND_TO_PAGE: return f->space > 0;
-    case BAT_COMMAND_CURVE_EARLIER: return f->others == 1 && f->curved == 1 && !f->space;
+    case BAT_COMMAND_CURVE_EARLIER: return f->others == 1 && bat_tuning_has_earlier(c);
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;
     case BAT_COMMAND_CURVE_SPLIT: return point && f->open + f->closed > 0;

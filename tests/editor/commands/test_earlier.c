@@ -154,12 +154,86 @@ static void nothing_earlier(void **state) {
     bat_editor_free(editor);
 }
 
+static bool offered(bat_editor *editor) {
+    const char *all = bat_editor_actions(editor);
+    assert_non_null(all);
+    return strstr(all, "curve-earlier") != NULL;
+}
+
+/* Offered exactly when the command finds something, however it is asked: after each step of a session that changes shapes, looks
+ * and places of two lines, is taken back in part and done again, and goes on after that. */
+static void offered_when_there_is_one(void **state) {
+    (void)state;
+    bat_editor *editor = select_editor();
+    only(editor, 1, 0);
+    assert_false(offered(editor));
+    assert_int_equal(bat_editor_set(editor, "stroke-width", 7), BAT_OK); /* a look is no shape */
+    assert_false(offered(editor));
+    only(editor, 2, 0);
+    move(editor, "220");
+    assert_true(offered(editor));
+    only(editor, 1, 0);
+    assert_false(offered(editor)); /* of the other */
+    only(editor, 1, 2);
+    assert_false(offered(editor)); /* of two */
+    assert_int_equal(bat_editor_command(editor, "group"), BAT_OK);
+    assert_false(offered(editor));
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    only(editor, 2, 0);
+    assert_true(offered(editor));
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    only(editor, 2, 0);
+    assert_false(offered(editor)); /* what was undone is no earlier shape */
+    assert_int_equal(bat_editor_command(editor, "redo"), BAT_OK);
+    only(editor, 2, 0);
+    assert_true(offered(editor));
+    move(editor, "200");
+    assert_true(offered(editor));
+
+    uint32_t seed = 7;
+    for (int i = 0; i < 400; i++) {
+        seed = seed * 1664525 + 1013904223;
+        const uint32_t drawn = seed >> 16;
+        if (drawn % 3 == 0) only(editor, 1 + drawn / 3 % 2, 0);
+        if (drawn % 7 == 1) move(editor, drawn / 7 % 2 ? "210" : "230");
+        if (drawn % 7 == 2) bat_editor_set(editor, "stroke-width", 1 + drawn / 7 % 9);
+        if (drawn % 7 > 3) bat_editor_command(editor, drawn % 7 == 4 ? "redo" : "undo");
+        if (bat_editor_frame(editor)->selected != 1) only(editor, 1 + drawn / 3 % 2, 0);
+        const bool told = offered(editor), asked = drawn % 2 && offered(editor);
+        assert_true(told == asked || drawn % 2 == 0);
+        assert_int_equal(bat_editor_command(editor, "curve-earlier"), told ? BAT_OK : BAT_STATE);
+        assert_true(offered(editor) == told);
+        if (told) assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+        check(editor);
+    }
+    bat_editor_free(editor);
+}
+
+/* The oldest steps are dropped: a shape that went with them is offered no more. */
+static void what_is_dropped_is_not_offered(void **state) {
+    (void)state;
+    bat_editor *editor = select_editor();
+    only(editor, 1, 0);
+    move(editor, "300");
+    int seen = 0, gone = 0;
+    for (int i = 0; i < BAT_HISTORY_ROOM + 2; i++) {
+        assert_int_equal(bat_editor_set(editor, "stroke-width", 2 + i % 2), BAT_OK);
+        const bool told = offered(editor);
+        ++*(told ? &seen : &gone);
+        if (i % 50 == 0 || i >= BAT_HISTORY_ROOM - 2) {
+            assert_int_equal(bat_editor_command(editor, "curve-earlier"), told ? BAT_OK : BAT_STATE);
+            if (told) assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+        }
+    }
+    assert_true(seen >= BAT_HISTORY_STEPS - 1 && gone > 0);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_shape_is_shown),
-        cmocka_unit_test(what_is_kept_is_one_step),
-        cmocka_unit_test(its_place_stays),
-        cmocka_unit_test(nothing_earlier),
+        cmocka_unit_test(each_shape_is_shown),       cmocka_unit_test(what_is_kept_is_one_step),
+        cmocka_unit_test(its_place_stays),           cmocka_unit_test(nothing_earlier),
+        cmocka_unit_test(offered_when_there_is_one), cmocka_unit_test(what_is_dropped_is_not_offered),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
