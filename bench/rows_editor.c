@@ -93,6 +93,47 @@ static void run_undo(void *context) {
     bat_editor_frame(s->editor);
 }
 
+/* One curve, or all (-1), under the pen of the select tool. */
+static void *begin_move(int variant) {
+    session *s = open_session(1000, 0);
+    bat_editor_command(s->editor, "tool-select");
+    if (variant < 0)
+        bat_editor_command(s->editor, "select-all");
+    else
+        bat_editor_select(s->editor, 1, 0);
+    bat_editor_frame(s->editor);
+    pen_event(&s->pen, BAT_POINTER_DOWN, 20, 20);
+    return s;
+}
+
+/* A frame with what the open inspector asks in it. */
+static void run_move(void *context) {
+    static const char *const numbers[] = {"x", "y", "width", "height", "turn"};
+    session *s = context;
+    s->turn = (s->turn + 7) % 90;
+    pen_event(&s->pen, BAT_POINTER_MOVE, 30 + s->turn, 30 + s->turn * 0.8);
+    bat_editor_frame(s->editor);
+    for (int i = 0; i < 5; i++) bat_editor_number(s->editor, numbers[i]);
+}
+
+static void *begin_chosen(int variant) {
+    session *s = open_session(1000, 0);
+    bat_editor_command(s->editor, "tool-select");
+    bat_editor_command(s->editor, variant < 0 ? "select-all" : "deselect");
+    bat_editor_frame(s->editor);
+    return s;
+}
+
+/* What it asks after a step, or when something else is selected: all sections open, 30 objects in view. */
+static void run_inspector(void *context) {
+    session *s = context;
+    const char *told[] = {bat_editor_actions(s->editor), bat_editor_mixed(s->editor),
+                          bat_editor_layers(s->editor), bat_editor_outline(s->editor, 0, 30),
+                          bat_editor_colours(s->editor)};
+    for (int i = 0; i < 5; i++)
+        if (!told[i]) abort();
+}
+
 const bench_row bench_rows_editor[] = {
     {"hover and frame, 1000 curves", "us", 1e6, 1, 0, begin_1000, run_hover, end_session, 0},
     {"hover and frame, 5000 curves", "us", 1e6, 1, 0, begin_5000, run_hover, end_session, 0},
@@ -104,5 +145,9 @@ const bench_row bench_rows_editor[] = {
     {"stroke to commit and undo, 240", "us", 1e6, 1, 240, begin_1000, run_commit, end_session, 0},
     {"stroke to commit and undo, 2400", "us", 1e6, 1, 2400, begin_1000, run_commit, end_session, 0},
     {"undo and frame, 1000 curves", "us", 1e6, 2, 1000, begin_undo, run_undo, end_session, 0},
+    {"move one of 1000, frame, inspector", "us", 1e6, 1, 1, begin_move, run_move, end_session, 0},
+    {"move all of 1000, frame, inspector", "us", 1e6, 1, -1, begin_move, run_move, end_session, 0},
+    {"inspector asks anew, none of 1000", "us", 1e6, 1, 1, begin_chosen, run_inspector, end_session, 0},
+    {"inspector asks anew, all of 1000", "us", 1e6, 1, -1, begin_chosen, run_inspector, end_session, 0},
     {0},
 };
