@@ -119,7 +119,8 @@ typedef struct bat_nib {
  * the curve; caps, mitres and bevels are added or cut off as SVG draws them. tolerance, corner, *max_error, *count and *out as
  * bat_curve_offset. No curve is made of a point. A bevel that another stretch of the curve covers in part is cut off all the
  * same, by less than half a width. BAT_ARGUMENT: a width or a limit out of range; BAT_SINGULAR: the pieces do not
- * fit together with this tolerance, and another may do. docs/math/relate.md 7.
+ * fit together, as where a wide stroke with ends lies over itself; bat_curve_outline_width then goes another, slower way.
+ * docs/math/relate.md 7.
  */
 BAT_API bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance,
                                      double corner, size_t *count, bat_curve ***out, double *max_error);

@@ -55,7 +55,7 @@ BAT_API size_t bat_width_stretch(const bat_width_profile *profile, double from, 
 
 /*
  * The outline of the stroke along a planar curve whose width is nib->width times the profile: closed curves as those of
- * bat_curve_outline, and the same where the profile is even (then nothing, where it is 0). The stroke is all that lies on the lines
+ * bat_curve_outline, and the same where the profile is even and that finds them (nothing, where it is 0). The stroke is all that lies on the lines
  * across the curve, of that width and with their middles on it, with the joins of its corners and its caps, as long as the
  * width is there. tolerance, corner, *max_error (from the sides and caps), *count and *out as there. BAT_SINGULAR: the pieces do
  * not fit together with this tolerance, and another may do. Cost: that of bat_regions_combine. docs/math/relate.md 8.

@@ -173,6 +173,7 @@ async function start() {
   for (const id of ['back', 'heading', 'draw', 'tolerance-label', 'clear', 'note', 'missing']) {
     part(id).textContent = say(`race.${id}`);
   }
+  part('controls').hidden = false;
   const heads = document.createElement('tr');
   heads.append(document.createElement('td'), ...COLUMNS.map((key) => Object.assign(document.createElement('th'), { textContent: say(key) })));
   part('head').append(heads);

@@ -101,7 +101,7 @@ static bat_status take(bat_context *c, double distance, int side) {
 static bat_status again(bat_context *c, double amount, bool done) {
     (void)done; /* it is taken by keeping it alone */
     if (!(amount >= 0 && amount <= 1)) return BAT_ARGUMENT;
-    return take(c, distance_at(c->tuning, amount), side_now(c));
+    return take(c, distance_at(c->tuning, amount), (int)side_now(c));
 }
 
 /* ---- kept ---- */

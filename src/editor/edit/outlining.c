@@ -174,9 +174,8 @@ static bat_status outline(const bat_curve *curve, const bat_nib *nib, const bat_
     bat_curve **all = NULL;
     bat_status status = has_pen(paint) ? map(curve, paint->pen, true, &seen) : BAT_OK;
     if (status == BAT_OK)
-        status = widths->count
-                     ? bat_curve_outline_width(curve, nib, widths, tolerance, CORNER, &count, &all, NULL)
-                     : bat_curve_outline(seen ? seen : curve, nib, tolerance, CORNER, &count, &all, NULL);
+        status = bat_curve_outline_width(seen && !widths->count ? seen : curve, nib, widths, tolerance,
+                                         CORNER, &count, &all, NULL);
     bat_curve_free(seen);
     for (size_t i = 0; i < count && status == BAT_OK && has_pen(paint); i++) {
         bat_curve *mapped = NULL;

@@ -1,5 +1,6 @@
 /* Regions that are grown or shrunk: with the outline of a stroke along their boundary, or without it (docs/math/relate.md 7). */
 #include <batten/region.h>
+#include <batten/width.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -38,7 +39,8 @@ static bat_status gather(const bat_region *region, const bat_nib *nib, double to
     }
     add(s, base_count, base);
     for (size_t i = 0; i < base_count && status == BAT_OK; i++) {
-        status = bat_curve_outline(base[i], nib, SHARE * tolerance, corner, &count, &all, NULL);
+        status = bat_curve_outline_width(base[i], nib, &(bat_width_profile){0}, SHARE * tolerance, corner,
+                                         &count, &all, NULL);
         if (status == BAT_OK) add(s, count, all);
     }
     return status;
