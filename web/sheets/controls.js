@@ -1,7 +1,7 @@
 // Controls of the engine's properties, built from its table: in the foot, in sheets and in the level strip.
 
 import { tell } from '../page/words.js';
-import { Measure } from './measure.js';
+import { Measure } from '../page/measure.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../engine/types.js').PropertyRow} PropertyRow */

@@ -2,7 +2,7 @@
 // The last choice is remembered. Fetched with the first export.
 
 import { answer, question } from './question.js';
-import { Measure } from './measure.js';
+import { Measure } from '../page/measure.js';
 import { pictureOf, print } from './picture.js';
 import { Refusal, word } from '../page/words.js';
 

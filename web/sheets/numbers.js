@@ -2,7 +2,7 @@
 // numbers; the engine formats and parses them.
 
 import { tell } from '../page/words.js';
-import { Measure } from './measure.js';
+import { Measure } from '../page/measure.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 

@@ -2,7 +2,7 @@
 // the chips disappear when the next stroke begins. Beside a selection the same for what was done to it: how simple it becomes, or how
 // far back it goes, how far beside it a copy lies.
 
-import { Measure } from '../sheets/measure.js';
+import { Measure } from '../page/measure.js';
 import { dress } from '../page/build.js';
 import { tell } from '../page/words.js';
 

@@ -252,23 +252,20 @@ export class Painter {
     const [left, top, right, bottom] = box;
     for (let i = from; i < to; i++) {
       const { item, shape, corners } = this.list[i];
+      const first = i + 1; // of those held
       const held = item.role === Role.CLIP || item.role === Role.GROUP ? item.picture : 0;
       if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
         i += held;
       } else if (item.role === Role.CLIP && item.fill) {
-        const first = i + 1;
-        if (this.#fetched()) {
-          this.paints?.drawMasked(this, context, item, corners, box, zoom, (layer) => this.#paintItems(layer, first, first + held, box, zoom));
-        }
+        this.#fetched()?.drawMasked(this, context, item, corners, box, zoom, (layer) => this.#paintItems(layer, first, first + held, box, zoom));
         i += held;
       } else if (item.role === Role.CLIP) {
         context.save();
         context.clip(shape, item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero');
-        this.#paintItems(context, i + 1, i + 1 + held, box, zoom);
+        this.#paintItems(context, first, first + held, box, zoom);
         context.restore();
         i += held;
       } else if (held) {
-        const first = i + 1;
         if (this.#fetched()) {
           this.paints?.drawLayer(context, item, box, (layer) => this.#paintItems(layer, first, first + held, box, zoom));
           i += held;
@@ -283,7 +280,7 @@ export class Painter {
     }
   }
 
-  /** Whether gradients and layers can be painted; else they are fetched. */
+  /** What paints gradients and layers; null: it is being fetched. */
   #fetched() {
     if (this.paints === undefined) {
       this.paints = null;
@@ -299,7 +296,7 @@ export class Painter {
 
   /** @param {Context} context @param {Item} item @param {Float32Array} path @param {number} zoom */
   #drawPicture(context, item, path, zoom) {
-    const bitmap = this.#fetched() && this.paints?.pictureOf(this, item.picture);
+    const bitmap = this.#fetched()?.pictureOf(this, item.picture);
     if (bitmap) {
       this.paints?.drawPicture(context, item, path, bitmap, zoom, this.warp);
     }
