@@ -222,7 +222,7 @@ static void files(void **state) {
     object_refused("{\"id\":1,\"kind\":\"surface\",\"surface\":3}");
     object_refused("{\"id\":1,\"kind\":\"surface\",\"surface\":{\"degree\":[1,1],\"knots\":[[0,0,1,1],"
                    "[0,0,1,1]],\"points\":[[[1,1,1],[1,1,1]],[[1,1,1],[1,1,1]]]}}");
-    static const char later[] = "{\"batten\":10,\"objects\":[]}";
+    static const char later[] = "{\"batten\":1000,\"objects\":[]}";
     bat_document *none = NULL;
     bat_problem problem;
     assert_int_equal(bat_document_read(later, sizeof later - 1, &none, &problem), BAT_UNSUPPORTED);
