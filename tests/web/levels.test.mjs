@@ -176,6 +176,8 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(details(redrawn), drawn);
     await shot('sketched');
     await page.locator('.levels').waitFor();
+    const [chips, strip] = await Promise.all(['.chips', '.levels'].map((box) => page.locator(box).boundingBox()));
+    assert.ok(chips.x + chips.width <= strip.x || chips.y + chips.height <= strip.y, 'what else the stroke could mean is not over the strip');
     await key('Control+z', 'l');
 
     // Detail copied to the arch.

@@ -144,20 +144,30 @@ export class Chips {
     return chip;
   }
 
+  /** Whether the chips at a place of the stage would lie over the level strip. @param {number[]} place @param {DOMRect} size */
+  #coversLevels([x, y], { width, height }) {
+    const { left, top } = this.stage.getBoundingClientRect();
+    const strip = document.querySelector('.levels:not([hidden])')?.getBoundingClientRect();
+    return strip !== undefined && left + x < strip.right && left + x + width > strip.left && top + y < strip.bottom && top + y + height > strip.top;
+  }
+
   /** Places the chips beside the stroke's end, or around what is shown, inside the stage. */
   #place() {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.stage;
     const within = (/** @type {number} */ x, /** @type {number} */ most) => Math.max(EDGE, Math.min(x, most - EDGE));
-    const { width, height } = this.box.getBoundingClientRect();
+    const size = this.box.getBoundingClientRect();
+    const { width, height } = size;
     const [x0, y0, x1, y1] = this.around ?? [0, 0, ...this.at];
+    const inside = (/** @type {number[]} */ [x, y]) => [within(x, offsetWidth - width), within(y, offsetHeight - height)];
     const places = [[x1 + AWAY, y1 + AWAY]];
     if (this.around) {
       places.push([x0, y1 + AWAY], [x1 + AWAY, y0], [x0, y0 - AWAY - height], [x0 - AWAY - width - SLACK, y0]);
+    } else if (this.#coversLevels(inside(places[0]), size)) {
+      places.push([x1 - AWAY - width, y1 + AWAY], [x1 + AWAY, y1 - AWAY - height], [x1 - AWAY - width, y1 - AWAY - height]);
     }
-    const fits = (/** @type {number[]} */ [x, y]) => x === within(x, offsetWidth - width - SLACK) && y === within(y, offsetHeight - height);
-    const [x, y] = places.find(fits) ?? places[0];
-    const left = within(x, offsetWidth - width);
-    const top = within(y, offsetHeight - height);
+    const fits = (/** @type {number[]} */ [x, y]) => x === within(x, offsetWidth - width - SLACK) && y === within(y, offsetHeight - height) &&
+      !this.#coversLevels([x, y], size);
+    const [left, top] = inside(places.find(fits) ?? places[0]);
     const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
     this.box.style.setProperty('left', `${(offsetLeft + left) / scale}px`);
     this.box.style.setProperty('top', `${(offsetTop + top) / scale}px`);
