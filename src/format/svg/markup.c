@@ -321,14 +321,19 @@ static void write_paint(bat_text *text, const char *property, uint32_t colour, c
     bat_svg_write_number(text, value, floor((colour & 0xff) / 0.255 + 0.5) / 1000);
 }
 
-void bat_svg_refer_clip(bat_text *text, const bat_svg_ids *ids) {
+/* begin: of what names the clip path, and the mask. */
+static void refer(bat_text *text, const bat_svg_ids *ids, const char *const begin[2], const char *end) {
     const char *const own[2] = {ids->clip, ids->mask};
     for (int k = 0; k < 2; k++) {
         if (!*own[k]) continue;
-        bat_text_string(text, k ? " mask=\"url(#" : " clip-path=\"url(#");
+        bat_text_string(text, begin[k]);
         bat_text_string(text, own[k]);
-        bat_text_string(text, ")\"");
+        bat_text_string(text, end);
     }
+}
+
+void bat_svg_refer_clip(bat_text *text, const bat_svg_ids *ids) {
+    refer(text, ids, (const char *const[]){" clip-path=\"url(#", " mask=\"url(#"}, ")\"");
 }
 
 void bat_svg_write_style(bat_text *text, const bat_object *object, const bat_svg_ids *ids) {
@@ -442,13 +447,7 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
     }
     declare_markers(text, ids);
     declare(text, "opacity:", style->opacity);
-    const char *const own[2] = {ids->clip, ids->mask};
-    for (int k = 0; k < 2; k++) {
-        if (!*own[k]) continue;
-        bat_text_string(text, k ? ";mask:url(#" : ";clip-path:url(#");
-        bat_text_string(text, own[k]);
-        bat_text_string(text, ")");
-    }
+    refer(text, ids, (const char *const[]){";clip-path:url(#", ";mask:url(#"}, ")");
     bat_text_string(text, "\"");
 }
 
