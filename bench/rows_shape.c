@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 199309L
 #include "bench.h"
 #include "made.h"
+#include "reference.h"
 #include "strokes.h"
 #include "timing.h"
 
@@ -33,15 +34,10 @@ static bat_curve *wave(int n) {
 
 static void *begin_nearest(int variant) {
     query *q = calloc(1, sizeof *q);
-    unsigned long long state = 5;
     if (!q) return NULL;
     q->curve = wave(variant);
     if (!q->curve || bat_finder_create(q->curve, &q->finder) != BAT_OK) return NULL;
-    for (int i = 0; i < 2 * QUERIES; i++) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        const double r = (double)(state >> 11) / 9007199254740992.0;
-        q->points[i] = i % 2 ? 100 * r - 20 : 10.0 * variant * r;
-    }
+    bench_queries(variant, QUERIES, q->points);
     return q;
 }
 

@@ -1,4 +1,5 @@
 // lib2geom: closest point on a path of cubics, and its Bezier fit of strokes.
+#include "../reference.h"
 #include "../strokes.h"
 #include "../timing.h"
 
@@ -43,15 +44,9 @@ int main() {
         if (i == 0) q.path.start(s);
         q.path.appendNew<Geom::CubicBezier>((2 * b + c) / 3, (b + 2 * c) / 3, e);
     }
-    unsigned long long state = 5;
-    double r[2];
-    for (int i = 0; i < 1000; i++) {
-        for (int c = 0; c < 2; c++) {
-            state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-            r[c] = (double)(state >> 11) / 9007199254740992.0;
-        }
-        q.points.push_back(Geom::Point(10.0 * n * r[0], 100 * r[1] - 20));
-    }
+    std::vector<double> places(2 * 1000);
+    bench_queries(n, 1000, places.data());
+    for (int i = 0; i < 1000; i++) q.points.push_back(Geom::Point(places[2 * i], places[2 * i + 1]));
     bench_print("lib2geom", "nearest, planar cubic, n=100", "us", bench_measure(nearest, &q), 1000, 1e6, "");
     const char *names[] = {"fit 1000, eight bends", "fit 1000, spiral", "fit 1000, car line"};
     for (int k = 0; k < 3; k++) {
