@@ -154,7 +154,9 @@ BAT_API bat_status bat_editor_correct(bat_editor *editor, bat_correction kind, c
 /* As JSON: {"rows":[{"points","gain","muted","solo","active"}], one a level, the base first; "points": of the
  * curve; "apart": the rows are what taking apart would give; "copying": a tap chooses who gets the detail}. In the
  * tool for widths the levels of the width along the chosen curve, with "of":"width"; "points": stops; gains tell from where the faders
- * began, and are 1 again when something else has changed the width. The three words, muted, solo and active are 0 or 1. Owned by the editor, valid until the next call of it; NULL: out
+ * began, and are 1 again when something else has changed the width. The three words, muted, solo and active are 0 or 1. Where there
+ * are rows, "pictures" has one for each: SVG path data in a box of 32 by 20, the base in its shape (of a width: how wide), a detail as a
+ * wave along the curve, times its gain. Owned by the editor, valid until the next call of it; NULL: out
  * of memory. */
 BAT_API const char *bat_editor_levels(bat_editor *editor);
 

@@ -21,6 +21,7 @@ import { tell, word } from '../page/words.js';
  * @property {number} apart the rows show what decomposing the curve would give
  * @property {number} copying the next tap chooses the curve that receives the detail
  * @property {string} [of] width: the levels are those of the width along the curve
+ * @property {string[]} [pictures] of each row, as the data of a path in a box of 32 by 20
  */
 
 const LOUDEST = 2; // upper end of the fader; the engine accepts more
@@ -35,6 +36,16 @@ function make(tag, name) {
   const element = document.createElement(tag);
   element.className = name;
   return element;
+}
+
+/** The line of a level, which its row shows. @returns {SVGElement} */
+function picture() {
+  const box = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  box.setAttribute('class', 'level-picture');
+  box.setAttribute('viewBox', '0 0 32 20');
+  box.ariaHidden = 'true';
+  box.append(document.createElementNS('http://www.w3.org/2000/svg', 'path'));
+  return box;
 }
 
 export class LevelStrip {
@@ -117,7 +128,7 @@ export class LevelStrip {
     if (!visible) {
       return;
     }
-    const { rows, apart, copying, of } = this.engine.levels();
+    const { rows, apart, copying, of, pictures = [] } = this.engine.levels();
     tell(this.box, { label: of ? 'property.widths' : 'tool.levels' });
     this.apart.hidden = apart === 0;
     this.tools.hidden = apart !== 0 || of !== undefined;
@@ -136,7 +147,9 @@ export class LevelStrip {
       this.list.prepend(this.#row(this.list.children.length));
     }
     rows.forEach((level, index) => {
-      this.#fill(/** @type {HTMLElement} */ (this.list.children[rows.length - 1 - index]), level, index, index === rows.length - 1, apart !== 0);
+      const row = /** @type {HTMLElement} */ (this.list.children[rows.length - 1 - index]);
+      this.#fill(row, level, index, index === rows.length - 1, apart !== 0);
+      row.querySelector('path')?.setAttribute('d', pictures[index]);
     });
     this.panel.controls.refresh();
   }
@@ -149,7 +162,7 @@ export class LevelStrip {
     choose.name = 'level';
     choose.addEventListener('change', () => this.#act(Act.CHOOSE, index, 0));
     const label = make('label', 'level-name');
-    label.append(choose, make('span', ''), make('small', ''));
+    label.append(choose, picture(), make('span', ''), make('small', ''));
     row.append(label);
     if (index > 0) {
       const fader = make('input', 'level-fader');

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     ORDER = 4,
@@ -149,6 +150,25 @@ static bat_status make_frame(const bat_breadths *b, int levels, frame *f) {
     return BAT_OK;
 }
 
+bat_status bat_breadths_details(const bat_breadths *b, double *details) {
+    const int levels = bat_breadth_levels(b);
+    const size_t n = b->count;
+    frame f;
+    bat_status status = make_frame(b, levels, &f);
+    if (status != BAT_OK) return status;
+    double *rest = details + (size_t)levels * n;
+    memset(details, 0, (size_t)levels * n * sizeof *details);
+    for (size_t i = 0; i < n; i++) rest[i] = b->stops[i].share;
+    for (int l = 0, k = 0; l < levels; l++)
+        for (; k < f.rank[l]; k++) {
+            const double *vector = f.vectors + (size_t)k * n, part = product(&f, vector, rest);
+            add(&f, -part, vector, rest);
+            add(&f, part, vector, details + (size_t)l * n);
+        }
+    free(f.vectors);
+    return BAT_OK;
+}
+
 bat_status bat_breadths_scale(const bat_breadths *base, const double *gains, bat_breadths *out) {
     const int levels = bat_breadth_levels(base);
     bool same = true;
@@ -157,22 +177,15 @@ bat_status bat_breadths_scale(const bat_breadths *base, const double *gains, bat
         same = same && gains[l] == 1;
     }
     bat_breadths made = *base;
-    frame f;
     if (!same) {
-        bat_status status = make_frame(base, levels, &f);
+        double details[BAT_BREADTH_DETAILS];
+        bat_status status = bat_breadths_details(base, details);
         if (status != BAT_OK) return status;
-        double rest[BAT_WIDTHS_MAX], change[BAT_WIDTHS_MAX] = {0};
-        for (size_t i = 0; i < f.stops; i++) rest[i] = base->stops[i].share;
-        for (int l = 0, k = 0; l < levels; l++)
-            for (; k < f.rank[l]; k++) {
-                const double *vector = f.vectors + (size_t)k * f.stops, part = product(&f, vector, rest);
-                add(&f, -part, vector, rest);
-                if (l > 0) add(&f, (gains[l] - 1) * part, vector, change);
-            }
-        add(&f, gains[levels] - 1, rest, change);
-        free(f.vectors);
-        for (size_t i = 0; i < made.count; i++)
-            made.stops[i].share = fmin(fmax(made.stops[i].share + change[i], 0), BAT_WIDTH_SHARE_MAX);
+        for (size_t i = 0; i < made.count; i++) {
+            double change = 0;
+            for (int l = 1; l <= levels; l++) change += (gains[l] - 1) * details[(size_t)l * made.count + i];
+            made.stops[i].share = fmin(fmax(made.stops[i].share + change, 0), BAT_WIDTH_SHARE_MAX);
+        }
     }
     *out = made;
     return BAT_OK;

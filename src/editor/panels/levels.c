@@ -1,6 +1,7 @@
 /* The level strip: its contents as JSON, and the actions of its faders and buttons. */
 #include "editor/panels/panels.h"
 #include "curve/curve.h"
+#include "editor/panels/level_picture.h"
 #include "editor/session/context.h"
 #include "editor/session/journal_line.h"
 #include "editor/session/notice.h"
@@ -58,6 +59,42 @@ static row row_of(const bat_context *c, bat_ladder ladder, int level) {
                  .active = level == bat_leveling_of(c)->level};
 }
 
+/* ---- pictures, one a row ---- */
+
+static void before_picture(bat_text *text, int level) {
+    bat_text_string(text, level ? "\",\"" : ",\"pictures\":[\"");
+}
+
+static void write_pictures(bat_text *text, bat_ladder ladder) {
+    for (int k = 0; k <= bat_ladder_levels(ladder); k++) {
+        before_picture(text, k);
+        bat_level_picture(text, ladder, k);
+    }
+    bat_text_string(text, "\"]");
+}
+
+static void write_width_pictures(bat_text *text, const bat_context *c) {
+    bat_breadths breadths;
+    double details[BAT_BREADTH_DETAILS], widest = 0;
+    if (!bat_broadening_told(c, &breadths)) return;
+    if (bat_breadths_details(&breadths, details) != BAT_OK) {
+        text->failed = true;
+        return;
+    }
+    const size_t n = breadths.count;
+    for (size_t i = 0; i < n; i++) widest = fmax(widest, breadths.stops[i].share);
+    for (int k = 0; k <= bat_breadth_levels(&breadths); k++) {
+        before_picture(text, k);
+        if (k == 0)
+            bat_level_hill(text, n, details);
+        else
+            bat_level_wave(text, n, details + (size_t)k * n, widest, bat_broadening_row(c, k).gain);
+    }
+    bat_text_string(text, "\"]");
+}
+
+/* ---- contents ---- */
+
 /* Of the width along the curve that is chosen in its tool. */
 static const char *widths(bat_context *c) {
     const int top = bat_broadening_top(c);
@@ -71,7 +108,9 @@ static const char *widths(bat_context *c) {
         write_row(&text, k, &r);
     }
     number(&text, "],\"points\":", top ? bat_broadening_row(c, top).points : 0);
-    bat_text_string(&text, ",\"apart\":0,\"copying\":0,\"of\":\"width\"}");
+    bat_text_string(&text, ",\"apart\":0,\"copying\":0,\"of\":\"width\"");
+    write_width_pictures(&text, c);
+    bat_text_string(&text, "}");
     return bat_text_keep(&text, &bat_leveling_of(c)->strip);
 }
 
@@ -98,6 +137,7 @@ const char *bat_panel_levels(bat_context *c) {
                    : 0);
     number(&text, ",\"apart\":", bat_ladder_any(l->apart));
     number(&text, ",\"copying\":", l->copying);
+    if (bat_ladder_any(ladder)) write_pictures(&text, ladder);
     bat_text_string(&text, "}");
     return bat_text_keep(&text, &l->strip);
 }

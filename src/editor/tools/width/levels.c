@@ -60,6 +60,14 @@ bat_breadth_level bat_broadening_row(const bat_context *c, int level) {
                                .active = level == (pulled < top ? pulled : top)};
 }
 
+bool bat_broadening_told(const bat_context *c, bat_breadths *out) {
+    bat_breadths room;
+    const bat_breadths *breadths = told(c, bat_broadening_of(c), &room);
+    if (!breadths || !bat_breadth_levels(breadths)) return false;
+    *out = *breadths;
+    return true;
+}
+
 uint32_t bat_broadening_levels_version(bat_context *c) {
     bat_broadening *b = bat_broadening_of(c);
     if (!bat_broadening_top(c)) return 0;

@@ -105,6 +105,8 @@ int bat_broadening_pulled(const bat_broadening *b);
 /* The finest level of the chosen curve's width; 0: there are no levels. */
 int bat_broadening_top(const bat_context *c);
 bat_breadth_level bat_broadening_row(const bat_context *c, int level);
+/* The widths whose levels these are, without gains. False: there are none. */
+bool bat_broadening_told(const bat_context *c, bat_breadths *out);
 /* Another number whenever these change; 0: there are none. */
 uint32_t bat_broadening_levels_version(bat_context *c);
 /* As bat_editor_level. */
