@@ -14,22 +14,13 @@ int bat_curve_segment_count(const bat_curve *curve) {
     return count;
 }
 
-static void segment(const bat_curve *curve, int span, double *out) {
-    int p = curve->degree;
-    double arguments[BAT_DEGREE_MAX];
-    for (int j = 0; j <= p; j++) {
-        for (int i = 0; i < p; i++) arguments[i] = curve->knots[i < p - j ? span : span + 1];
-        bat_curve_blossom_span(curve, span, arguments, out + (size_t)j * (size_t)curve->dimension);
-    }
-}
-
 bat_status bat_curve_to_bezier(const bat_curve *curve, double *points, double *breaks) {
     if (!curve) return BAT_ARGUMENT;
     int p = curve->degree, found = 0;
     size_t block = (size_t)((p + 1) * curve->dimension);
     for (int i = p; i < curve->spread; i++) {
         if (!(curve->knots[i] < curve->knots[i + 1])) continue;
-        if (points) segment(curve, i, points + (size_t)found * block);
+        if (points) bat_span_bezier(curve, i, points + (size_t)found * block);
         if (breaks) breaks[found] = curve->knots[i];
         found++;
     }
@@ -131,7 +122,7 @@ bat_status bat_curve_to_cubics(const bat_curve *curve, double tolerance, int *co
     double b[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
     for (int i = p; i < curve->spread && status == BAT_OK; i++) {
         if (!(curve->knots[i] < curve->knots[i + 1])) continue;
-        segment(curve, i, b);
+        bat_span_bezier(curve, i, b);
         if (p <= 3) {
             for (int q = p; q < 3; q++) raise_degree(b, q, size);
             status = append(&cubics, b);

@@ -1,6 +1,8 @@
 /* The blossom (polar form): Ramshaw 1987, P&T 5; de Boor's triangle with one argument per level. */
 #include "curve/curve.h"
 
+#include "base/lanes.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -32,6 +34,40 @@ void bat_curve_blossom_span(const bat_curve *curve, int span, const double *argu
             for (int c = 0; c < size; c++) d[j * size + c] = v * d[j * size + c] + w * d[(j + 1) * size + c];
         }
     memcpy(out, d, (size_t)size * sizeof(double));
+}
+
+/* One level r of the triangle, with argument x; where x is one of the knots that a point lies between, it stays. */
+BAT_INLINE void level(const double *t, int p, int r, double x, int size, double *d) {
+    for (int j = 0; j <= p - r; j++) {
+        const double left = t[j + r - p], right = t[j + 1];
+        double *a = d + j * size, *b = a + size;
+        if (x == left) continue;
+        const double w = (x - left) / (right - left), v = (right - x) / (right - left);
+        for (int c = 0; c < size; c++) a[c] = x == right ? b[c] : v * a[c] + w * b[c];
+    }
+}
+
+/* d: p + 1 points of that size; used up. */
+BAT_INLINE void bezier(const double *t, int p, int size, double *d, double *out) {
+    for (int j = p;; j--) { /* p - j levels at the start are done; j at the end follow */
+        double own[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
+        for (int c = 0; c < (j + 1) * size; c++) own[c] = d[c];
+        for (int r = p - j + 1; r <= p; r++) level(t, p, r, t[1], size, own);
+        for (int c = 0; c < size; c++) out[j * size + c] = own[c];
+        if (j == 0) return;
+        level(t, p, p - j + 1, t[0], size, d);
+    }
+}
+
+void bat_span_bezier(const bat_curve *curve, int span, double *out) {
+    const int p = curve->degree, size = curve->dimension;
+    const double *t = curve->knots + span;
+    double d[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
+    memcpy(d, curve->points + (size_t)(span - p) * (size_t)size, (size_t)((p + 1) * size) * sizeof(double));
+    if (p == 3 && size == 2) /* the usual case, unrolled */
+        bezier(t, 3, 2, d, out);
+    else
+        bezier(t, p, size, d, out);
 }
 
 void bat_curve_blossom(const bat_curve *curve, double u, const double *arguments, bool left, double *out) {

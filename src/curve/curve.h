@@ -73,6 +73,9 @@ bat_status bat_parameters_check(size_t count, const double *u);
 void bat_curve_eval_sorted(const bat_curve *curve, size_t count, const double *u, int order, double *out);
 /* Blossom of the piece of a stored span. */
 void bat_curve_blossom_span(const bat_curve *curve, int span, const double *arguments, double *out);
+/* The piece of a stored span (degree <= span < spread, not empty) as a Bézier segment: out[(p + 1) * dimension], the blossoms at
+ * p - j times its start and j times its end. */
+void bat_span_bezier(const bat_curve *curve, int span, double *out);
 
 /* The blossom at old knots t_{k+1}..t_{k+p-m} and m new arguments x between t_k and t_{k+p-m+1}, ascending
  * (stored indices): m levels of de Boor's triangle over P_{k-m}..P_k. m = 0 copies P_k. */

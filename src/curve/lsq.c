@@ -46,15 +46,6 @@ void bat_lsq_transform(const bat_curve *space, int slot, double *out) {
         transform(t, space->degree, out);
 }
 
-void bat_lsq_bezier(const bat_curve *curve, int i, double *out) {
-    const int p = curve->degree;
-    double arguments[BAT_DEGREE_MAX];
-    for (int j = 0; j <= p; j++) {
-        for (int k = 0; k < p; k++) arguments[k] = curve->knots[k < p - j ? i : i + 1];
-        bat_curve_blossom_span(curve, i, arguments, out + j * curve->dimension);
-    }
-}
-
 void bat_lsq_ranges(const bat_curve *space, size_t count, const double *u, size_t *first) {
     const int slots = bat_lsq_slots(space);
     const double *t = space->knots + space->degree;

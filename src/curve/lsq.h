@@ -36,10 +36,6 @@ static inline int bat_lsq_unknown(const bat_curve *space, int i) {
  * j-th of the p + 1 functions belongs to stored control point slot + j. */
 void bat_lsq_transform(const bat_curve *space, int slot, double *out);
 
-/* The piece over stored knot interval i (degree <= i < spread, not empty) of a whole curve as a Bezier
- * segment: out[(p + 1) * dimension], blossoms at (a^(p-j), b^j). */
-void bat_lsq_bezier(const bat_curve *curve, int i, double *out);
-
 /* u: ascending, inside the domain. first[slots + 1]: samples of slot s are first[s]..first[s + 1] - 1. */
 void bat_lsq_ranges(const bat_curve *space, size_t count, const double *u, size_t *first);
 

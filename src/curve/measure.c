@@ -3,7 +3,6 @@
 
 #include <batten/nearest.h>
 #include "curve/hodograph.h"
-#include "curve/lsq.h"
 #include "base/gauss.h"
 #include "base/real.h"
 #include "curve/roots.h"
@@ -96,16 +95,21 @@ double bat_curve_at_length(const bat_curve *curve, double u0, double s, double r
 
 /* ---- Box ---- */
 
+static void widen(double x, double *low, double *high) {
+    if (x < *low) *low = x;
+    if (x > *high) *high = x;
+}
+
 void bat_curve_bounds(const bat_curve *curve, double *low, double *high) {
     const int p = curve->degree, m = curve->dimension;
     for (int c = 0; c < m; c++) low[c] = INFINITY, high[c] = -INFINITY;
     for (int i = p; i < curve->spread; i++) {
         if (!(curve->knots[i + 1] > curve->knots[i])) continue;
         double b[ORDERS * BAT_DIMENSION_MAX];
-        bat_lsq_bezier(curve, i, b);
+        bat_span_bezier(curve, i, b);
         for (int c = 0; c < m; c++) {
-            low[c] = fmin(low[c], fmin(b[c], b[p * m + c]));
-            high[c] = fmax(high[c], fmax(b[c], b[p * m + c]));
+            widen(b[c], low + c, high + c);
+            widen(b[p * m + c], low + c, high + c);
             bool inside = true;
             for (int j = 1; j < p; j++) inside = inside && b[j * m + c] >= low[c] && b[j * m + c] <= high[c];
             if (inside) continue;
@@ -118,7 +122,7 @@ void bat_curve_bounds(const bat_curve *curve, double *low, double *high) {
                 for (int j = 0; j <= p; j++) f[j] = b[j * m + c];
                 for (int r = p; r > 0; r--)
                     for (int j = 0; j < r; j++) f[j] += (f[j + 1] - f[j]) * x[k];
-                low[c] = fmin(low[c], f[0]), high[c] = fmax(high[c], f[0]);
+                widen(f[0], low + c, high + c);
             }
         }
     }
@@ -155,7 +159,7 @@ size_t bat_curve_inflections(const bat_curve *curve, size_t room, double *u) {
         if (!(t1 > t0)) continue;
         double b[ORDERS * 2], cross[2 * ORDERS], x[2 * ORDERS];
         double first = 0, second = 0, size = 0;
-        bat_lsq_bezier(curve, i, b);
+        bat_span_bezier(curve, i, b);
         for (int j = 0; j <= p; j++) {
             size = fmax(size, fabs(b[2 * j]) + fabs(b[2 * j + 1]));
             if (j + 1 <= p)

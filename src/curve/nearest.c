@@ -86,7 +86,7 @@ static void fill_spans(bat_finder *finder, const bat_curve *curve) {
         span *s = (span *)(void *)record;
         double T[MOST * MOST];
         s->middle = t[i] + 0.5 * (t[i + 1] - t[i]), s->half = 0.5 * (t[i + 1] - t[i]);
-        bat_lsq_bezier(curve, i, s->data);
+        bat_span_bezier(curve, i, s->data);
         bat_lsq_transform(curve, i - p, T);
         for (int k = 0; k <= p; k++)
             for (int c = 0; c < m; c++) {

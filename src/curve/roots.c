@@ -1,6 +1,7 @@
 #include "curve/roots.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 enum { DEPTH = 45 };
@@ -29,8 +30,20 @@ static void halve(int degree, piece *left, piece *right) {
     right->depth = ++left->depth;
 }
 
-/* Regula falsi in the Illinois variant; f goes from the sign `first` to the other one. */
+/* The only sign change of a0 s^2 + 2 a1 s t + a2 t^2 with s = 1 - x, t = x; no difference of like numbers is taken. */
+static double quadratic(const double *a, int first) {
+    /* As below, a zero at an end has the sign of the inside: it is no crossing. */
+    const double a0 = first * a[0] > 0 ? a[0] : 0, a2 = first * a[2] < 0 ? a[2] : 0;
+    const double scale = fmax(fabs(a[1]), fmax(fabs(a0), fabs(a2))), b = a[1] / scale;
+    const double root = sqrt(b * b - a0 / scale * (a2 / scale)), q = -(b < 0 ? b - root : b + root);
+    const bool near_end = a0 * q > 0;
+    const double s = fabs(near_end ? q : a2 / scale), t = fabs(near_end ? a0 / scale : q);
+    return t / (s + t);
+}
+
+/* Regula falsi in the Illinois variant, for quadratics at once; f goes from the sign `first` to the other one. */
 static double bracketed(int degree, const double *a, int first) {
+    if (degree == 2) return quadratic(a, first);
     double x0 = 0, x1 = 1, f0 = first * a[0], f1 = first * a[degree];
     /* A zero at an end is given the sign of the inside; a great value there keeps the secant away from it. */
     double greatest = 0;

@@ -163,11 +163,11 @@ void bat_document_bounds(const bat_document *document, double box[4]) {
 }
 
 int bat_document_end(const bat_document *document, int index) {
-    bat_nesting nesting = {0};
     const bat_object *object = bat_document_at(document, index);
     if (!object) return index < 0 ? 0 : document->list.count;
     int end = index + 1;
     if (!bat_object_is_group(object)) return end;
+    bat_nesting nesting = {0};
     /* Within the group, every parent is the group itself or one opened after it. */
     nesting.open[nesting.depth++] = (bat_nesting_level){.id = bat_object_id(object)};
     while (end < document->list.count && bat_object_parent(bat_list_at(&document->list, end)) != 0 &&

@@ -1,6 +1,5 @@
 #include "form/surface/cell.h"
 #include "base/lanes.h"
-#include "curve/lsq.h"
 
 #include <math.h>
 #include <string.h>
@@ -14,7 +13,7 @@ static void to_bezier(const bat_curve *axis, int span, double *points, int strid
     for (int i = 0; i <= p; i++) memcpy(in + 3 * i, points + 3 * i * stride, 3 * sizeof(double));
     bat_curve one = *axis; /* only this span */
     one.knots = axis->knots + (span - p), one.points = in;
-    bat_lsq_bezier(&one, p, out);
+    bat_span_bezier(&one, p, out);
     for (int i = 0; i <= p; i++) memcpy(points + 3 * i * stride, out + 3 * i, 3 * sizeof(double));
 }
 
@@ -34,7 +33,7 @@ void bat_cell_shares(const bat_curve *axis, int span, double *out) {
     one.dimension = 1, one.knots = axis->knots + (span - p), one.points = unit;
     for (int i = 0; i <= p; i++) {
         for (int k = 0; k <= p; k++) unit[k] = k == i;
-        bat_lsq_bezier(&one, p, bezier);
+        bat_span_bezier(&one, p, bezier);
         for (int k = 0; k <= p; k++) out[k * (p + 1) + i] = bezier[k];
     }
 }
