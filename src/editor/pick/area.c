@@ -110,13 +110,32 @@ static bool apart(const double box[4], const double other[4], double within) {
            other[3] < box[1] - within;
 }
 
+/* How far from its curves an entry's stroke can be painted. */
+static double reach(const bat_scene_entry *entry) {
+    const bat_style *style = bat_object_style(entry->object);
+    const bat_width_profile profile = bat_object_widths(entry->object);
+    double share = 1;
+    if (!style->stroked) return 0;
+    for (size_t i = 0; i < profile.count; i++) share = fmax(share, profile.stops[i].share);
+    return share * style->width / 2;
+}
+
+/* A stroke whose width changes along it covers what its outline does, others what is near enough to their curves. */
+static bool is_wide(const bat_scene *scene, const bat_scene_entry *entry) {
+    return entry->wide && !scene->outline && bat_object_widths(entry->object).count > 0;
+}
+
 /* How far the point is from what is painted of the entry's lines, INFINITY: out of reach. What is cut away counts as far. */
 static double line_away(bat_scene *scene, const int *above, int index, const double point[2], double within) {
-    const bat_object *object = scene->entries[index].object;
-    const bat_style *style = bat_object_style(object);
-    const double half = style->stroked ? style->width / 2 : 0;
+    const bat_scene_entry *entry = &scene->entries[index];
+    const bat_style *style = bat_object_style(entry->object);
+    const bool wide = is_wide(scene, entry);
+    const double half = wide || !style->stroked ? 0 : style->width / 2;
     double best = INFINITY;
-    for (int j = 0; j < bat_object_curve_count(object); j++) {
+    if (wide && is_within(entry->wide->path, entry->wide->count, false, scene->origin, point) &&
+        is_left(scene, above, index, point))
+        return 0;
+    for (int j = 0; j < bat_object_curve_count(entry->object); j++) {
         const bat_finder *finder = bat_scene_finder(scene, index, j);
         bat_near near;
         if (!finder) continue;
@@ -134,10 +153,8 @@ int bat_pick_object(bat_scene *scene, const double point[2], double within) {
     for (int i = scene->count - 1; i >= 0; i--) {
         const bat_scene_entry *entry = &scene->entries[i];
         if (entry->hidden || entry->locked || bat_object_is_group(entry->object)) continue;
-        const bat_style *style = bat_object_style(entry->object);
-        double half = style->stroked ? style->width / 2 : 0;
         double near_box[4] = {point[0], point[1], point[0], point[1]};
-        if (apart(entry->box, near_box, fmax(within, half))) continue;
+        if (apart(entry->box, near_box, fmax(within, reach(entry)))) continue;
         const double away = line_away(scene, above, i, point, within);
         if (away < best) {
             best = away;

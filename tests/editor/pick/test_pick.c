@@ -120,6 +120,47 @@ static void what_is_cut_away_is_not_picked(void **state) {
     bat_document_free(document);
 }
 
+/* A stroke that swells from a fifth of its width to five times as much, and one beside it of the style's width. */
+static void what_a_swelling_stroke_covers_is_picked(void **state) {
+    (void)state;
+    static const bat_width_stop stops[] = {{0, 0.2}, {1, 5}};
+    static const struct {
+        double x, y;
+        int found;
+    } cases[] = {{90, 20, 0}, {90, 60, -1}, {10, 7, -1},  {10, 0.5, 0}, {10, 1.8, 0},
+                 {50, 12, 0}, {50, 30, -1}, {50, 106, 1}, {50, 112, -1}};
+    bat_document *document = NULL;
+    bat_object *swelling = NULL;
+    bat_scene scene;
+    bat_document_create(&document);
+    bat_style style = bat_style_defaults();
+    style.stroked = true, style.filled = false, style.width = 16;
+    for (int i = 0; i < 2; i++) {
+        const double points[4] = {0, 100.0 * i, 100, 100.0 * i};
+        bat_curve *line = NULL;
+        bat_object *object = NULL;
+        assert_int_equal(bat_curve_create_clamped(2, 1, 2, points, &line), BAT_OK);
+        assert_int_equal(bat_object_create_path(bat_document_new_id(document), "", &style, 1, &line, &object),
+                         BAT_OK);
+        if (i == 0) {
+            const bat_paint paint = {.width_count = 2, .widths = stops};
+            assert_int_equal(bat_object_with_paint(object, &paint, &swelling), BAT_OK);
+            bat_object_release(object);
+            object = swelling;
+        }
+        assert_int_equal(bat_document_insert(document, i, object), BAT_OK);
+    }
+    bat_scene_init(&scene);
+    assert_int_equal(bat_scene_sync(&scene, document, 1), BAT_OK);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double point[2] = {cases[i].x, cases[i].y};
+        const int found = bat_pick_object(&scene, point, 2);
+        if (found != cases[i].found) fail_msg("%g %g: %d", point[0], point[1], found);
+    }
+    bat_scene_free(&scene);
+    bat_document_free(document);
+}
+
 /* A change rebuilds what it changes: other items keep their versions, and the dirty box covers it. */
 static void scene_keeps_what_stays(void **state) {
     (void)state;
@@ -156,6 +197,7 @@ int main(void) {
         cmocka_unit_test(against_brute_force),
         cmocka_unit_test(front_and_ends),
         cmocka_unit_test(what_is_cut_away_is_not_picked),
+        cmocka_unit_test(what_a_swelling_stroke_covers_is_picked),
         cmocka_unit_test(scene_keeps_what_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
