@@ -2,6 +2,7 @@
 #include "paint_bytes.h"
 #include "paint_foreign.h"
 
+#include "base/box.h"
 #include "document/clip.h"
 #include "document/kind.h"
 #include "document/markers.h"
@@ -161,7 +162,7 @@ static void clip_to_path(cairo_t *cairo, const bat_style *style, const bat_paint
         cairo_set_line_width(cairo,
                              style->width * longest(paint)); /* of a round pen around that of the paint */
         cairo_stroke_extents(cairo, &own[0], &own[1], &own[2], &own[3]);
-        for (int k = 0; k < 2; k++) box[k] = fmin(box[k], own[k]), box[k + 2] = fmax(box[k + 2], own[k + 2]);
+        bat_box_hold(box, own);
     }
     cairo_path_t *path = cairo_copy_path(cairo);
     cairo_new_path(cairo);

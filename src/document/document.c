@@ -3,6 +3,7 @@
 
 #include "document/kind.h"
 
+#include "base/box.h"
 #include "curve/curve.h"
 #include "document/digest.h"
 #include "document/list.h"
@@ -150,15 +151,11 @@ bat_status bat_document_set_page(bat_document *document, const double page[4]) {
 }
 
 void bat_document_bounds(const bat_document *document, double box[4]) {
-    box[0] = box[1] = INFINITY;
-    box[2] = box[3] = -INFINITY;
+    bat_box_nothing(box);
     for (int i = 0; i < document->list.count; i++) {
         double own[4];
         bat_object_bounds(bat_list_at(&document->list, i), own);
-        for (int k = 0; k < 2; k++) {
-            box[k] = fmin(box[k], own[k]);
-            box[k + 2] = fmax(box[k + 2], own[k + 2]);
-        }
+        bat_box_hold(box, own);
     }
 }
 

@@ -3,6 +3,7 @@
  * slider; shown over the drawing, which stays as it is until one is kept. The objects of the history are whole values, so nothing
  * is replayed.
  */
+#include "base/box.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/tuning.h"
@@ -225,14 +226,12 @@ bat_status bat_command_curve_earlier(bat_context *c, bat_command_id id) {
     const bat_object *now = bat_document_at(c->session->document, index);
     status = find(c, bat_object_id(now), &all);
     const bool some = status == BAT_OK && all.count > 1;
-    double around[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+    double around[4];
+    bat_box_nothing(around);
     for (int i = 0; i < all.count; i++) {
         double box[4];
         bat_object_bounds(all.list[i].object, box);
-        for (int k = 0; k < 2; k++) {
-            around[k] = fmin(around[k], box[k]);
-            around[k + 2] = fmax(around[k + 2], box[k + 2]);
-        }
+        bat_box_hold(around, box);
     }
     free(all.list);
     if (status == BAT_OK && !some) return bat_notice_refuse(c, BAT_STATE, BAT_STRING_NOTICE_NO_EARLIER);

@@ -3,6 +3,7 @@
  * names; kept, it is one step. Objects that are locked or hidden in a selected group have none.
  */
 #include "editor/commands/offset.h"
+#include "base/box.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/beside.h"
 #include "editor/commands/tuning.h"
@@ -34,10 +35,11 @@ static bat_offset_side side_now(const bat_context *c) {
 /* ---- the slider: half the longer side of the box around the objects at its end, by the square, so that small ones are easy ---- */
 
 static double longest(const bat_tuning *t) {
-    double all[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY}, box[4];
+    double all[4], box[4];
+    bat_box_nothing(all);
     for (int i = 0; i < t->count; i++) {
         bat_object_bounds(t->before[i], box);
-        for (int k = 0; k < 2; k++) all[k] = fmin(all[k], box[k]), all[k + 2] = fmax(all[k + 2], box[k + 2]);
+        bat_box_hold(all, box);
     }
     const double most = bat_property_at(BAT_PROPERTY_OFFSET_DISTANCE)->high;
     return fmin(fmax(fmax(all[2] - all[0], all[3] - all[1]) / 2, 1), most);

@@ -1,4 +1,5 @@
 /* Commands that make one object of the regions that several bound: unite, subtract, intersect, exclude. */
+#include "base/box.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
@@ -54,14 +55,15 @@ static bat_status gather(const bat_context *c, bounded *b) {
     bat_status status = bat_arrange_members(c, &b->members, &b->count);
     if (status != BAT_OK) return status;
     size_t total = 0;
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    double all[4];
+    bat_box_nothing(all);
     for (int i = 0; i < b->count; i++) {
         const bat_object *object = bat_document_at(document, b->members[i]);
         double box[4];
         if (!bounds(object)) return BAT_STATE;
         total += (size_t)bat_object_curve_count(object);
         bat_object_bounds(object, box);
-        for (int k = 0; k < 2; k++) low[k] = fmin(low[k], box[k]), high[k] = fmax(high[k], box[k + 2]);
+        bat_box_hold(all, box);
     }
     if (b->count < 2) return BAT_STATE;
     b->regions = calloc((size_t)b->count, sizeof *b->regions);
@@ -74,7 +76,7 @@ static bat_status gather(const bat_context *c, bounded *b) {
         b->regions[i] = (bat_region){(size_t)count, b->curves + at, bat_object_style(object)->even_odd};
         for (int k = 0; k < count; k++) b->curves[at++] = bat_object_curve(object, k);
     }
-    b->tolerance = TOLERANCE_SHARE * fmax(high[0] - low[0], high[1] - low[1]);
+    b->tolerance = TOLERANCE_SHARE * fmax(all[2] - all[0], all[3] - all[1]);
     return b->tolerance > 0 ? BAT_OK : BAT_STATE;
 }
 

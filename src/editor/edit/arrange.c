@@ -1,4 +1,5 @@
 #include "editor/edit/arrange.h"
+#include "base/box.h"
 #include "document/clip.h"
 #include "document/document.h"
 #include "document/follow.h"
@@ -75,33 +76,25 @@ bat_status bat_arrange_moving(const bat_context *c, int **members, int *count) {
 }
 
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]) {
-    box[0] = box[1] = INFINITY;
-    box[2] = box[3] = -INFINITY;
+    bat_box_nothing(box);
     for (int i = first; i < end; i++) {
         double own[4];
         bat_object_bounds(bat_document_at(document, i), own);
-        for (int k = 0; k < 2; k++) {
-            box[k] = fmin(box[k], own[k]);
-            box[k + 2] = fmax(box[k + 2], own[k + 2]);
-        }
+        bat_box_hold(box, own);
     }
     return box[0] <= box[2];
 }
 
 bool bat_arrange_selection_box(const bat_context *c, double box[4]) {
     const bat_document *document = c->session->document;
-    box[0] = box[1] = INFINITY;
-    box[2] = box[3] = -INFINITY;
+    bat_box_nothing(box);
     for (int i = 0; i < bat_document_count(document) && c->choice->selection.count;) {
         int end = i + 1;
         if (bat_selection_has(&c->choice->selection, bat_object_id(bat_document_at(document, i)))) {
             double own[4];
             end = bat_document_end(document, i);
             bat_arrange_box(document, i, end, own);
-            for (int k = 0; k < 2; k++) {
-                box[k] = fmin(box[k], own[k]);
-                box[k + 2] = fmax(box[k + 2], own[k + 2]);
-            }
+            bat_box_hold(box, own);
         }
         i = end;
     }

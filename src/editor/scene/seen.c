@@ -1,4 +1,5 @@
 #include "document/document.h"
+#include "base/box.h"
 #include "document/kind.h"
 #include "editor/scene/seen.h"
 #include "editor/choice/choice.h"
@@ -115,15 +116,14 @@ static bool fit_deep(bat_context *c, const double page[4]) {
 static bool box_selected(bat_context *c, double box[4]) {
     const bat_document *document = c->session->document;
     bat_seen_sync(c);
-    box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
+    bat_box_nothing(box);
     for (int i = 0; i < c->scene->count && c->choice->selection.count;) {
         int end = i + 1;
         if (bat_selection_has(&c->choice->selection, bat_object_id(bat_document_at(document, i)))) {
             end = bat_document_end(document, i);
             for (int k = i; k < end && k < c->scene->count; k++) {
                 const bat_scene_entry *entry = &c->scene->entries[k];
-                for (int n = 0; n < 4 && !entry->hidden; n++)
-                    box[n] = n < 2 ? fmin(box[n], entry->box[n]) : fmax(box[n], entry->box[n]);
+                if (!entry->hidden) bat_box_hold(box, entry->box);
             }
         }
         i = end;
