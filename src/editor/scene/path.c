@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-float bat_path_float(double value) { return (float)fmin(fmax(value, -1e30), 1e30); }
+float bat_path_float(double value) {
+    return !(value >= -1e30) ? -1e30F : value > 1e30 ? 1e30F : (float)value;
+}
 
 static float *grow(bat_path *path, size_t more) {
     if (path->failed) return NULL;
