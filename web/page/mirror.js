@@ -45,6 +45,8 @@ export class Mirror {
     this.opened = new Set();
     /** @type {Item[]} */
     this.items = [];
+    /** What each line of the tree shows. @type {string[]} */
+    this.lines = [];
     this.shown = '';
     this.active = '';
     this.timer = 0;
@@ -148,7 +150,12 @@ export class Mirror {
         return line;
       }));
     }
+    const before = same ? this.lines : [];
+    this.lines = items.map((item) => JSON.stringify([item, item.key === this.active]));
     for (const [i, item] of items.entries()) {
+      if (this.lines[i] === before[i]) {
+        continue;
+      }
       const line = /** @type {HTMLElement} */ (this.tree.children[i]);
       line.textContent = item.words;
       line.tabIndex = item.key === this.active ? 0 : -1;

@@ -5,7 +5,7 @@
 
 import { icon } from '../page/icons.js';
 import { tell, word } from '../page/words.js';
-import { thumbnail } from './thumbnail.js';
+import { painted, thumbnail } from './thumbnail.js';
 
 /** @typedef {import('./panel.js').Panel} Panel */
 /** @typedef {import('../engine/types.js').Frame} Frame */
@@ -44,6 +44,8 @@ class ObjectTree {
     this.engine = panel.engine;
     this.shown = '';
     this.shut = new Set();
+    /** The rows by what they show, so that those that stay are not made anew. @type {Map<string, HTMLElement>} */
+    this.made = new Map();
     this.stop = ''; // the key of the row that Tab comes to
     this.list = tell(document.createElement('div'), { label: 'shell.objects-list' });
     this.list.className = 'objects';
@@ -73,17 +75,26 @@ class ObjectTree {
     const held = document.activeElement instanceof HTMLElement && this.list.contains(document.activeElement) ?
       document.activeElement.dataset.key : undefined;
     let hidden = Infinity; // the depth below which rows are folded away
-    /** @type {HTMLElement[]} */
-    const rows = [];
+    /** @type {typeof this.made} */
+    const made = new Map();
     for (const row of outline.rows.length > 0 ? frontFirst(outline.rows) : []) {
       const depth = row.level - 1;
       if (depth > hidden) {
         continue;
       }
       hidden = this.shut.has(row.id) ? depth : Infinity;
-      rows.push(this.#row(row, depth));
+      const { selected, ...rest } = row;
+      const shows = JSON.stringify([rest, depth, hidden, document.documentElement.lang, painted(this.panel, row.id)?.item.version]);
+      const line = this.made.get(shows) ?? this.#row(row, depth);
+      line.setAttribute('aria-selected', String(selected));
+      line.classList.toggle('chosen', selected);
+      made.set(shows, line);
     }
-    this.list.replaceChildren(...rows);
+    this.made = made;
+    const rows = [...made.values()];
+    if (rows.length !== this.list.children.length || rows.some((row, i) => row !== this.list.children[i])) {
+      this.list.replaceChildren(...rows);
+    }
     this.list.hidden = rows.length === 0;
     this.none.hidden = rows.length > 0;
     const chosen = rows.find((row) => row.classList.contains('chosen'));
@@ -176,8 +187,6 @@ class ObjectTree {
     line.dataset.id = line.dataset.key = String(row.id);
     line.setAttribute('role', 'row');
     line.setAttribute('aria-level', String(depth + 1));
-    line.setAttribute('aria-selected', String(row.selected));
-    line.classList.toggle('chosen', row.selected);
     line.classList.toggle('unseen', (row.state & 2) !== 0);
     line.style.setProperty('--depth', String(depth));
     if (row.state & 1) {
@@ -260,6 +269,7 @@ class ObjectTree {
       if (keep && value !== named) {
         this.engine.rename(id, value);
       }
+      this.made.clear(); // one of them holds the field
       this.#fill();
       this.panel.wake();
       if (back) {

@@ -4,18 +4,22 @@ import { Flag, Role } from '../engine/codes.js';
 
 const SIZE = 20; // view pixels
 
+/** What the page has painted of an object. @param {import('./panel.js').Panel} panel @param {number} id */
+export const painted = ({ painter }, id) => painter?.list.find(({ item }) => item.id === id && item.role === Role.OBJECT);
+
 /**
  * @param {import('./panel.js').Panel} panel
  * @param {number} id
  * @returns {HTMLCanvasElement} empty where nothing of it is painted
  */
-export function thumbnail({ painter, theme }, id) {
+export function thumbnail(panel, id) {
+  const { theme } = panel;
   const canvas = document.createElement('canvas');
   canvas.className = 'thumbnail';
   canvas.ariaHidden = 'true';
   const ratio = Math.max(1, devicePixelRatio);
   canvas.width = canvas.height = Math.round(SIZE * ratio);
-  const entry = painter?.list.find(({ item }) => item.id === id && item.role === Role.OBJECT);
+  const entry = painted(panel, id);
   const context = canvas.getContext('2d');
   if (!entry || !context || !theme) {
     return canvas;
