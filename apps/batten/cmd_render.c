@@ -93,9 +93,8 @@ const cli_command command_render = {
     .summary = "Makes a picture of a drawing or a curve: SVG, PNG, PDF or EPS.",
     .details =
         "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
-        "pixels on the longer side. With --size the proportions are kept and the view is centred. Pictures "
-        "to\n"
-        "trace are in an SVG, not in a PNG, PDF or EPS.\n"
+        "pixels on the longer side. With --size the proportions are kept and the view is centred. Placed\n"
+        "images are painted unless they are hidden; what could not be painted is said in one line.\n"
         "\n"
         "A drawing with anything outside its page is seen in space: from --view, else from its saved view\n"
         "(the last in its list that is not hidden), else in a three-quarter view of all of it.\n"

@@ -101,7 +101,7 @@ static void set_source(cairo_t *cairo, const bat_gradient *g, uint32_t colour) {
     }
     const double *m = g->matrix;
     cairo_matrix_t matrix = {m[0], m[1], m[2], m[3], m[4], m[5]}, own;
-    cairo_pattern_t *pattern = g->tile ? paint_tile(g->tile, (g->stops[0].colour & 255) / 255.0,
+    cairo_pattern_t *pattern = g->tile ? paint_tile(cairo, g->tile, (g->stops[0].colour & 255) / 255.0,
                                                     scale_of(cairo, m))
                                        : gradient_pattern(g);
     if (pattern && cairo_matrix_invert(&matrix) == CAIRO_STATUS_SUCCESS) {
@@ -246,11 +246,9 @@ static bool end_mask(cairo_t *cairo, const bat_clip *mask) {
     return painted;
 }
 
-static bool end_masks(cairo_t *cairo, const bat_clip *clip) {
-    bool whole = true;
+static void end_masks(cairo_t *cairo, const bat_clip *clip, paint_left *left) {
     for (; clip; clip = bat_clip_within(clip))
-        if (bat_clip_picture(clip)) whole = end_mask(cairo, clip) && whole;
-    return whole;
+        if (bat_clip_picture(clip)) left->masks += !end_mask(cairo, clip);
 }
 
 /* From now on only what lies in all regions is painted, until cairo_restore. */
@@ -350,7 +348,7 @@ typedef struct layers {
         const bat_clip *clip;
     } open[BAT_NESTING_MAX];
     int depth;
-    bool whole; /* all masks could be painted */
+    paint_left left;
 } layers;
 
 /* What follows is painted for itself, in no more of the picture than the group's contents can reach. */
@@ -387,7 +385,7 @@ static void end_layers(cairo_t *cairo, const bat_nesting *nesting, layers *l) {
             cairo_pop_group_to_source(cairo);
             cairo_paint_with_alpha(cairo, l->open[l->depth].opacity);
         }
-        l->whole = end_masks(cairo, l->open[l->depth].clip) && l->whole;
+        end_masks(cairo, l->open[l->depth].clip, &l->left);
         cairo_restore(cairo);
     }
 }
@@ -396,33 +394,35 @@ static bool is_layer(const bat_object *object) {
     return bat_object_is_group(object) && (bat_object_style(object)->opacity < 1 || bat_object_clip(object));
 }
 
-static bool can_repeat(const bat_object *object) {
+/* How many of its patterns cannot be painted. */
+static int count_unrepeated(cairo_t *cairo, const bat_object *object) {
     const bat_paint *paint = bat_object_paint(object);
     const bat_gradient none = {0}, *const parts[2] = {paint ? &paint->fill : &none,
                                                       paint ? &paint->stroke : &none};
-    for (int k = 0; k < 2; k++)
-        if (parts[k]->tile && !paint_can_repeat(parts[k]->tile)) return false;
-    return true;
+    int count = 0;
+    for (int k = 0; k < 2; k++) count += parts[k]->tile && !paint_can_repeat(cairo, parts[k]->tile);
+    return count;
 }
 
 /* As far as it is seen. */
-static bat_status paint_clipped(cairo_t *cairo, const bat_object *object, double tolerance, bool *whole) {
+static bat_status paint_clipped(cairo_t *cairo, const bat_object *object, double tolerance,
+                                paint_left *left) {
     cairo_save(cairo);
     bat_status status = clip_to(cairo, bat_object_clip(object), tolerance);
     begin_masks(cairo, bat_object_clip(object));
-    if (status == BAT_OK && bat_object_is_foreign(object))
-        *whole = paint_foreign(cairo, object) && *whole;
+    if (status == BAT_OK && bat_object_picture(object))
+        *(bat_object_is_foreign(object) ? &left->foreign : &left->images) += !paint_placed(cairo, object);
     else if (status == BAT_OK) {
-        *whole = can_repeat(object) && *whole;
+        left->patterns += count_unrepeated(cairo, object);
         status = paint_marked(cairo, object, tolerance);
     }
-    *whole = end_masks(cairo, bat_object_clip(object)) && *whole;
+    end_masks(cairo, bat_object_clip(object), left);
     cairo_restore(cairo);
     return status;
 }
 
 static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area,
-                        uint32_t background, bool *whole) {
+                        uint32_t background, paint_left *left) {
     if (background & 255) {
         set_colour(cairo, background);
         cairo_paint(cairo);
@@ -433,7 +433,7 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
     cairo_scale(cairo, scale, scale);
     cairo_translate(cairo, -area->view[0], -area->view[1]);
     bat_nesting nesting = {0};
-    layers translucent = {.whole = true};
+    layers translucent = {0};
     bat_status status = BAT_OK;
     for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
         const bat_object *object = bat_document_at(document, i);
@@ -442,22 +442,22 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
         end_layers(cairo, &nesting, &translucent);
         if (level.hidden) continue;
         if (is_layer(object)) status = begin_layer(cairo, document, i, 0.05 / scale, &translucent);
-        if (status == BAT_OK && bat_object_is_painted(object))
-            status = paint_clipped(cairo, object, 0.05 / scale, whole);
+        if (status == BAT_OK && (bat_object_is_painted(object) || bat_object_picture(object)))
+            status = paint_clipped(cairo, object, 0.05 / scale, left);
     }
     end_layers(cairo, NULL, &translucent);
-    *whole = translucent.whole && *whole;
+    left->masks += translucent.left.masks;
     return status;
 }
 
 const char *paint_document(const bat_document *document, const paint_area *area, picture_kind kind,
-                           uint32_t background, unsigned char **data, size_t *size, bool *whole) {
+                           uint32_t background, unsigned char **data, size_t *size, paint_left *left) {
     byte_list bytes = {0};
     cairo_surface_t *surface = kind == PICTURE_PNG ? cairo_image_surface_create(CAIRO_FORMAT_ARGB32,
                                                                                 area->width, area->height)
                                                    : page_create(kind, &bytes, area->width, area->height);
     cairo_t *cairo = cairo_create(surface);
-    bat_status status = paint(cairo, document, area, background, whole);
+    bat_status status = paint(cairo, document, area, background, left);
     cairo_status_t painted = cairo_status(cairo);
     cairo_destroy(cairo);
     if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PICTURE_PNG) {

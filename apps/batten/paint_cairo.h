@@ -19,10 +19,15 @@ typedef struct paint_area {
  * page; without a page 1000 pixels for the longer side. */
 void paint_area_of(const bat_document *document, int width, int height, paint_area *out);
 
-/* Makes the bytes of the file, a PNG, a PDF or an EPS; *data is malloc'ed. background: 0xRRGGBBAA. *whole is cleared when foreign content could not be
- * painted. Returns NULL, or what went wrong
+/* How many things could not be painted: there is no librsvg, or it cannot read them. What has such a mask is painted whole, and in
+ * place of such a pattern a colour. */
+typedef struct paint_left {
+    int images, foreign, patterns, masks;
+} paint_left;
+
+/* Makes the bytes of the file, a PNG, a PDF or an EPS; *data is malloc'ed. background: 0xRRGGBBAA. *left: zeros before. Returns NULL, or what went wrong
  * (static storage). */
 const char *paint_document(const bat_document *document, const paint_area *area, picture_kind kind,
-                           uint32_t background, unsigned char **data, size_t *size, bool *whole);
+                           uint32_t background, unsigned char **data, size_t *size, paint_left *left);
 
 #endif

@@ -1,20 +1,20 @@
-/* Foreign content, patterns and masks, painted by librsvg where that is installed: it is loaded when it is first needed. */
+/* Images, foreign content, patterns and masks: painted by cairo if they are PNG files, else by librsvg where that is installed. */
 #ifndef BATTEN_APPS_PAINT_FOREIGN_H
 #define BATTEN_APPS_PAINT_FOREIGN_H
 
 #include <batten/document.h>
 #include <cairo.h>
 
-/* Paints it in its place; with the object's opacity. False: there is no librsvg, or it cannot read the content. What the
- * content refers to beyond itself is not fetched, and nothing in it is run. */
-bool paint_foreign(cairo_t *cairo, const bat_object *object);
+/* Paints an image or foreign content in its place, with the object's opacity. False: there is no librsvg, or it cannot read the
+ * content. What the content refers to beyond itself is not fetched, and nothing in it is run. */
+bool paint_placed(cairo_t *cairo, const bat_object *object);
 
 /* Paints the picture over its pixels; false: it cannot be painted. */
 bool paint_once(cairo_t *cairo, const bat_picture *picture);
-/* Whether patterns of the picture can be painted: not without librsvg, or when cairo cannot read its kind. */
-bool paint_can_repeat(const bat_picture *picture);
+/* Whether patterns of the picture can be painted. */
+bool paint_can_repeat(cairo_t *cairo, const bat_picture *picture);
 /* The picture repeated, from its pixels; NULL: it cannot be painted. scale: how many pixels of the surface are to be one of the
  * picture; 0: the surface has none. The caller destroys it. */
-cairo_pattern_t *paint_tile(const bat_picture *picture, double opacity, double scale);
+cairo_pattern_t *paint_tile(cairo_t *cairo, const bat_picture *picture, double opacity, double scale);
 
 #endif

@@ -15,6 +15,7 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -118,15 +119,30 @@ static int space_picture(const char *in, bat_document *document, const picture_w
     return wrong ? fail_data(in, NULL, "cannot be painted: %s", wrong) : EXIT_DONE;
 }
 
+/* One line for all that is not in the picture as it is in the drawing. */
+static void say_left(const char *in, const paint_left *left) {
+    static const char *const one[] = {"image", "text or other foreign content", "pattern", "mask"},
+                             *const more[] = {"images", "texts and other foreign contents", "patterns",
+                                              "masks"};
+    const int counts[] = {left->images, left->foreign, left->patterns, left->masks};
+    char list[160] = "";
+    for (int k = 0; k < 4; k++) {
+        const size_t size = strlen(list);
+        if (counts[k])
+            snprintf(list + size, sizeof list - size, "%s%d %s", size ? ", " : "", counts[k],
+                     (counts[k] == 1 ? one : more)[k]);
+    }
+    if (*list) remark("%s: left out, as librsvg did not paint them: %s", in, list);
+}
+
 static int flat_picture(const char *in, bat_document *document, const picture_wanted *w, unsigned char **data,
                         size_t *size) {
     paint_area area;
     paint_area_of(document, (int)w->size[0], (int)w->size[1], &area);
     if (w->kind == PICTURE_SVG) return svg_picture(document, &area, w->background, in, data, size);
-    bool whole = true;
-    const char *wrong = paint_document(document, &area, w->kind, w->background, data, size, &whole);
-    if (!wrong && !whole)
-        remark("%s: texts and other foreign content are left out: librsvg did not paint them", in);
+    paint_left left = {0};
+    const char *wrong = paint_document(document, &area, w->kind, w->background, data, size, &left);
+    if (!wrong) say_left(in, &left);
     return wrong ? fail_data(in, NULL, "cannot be painted: %s", wrong) : EXIT_DONE;
 }
 

@@ -10,6 +10,10 @@
  * B.2.2; RFC 9649; Exif 2.32. */
 const char *bat_picture_head(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height);
 
+/* How the pixels of a JPEG file lie, 1 to 8 as in its Exif data (Exif 2.32, 4.6.4 A); 1: as they are meant to be seen, as those of
+ * all other kinds. */
+uint32_t bat_picture_turn(const unsigned char *bytes, size_t size);
+
 /* Whether it is an SVG file that stands alone, which begins with exactly
  * <svg xmlns="http://www.w3.org/2000/svg" width="W" height="H" viewBox="..."> and whole numbers W and H of pixels. */
 bool bat_picture_is_drawing(const bat_picture *picture);

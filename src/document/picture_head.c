@@ -35,8 +35,8 @@ static uint32_t orientation(const unsigned char *b, size_t size) {
     return 1;
 }
 
-static bool jpeg(const unsigned char *b, size_t size, uint32_t side[2]) {
-    bool turned = false;
+static bool jpeg(const unsigned char *b, size_t size, uint32_t side[2], uint32_t *turn) {
+    *turn = 1;
     if (size < 4 || b[0] != 0xff || b[1] != 0xd8) return false;
     for (size_t at = 2; at + 4 <= size;) {
         if (b[at] != 0xff) return false;
@@ -53,8 +53,12 @@ static bool jpeg(const unsigned char *b, size_t size, uint32_t side[2]) {
         size_t length = big(b + at + 2, 2);
         if (length < 2 || length > size - at - 2) return false;
         bool frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-        if (marker == 0xe1) turned = turned || orientation(b + at + 4, length - 2) - 5 < 4;
+        if (marker == 0xe1 && *turn == 1) {
+            const uint32_t found = orientation(b + at + 4, length - 2);
+            *turn = found - 1 < 8 ? found : 1;
+        }
         if (frame) {
+            const bool turned = *turn > 4;
             if (length < 8) return false;
             side[turned] = big(b + at + 7, 2), side[!turned] = big(b + at + 5, 2);
             return true;
@@ -98,13 +102,18 @@ static bool drawing(const unsigned char *b, size_t size, uint32_t side[2]) {
 }
 
 const char *bat_picture_head(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height) {
-    uint32_t side[2] = {0, 0};
-    const char *type = png(bytes, size, side)       ? "image/png"
-                       : jpeg(bytes, size, side)    ? "image/jpeg"
-                       : webp(bytes, size, side)    ? "image/webp"
-                       : drawing(bytes, size, side) ? "image/svg+xml"
-                                                    : NULL;
+    uint32_t side[2] = {0, 0}, turn;
+    const char *type = png(bytes, size, side)           ? "image/png"
+                       : jpeg(bytes, size, side, &turn) ? "image/jpeg"
+                       : webp(bytes, size, side)        ? "image/webp"
+                       : drawing(bytes, size, side)     ? "image/svg+xml"
+                                                        : NULL;
     if (side[0] < 1 || side[1] < 1 || side[0] > BAT_PICTURE_SIDE || side[1] > BAT_PICTURE_SIDE) return NULL;
     *width = side[0], *height = side[1];
     return type;
+}
+
+uint32_t bat_picture_turn(const unsigned char *bytes, size_t size) {
+    uint32_t side[2], turn;
+    return jpeg(bytes, size, side, &turn) ? turn : 1;
 }

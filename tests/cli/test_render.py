@@ -144,7 +144,7 @@ class Render(ProgramTest):
         self.assertEqual(pixels(data).shape, (10, 20, 4))
 
     def test_pictures_to_trace(self):
-        """Converted there and back they keep their bytes and their place; only an SVG shows them."""
+        """Converted there and back they keep their bytes and their place, and every picture shows them, unless they are hidden."""
         red = io.BytesIO()
         Image.new("RGB", (4, 2), (255, 0, 0)).save(red, "PNG")
         data = base64.b64encode(red.getvalue()).decode()
@@ -160,12 +160,16 @@ class Render(ProgramTest):
         self.assertEqual([one["data"] for one in drawing["pictures"]], [data])
         self.assertEqual(drawing["objects"][0]["matrix"], [25, 0, 0, 25, 0, 0])
         self.assertIn(data, back.read_text())
+        hidden = self.file("hidden.svg", pathlib.Path(traced).read_text().replace("<image", '<image display="none"'))
         for source in traced, native, back:
-            self.assertTrue((self.png(source) == self.png(plain)).all(), source)
+            seen = self.png(source)
+            self.assertTrue((seen[5:20, :, :3] == [255, 0, 0]).all(), source)
+            self.assertTrue((seen[23:27, 10:90, :3] == 0).all(), source)  # behind the line
             self.done("render", source, self.folder / "out.pdf")
-            self.assertNotIn(b"/Subtype /Image", (self.folder / "out.pdf").read_bytes())
+            self.assertIn(b"/Subtype /Image", (self.folder / "out.pdf").read_bytes())
             self.done("render", source, self.folder / "out.svg")
             self.assertIn(data, (self.folder / "out.svg").read_text())
+        self.assertTrue((self.png(hidden) == self.png(plain)).all())
         # Without a page it counts for the size: the line alone is flat.
         bare = self.file("bare.svg", pathlib.Path(traced).read_text().replace(' viewBox="0 0 100 50" width="100" height="50"', ""))
         self.assertEqual(self.png(bare).shape[:2], (500, 1000))
