@@ -35,6 +35,22 @@ def radial(attributes="", shape=BOX, more='fill="url(#a)"'):
 
 USER = 'gradientUnits="userSpaceOnUse" '
 FILES = {
+    "mask, styles around it": '<defs fill="#fff" style="stroke:#888;stroke-width:12" opacity=".3"><g class="w" transform="scale(9)"><mask '
+                              f'id="m" maskUnits="userSpaceOnUse" width="100" height="100"><circle cx="50" cy="50" r="30"/></mask></g></defs>'
+                              f'<style>.w{{stroke-dasharray:9 4}}</style>{BOX}fill="#246" mask="url(#m)"/>',
+    "pattern, styles around it": '<g display="none" fill="#c20" stroke-width="3" style="opacity:.2;stroke:#246"><g transform="scale(4)"><pattern '
+                                 'id="p" width="20" height="20" patternUnits="userSpaceOnUse"><circle cx="10" cy="10" r="6"/></pattern></g>'
+                                 f'</g>{BOX}fill="url(#p)"/>',
+    "pattern, rules for what is around it": '<style>#d{fill:#c20}.e{stroke:#246;stroke-width:2;opacity:.1}</style><defs id="d"><g class="e"><pattern '
+                                            'id="p" width="20" height="20" patternUnits="userSpaceOnUse"><circle cx="10" cy="10" r="6"/></pattern>'
+                                            f'</g></defs>{BOX}fill="url(#p)"/>',
+    "markers on arcs": '<marker id="m" markerWidth="4" markerHeight="4" refX="2" refY="2" orient="auto"><path d="M0 0L4 2L0 4Z" fill="#c20"/></marker>'
+                       '<path d="M10 80A30 30 0 0 1 70 80A12 9 30 1 0 90 50L90 20" fill="none" stroke="#246" stroke-width="3" marker-mid="url(#m)" '
+                       'marker-end="url(#m)"/>',
+    "markers with a text": '<marker id="m" markerWidth="9" markerHeight="9" refX="2" refY="2"><circle r="4" fill="#fd0"/><text y="6" font-size="8">A</text>'
+                           '</marker><path d="M20 20L80 30L50 60" fill="none" stroke="#246" stroke-width="3" marker-mid="url(#m)" marker-end="url(#m)"/>',
+    "copies by another prefix": '<g xmlns:xl="http://www.w3.org/1999/xlink"><rect id="r" x="9" y="9" width="30" height="20" fill="#c20"/><use '
+                                'xl:href="#r" x="40" y="30"/></g>',
     "linear": linear(),
     "linear, down": linear('x2="0" y2="1"'),
     "linear, across a box": linear('x2="1" y2="1"'),

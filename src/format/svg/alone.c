@@ -294,7 +294,8 @@ bat_status bat_svg_alone_within(bat_svg_walk *w, uint32_t element, const uint32_
     return make(w, element, &(content){before, after}, &text, out);
 }
 
-void bat_svg_alone_attributes(const bat_svg_walk *w, uint32_t holder, bat_text *out) {
+/* Whether an attribute says what is not inherited, or when an element is shown. */
+static bool is_own(const char *name) {
     static const char *const own[] = {"id",
                                       "x",
                                       "y",
@@ -310,20 +311,64 @@ void bat_svg_alone_attributes(const bat_svg_walk *w, uint32_t holder, bat_text *
                                       "xlink:href",
                                       "transform",
                                       "preserveAspectRatio"};
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++)
+        if (strcmp(name, own[k]) == 0) return true;
+    return strncmp(name, "on", 2) == 0 || strncmp(name, "inkscape:", 9) == 0 ||
+           strncmp(name, "sodipodi:", 9) == 0;
+}
+
+static void write_attribute(const char *name, const char *value, bat_text *out) {
+    bat_text_string(out, " ");
+    bat_text_string(out, name);
+    bat_text_string(out, "=\"");
+    bat_text_xml(out, value, strlen(value), true);
+    bat_text_string(out, "\"");
+}
+
+void bat_svg_alone_attributes(const bat_svg_walk *w, uint32_t holder, bat_text *out) {
     const bat_svg_element *e = &w->tree->elements[holder];
     const uint32_t *pair = w->tree->attributes + e->attributes;
     for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
-        const char *name = w->tree->strings.data + pair[0], *value = w->tree->strings.data + pair[1];
-        bool taken = strncmp(name, "on", 2) == 0 || strncmp(name, "inkscape:", 9) == 0 ||
-                     strncmp(name, "sodipodi:", 9) == 0;
-        for (size_t k = 0; k < sizeof own / sizeof *own; k++) taken = taken || strcmp(name, own[k]) == 0;
-        if (taken) continue;
-        bat_text_string(out, " ");
-        bat_text_string(out, name);
-        bat_text_string(out, "=\"");
-        bat_text_xml(out, value, strlen(value), true);
-        bat_text_string(out, "\"");
+        const char *name = w->tree->strings.data + pair[0];
+        if (!is_own(name)) write_attribute(name, w->tree->strings.data + pair[1], out);
     }
+}
+
+/* Of an element around a holder: its style with that of its attributes, and without effects. False: it has none. */
+static bool open_around(const bat_svg_walk *w, uint32_t element, bat_text *out) {
+    static const char NONE[] =
+        ";opacity:1!important;display:inline!important;mask:none!important;clip-path:none"
+        "!important;filter:none!important;mix-blend-mode:normal!important";
+    const bat_svg_element *e = &w->tree->elements[element];
+    const uint32_t *pair = w->tree->attributes + e->attributes;
+    const char *strings = w->tree->strings.data, *style = bat_svg_attribute_of(w, element, "style");
+    const size_t from = out->size;
+    bool any = false;
+    bat_text_string(out, "<g");
+    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
+        const char *name = strings + pair[0];
+        const bat_svg_name what = bat_svg_name_of(name);
+        const bool named = strcmp(name, "class") == 0 || strcmp(name, "id") == 0, /* for rules */
+            taken = what <= BAT_SVG_IDLE || (named && w->sheet->count > 0) || strncmp(name, "xml", 3) == 0;
+        if (taken) write_attribute(name, strings + pair[1], out);
+        any = any || taken;
+    }
+    bat_text_string(out, " style=\"");
+    if (style) bat_text_xml(out, style, strlen(style), true);
+    bat_text_string(out, NONE);
+    bat_text_string(out, "\">");
+    if (!any && !style) out->size = from;
+    return any || style;
+}
+
+void bat_svg_alone_around(const bat_svg_walk *w, uint32_t holder, bat_text *before, bat_text *after) {
+    uint32_t way[BAT_SVG_DEPTH];
+    int depth = 0;
+    for (uint32_t at = w->tree->elements[holder].parent; at > 1 && depth < BAT_SVG_DEPTH;
+         at = w->tree->elements[at].parent)
+        way[depth++] = at;
+    while (depth > 0)
+        if (open_around(w, way[--depth], before)) bat_text_string(after, "</g>");
 }
 
 /* About so many pixels, of these proportions as far as pixels are whole. */

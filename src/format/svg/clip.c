@@ -275,7 +275,10 @@ static void box_within(const bat_svg_walk *w, int index, const double matrix[6],
     if (!bat_svg_inverse(matrix, back)) return;
     for (int i = index + 1; i < bat_document_count(w->document); i++) {
         double own[4];
-        if (!bat_object_is_drawn(bat_document_at(w->document, i))) continue;
+        if (bat_object_is_hidden(bat_document_at(w->document, i))) i = bat_document_end(w->document, i) - 1;
+        if (!bat_object_is_drawn(bat_document_at(w->document, i)) ||
+            bat_object_is_hidden(bat_document_at(w->document, i)))
+            continue;
         bat_object_bounds(bat_document_at(w->document, i), own);
         for (int k = 0; k < 4; k++) {
             const double x = own[k & 1 ? 2 : 0], y = own[k & 2 ? 3 : 1];

@@ -31,10 +31,11 @@ static bool may_be_foreign(const bat_svg_walk *w, uint32_t element) {
     return !w->copied && !(mode && !strcmp(mode, "layer"));
 }
 
-/* Whether only the whole of it can show it, now that it has been drawn: it has a filter, or a mask or a pattern that could not be
+/* Whether only the whole of it can show it, now that it has been drawn: it has a filter, or a mask, a pattern or markers that could not be
  * painted. */
 static bool has_effect(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
-    const uint32_t shape = w->tree->elements[element].kind == BAT_SVG_SHAPE ? 1u << BAT_LOSS_PATTERN : 0;
+    const uint32_t own = 1u << BAT_LOSS_PATTERN | 1u << BAT_LOSS_MARKER,
+                   shape = w->tree->elements[element].kind == BAT_SVG_SHAPE ? own : 0;
     const bool failed = bat_svg_noted(&w->notes, element) & (shape | 1u << BAT_LOSS_MASK);
     return (failed || s->style.odd & EFFECTS) && bat_svg_may_stand_alone(w);
 }
@@ -57,6 +58,8 @@ static void draw_whole(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
     w->copied = copied;
     const bool whole = noted && may_be_foreign(w, element);
     w->copied = now;
+    /* Foreign content is a picture of its own: how it blends with what is below it is lost whatever becomes of it. */
+    bat_svg_note_odd(&w->notes, element, s->style.odd, BAT_SVG_BIT(BAT_SVG_BLEND));
     const bat_svg_before before = effect_begin(w);
     if (noted) bat_svg_note_own_style(w, element, &s->style);
     draw_kind(w, element, s);

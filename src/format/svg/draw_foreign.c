@@ -1,5 +1,5 @@
-/* What is not edited becomes foreign content: texts, pictures in other formats, and whatever has a filter, a mask or a
- * pattern. */
+/* What is not edited becomes foreign content: texts, pictures in other formats, and whatever has a filter, or a mask, a
+ * pattern or markers that cannot be painted. */
 #include "base/matrix.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -91,8 +91,8 @@ static void filter_region(const bat_svg_walk *w, const char *value, double regio
     }
 }
 
-/* What the objects from an index on cover, with their strokes, and with what a filter adds. */
-static bool covered(const bat_svg_walk *w, int from, const double region[4], double box[4]) {
+/* What the objects from an index on cover, with their strokes, markers that reach so far, and what a filter adds. */
+static bool covered(const bat_svg_walk *w, int from, double reach, const double region[4], double box[4]) {
     for (int i = 0; i < 2; i++) box[i] = INFINITY, box[i + 2] = -INFINITY;
     for (int i = from; i < bat_document_count(w->document); i++) {
         const bat_object *object = bat_document_at(w->document, i);
@@ -102,6 +102,7 @@ static bool covered(const bat_svg_walk *w, int from, const double region[4], dou
         bat_object_bounds(object, own);
         if (style->stroked)
             more = style->width / 2 * (style->join == BAT_JOIN_MITER ? fmin(style->miter_limit, 4) : 1.5);
+        more = fmax(more, reach);
         for (int k = 0; k < 2; k++) {
             box[k] = fmin(box[k], own[k] - more);
             box[k + 2] = fmax(box[k + 2], own[k + 2] + more);
@@ -126,11 +127,13 @@ static const char *filter_of(const bat_svg_walk *w, uint32_t element) {
 bool bat_svg_effect_end(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                         const bat_svg_before *before) {
     double region[4] = {0, 0, 1, 1}, box[4];
+    const double reach = bat_svg_marker_reach(w, element, s);
     bat_object *object = NULL;
     if (s->style.odd & BAT_SVG_BIT(BAT_SVG_FILTER)) filter_region(w, filter_of(w, element), region);
     const uint64_t digest = w->digest;
     w->digest = before->digest;
-    if (w->status != BAT_OK || !covered(w, before->objects, region, box) || !put(w, element, box, &object)) {
+    if (w->status != BAT_OK || !covered(w, before->objects, reach, region, box) ||
+        !put(w, element, box, &object)) {
         w->digest = digest;
         return false;
     }

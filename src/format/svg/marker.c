@@ -200,3 +200,18 @@ bat_markers *bat_svg_markers(bat_svg_walk *w, uint32_t element, const bat_svg_sc
     if (status != BAT_OK) bat_svg_note(&w->notes, element, BAT_LOSS_MARKER);
     return made;
 }
+
+/* The diagonal of its box, or twice that of what may lie outside. */
+double bat_svg_marker_reach(const bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {
+    double reach = 0;
+    for (int k = 0; k < BAT_MARKER_PLACES && bat_svg_takes_markers(w, element); k++) {
+        const uint32_t target = target_of(w, s->style.markers[k]);
+        const char *units = target ? bat_svg_attribute_of(w, target, "markerUnits") : NULL;
+        if (!target) continue;
+        const double wide = bat_svg_length_of(w, target, "markerWidth", s->width, 3),
+                     high = bat_svg_length_of(w, target, "markerHeight", s->height, 3),
+                     unit = units && strcmp(units, "userSpaceOnUse") == 0 ? 1 : s->style.width;
+        reach = fmax(reach, 2 * sqrt(wide * wide + high * high) * unit);
+    }
+    return reach * sqrt(bat_matrix_area(s->matrix));
+}

@@ -115,9 +115,12 @@ static void write_around(const bat_svg_walk *w, uint32_t mask, const region *r, 
     const char *id = bat_svg_attribute_of(w, mask, "id");
     const double x = sides[0] / r->box[2], y = sides[1] / r->box[3],
                  to[6] = {x, 0, 0, y, -x * r->box[0], -y * r->box[1]};
+    bat_text around = {0};
     bat_text_string(before, "<g transform=\"");
     bat_svg_write_matrix(to, before);
-    bat_text_string(before, "\"><mask id=\"");
+    bat_text_string(before, "\">");
+    bat_svg_alone_around(w, mask, before, &around);
+    bat_text_string(before, "<mask id=\"");
     bat_text_string(before, id);
     for (int k = 0; k < 4; k++) {
         bat_text_string(before, names[k]);
@@ -128,7 +131,11 @@ static void write_around(const bat_svg_walk *w, uint32_t mask, const region *r, 
     bat_text_string(before, "><g transform=\"");
     bat_svg_write_matrix(r->content, before);
     bat_text_string(before, "\">");
-    bat_text_string(after, "</g></mask><path style=\"fill:#fff!important;fill-opacity:1!important;stroke:none"
+    bat_text_string(after, "</g></mask>");
+    bat_text_add(after, around.data, around.size);
+    after->failed = after->failed || around.failed;
+    bat_text_free(&around);
+    bat_text_string(after, "<path style=\"fill:#fff!important;fill-opacity:1!important;stroke:none"
                            "!important;opacity:1!important;display:inline!important;visibility:visible"
                            "!important;filter:none!important;clip-path:none!important;mask:url(#");
     bat_text_string(after, id);

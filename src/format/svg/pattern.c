@@ -143,8 +143,9 @@ static bat_picture *picture_of(bat_svg_walk *w, tile *t) {
 
 /* ---- one that is drawn ---- */
 
-/* From the picture's pixels to the tile, and what the tile's contents begin with. */
-static void write_before(const bat_svg_walk *w, const tile *t, const uint32_t sides[2], bat_text *out) {
+/* From the picture's pixels to the tile: what the tile's contents begin with, and what follows them. */
+static void write_around(const bat_svg_walk *w, const tile *t, const uint32_t sides[2], bat_text *out,
+                         bat_text *after) {
     static const char *const names[] = {"<svg x=\"0\" y=\"0\" preserveAspectRatio=\"none\" width=\"",
                                         "\" height=\"", "\" viewBox=\"0 0 ", " "};
     const double numbers[] = {sides[0], sides[1], t->box[2], t->box[3]};
@@ -152,7 +153,12 @@ static void write_before(const bat_svg_walk *w, const tile *t, const uint32_t si
         bat_text_string(out, names[k]);
         bat_text_number(out, numbers[k]);
     }
-    bat_text_string(out, "\"><g transform=\"");
+    bat_text_string(out, "\">");
+    bat_text_string(after, "</g>");
+    bat_svg_alone_around(w, t->holder, out, after);
+    bat_text_string(after, "</svg>");
+    bat_text_add(after, "", 1);
+    bat_text_string(out, "<g transform=\"");
     bat_svg_write_matrix(t->content, out);
     bat_text_string(out, "\"");
     bat_svg_alone_attributes(w, t->holder, out);
@@ -185,16 +191,17 @@ bat_status bat_svg_held(bat_svg_walk *w, uint32_t holder, const uint32_t sides[2
 
 /* NULL: it cannot be made. */
 static bat_picture *draw(bat_svg_walk *w, const tile *t) {
-    bat_text before = {0};
+    bat_text before = {0}, after = {0};
     bat_picture *picture = NULL;
     uint32_t sides[2];
     bat_svg_alone_sides(t->box[2], t->box[3], sides);
-    write_before(w, t, sides, &before);
-    const bat_status status = before.failed
+    write_around(w, t, sides, &before, &after);
+    const bat_status status = before.failed || after.failed
                                   ? BAT_MEMORY
-                                  : bat_svg_held(w, t->holder, sides, &before, "</g></svg>", &picture);
+                                  : bat_svg_held(w, t->holder, sides, &before, after.data, &picture);
     if (status == BAT_MEMORY) w->status = status;
     bat_text_free(&before);
+    bat_text_free(&after);
     return picture;
 }
 

@@ -16,10 +16,17 @@ double bat_svg_length_of(const bat_svg_walk *w, uint32_t element, const char *na
     return text && bat_svg_length(text, whole, &value) ? value : otherwise;
 }
 
-/* SVG 2 first, then the attribute of older files. */
+/* SVG 2 first, then the attribute of older files, by whatever prefix they call the namespace of XLink. */
 const char *bat_svg_find_href(const bat_svg_walk *w, uint32_t element) {
-    const char *href = bat_svg_attribute_of(w, element, "href");
-    return href ? href : bat_svg_attribute_of(w, element, "xlink:href");
+    const bat_svg_element *e = &w->tree->elements[element];
+    const uint32_t *pair = w->tree->attributes + e->attributes;
+    const char *strings = w->tree->strings.data, *found = NULL;
+    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
+        const char *name = strings + pair[0], *colon = strchr(name, ':');
+        if (strcmp(name, "href") == 0) return strings + pair[1];
+        if (!found && colon && strcmp(colon, ":href") == 0) found = strings + pair[1];
+    }
+    return found;
 }
 
 bat_picture *bat_svg_find_picture(bat_svg_walk *w, uint32_t element) {

@@ -158,6 +158,8 @@ void bat_svg_tiles_free(bat_svg_walk *w);
 bool bat_svg_takes_markers(const bat_svg_walk *w, uint32_t element);
 /* Those of a shape, in the scope at its place; NULL: none. digest: of what is read of them. Uses w->outline. */
 bat_markers *bat_svg_markers(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, uint64_t *digest);
+/* How far the markers of a shape may reach beyond its vertices, in the document's units; 0: it has none. */
+double bat_svg_marker_reach(const bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 void bat_svg_markers_free(bat_svg_walk *w);
 
 /* ---- collect.c ---- */

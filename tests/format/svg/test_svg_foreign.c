@@ -134,6 +134,35 @@ static void what_is_shown(void **unused) {
     }
 }
 
+/* How anything blends with what is below it is not shown, and named, whatever else it has; the file keeps it. */
+static void how_it_blends_is_named(void **unused) {
+    (void)unused;
+    static const char *const cases[] = {
+        "<path d=\"M0 0H9V9Z\" style=\"mix-blend-mode:multiply\"/>",
+        "<text y=\"20\" style=\"mix-blend-mode:multiply\">a</text>",
+        "<g style=\"mix-blend-mode:screen\"><path d=\"M0 0H9V9Z\"/><path d=\"M0 0H9V8Z\"/></g>",
+        "<filter id=\"f\"/><path d=\"M0 0H9V9Z\" filter=\"url(#f)\" style=\"mix-blend-mode:darken\"/>",
+        "<mask id=\"m\"/><path id=\"p\" d=\"M0 0H9V9Z\"/><use href=\"#p\" mask=\"url(#m)\" "
+        "style=\"mix-blend-mode:hue\"/>",
+        "<style>.a{mix-blend-mode:exclusion}</style><image class=\"a\" width=\"30\" height=\"30\" "
+        "href=\"data:image/gif;base64,R0lGODlhAQABAAAAACw=\"/>",
+        "<svg style=\"mix-blend-mode:multiply\"><path d=\"M0 0H9V9Z\"/></svg>",
+        "<switch style=\"mix-blend-mode:multiply\"><path d=\"M0 0H9V9Z\"/></switch>",
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char file[1000];
+        bat_svg_report report = {0};
+        snprintf(file, sizeof file, "%s%s%s", HEAD, cases[i], TAIL);
+        bat_document *document = opened(file, &report);
+        if (report.lost.count[BAT_LOSS_BLEND] != 1)
+            fail_msg("%s: %d", cases[i], report.lost.count[BAT_LOSS_BLEND]);
+        char *text = written(document, true);
+        assert_string_equal(text, file);
+        bat_free(text);
+        bat_document_free(document);
+    }
+}
+
 /* It stands alone: with what is around it and what it refers to, and nothing else; scripts of the root are left out. */
 static void what_it_holds(void **unused) {
     (void)unused;
@@ -345,9 +374,13 @@ static void allocations(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(what_is_shown),     cmocka_unit_test(what_it_holds),
-                                       cmocka_unit_test(what_is_not_shown), cmocka_unit_test(hidden_content),
-                                       cmocka_unit_test(moved_content),     cmocka_unit_test(other_edits),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(what_is_shown),
+                                       cmocka_unit_test(what_it_holds),
+                                       cmocka_unit_test(how_it_blends_is_named),
+                                       cmocka_unit_test(what_is_not_shown),
+                                       cmocka_unit_test(hidden_content),
+                                       cmocka_unit_test(moved_content),
+                                       cmocka_unit_test(other_edits),
                                        cmocka_unit_test(allocations)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

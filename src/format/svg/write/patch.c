@@ -42,9 +42,10 @@ static void keep_object(bat_svg_patch *p, int index) {
         return;
     }
     const int mark = p->fresh_count;
-    const bat_svg_ids ids = bat_svg_patch_gradients(p, object, entry, false);
+    const bool apart = shared && plan->sheets; /* without its id, which rules may name */
+    const bat_svg_ids ids = bat_svg_patch_gradients(p, object, entry, apart);
     bat_svg_patch_mark(p, bat_object_id(object));
-    if (!bat_svg_patch_tag(p, object, entry, false, plan->hidden[index], shared, &ids)) {
+    if (!bat_svg_patch_tag(p, object, entry, apart, plan->hidden[index], shared, &ids)) {
         p->fresh_count = mark;
         p->made.size = from;
         p->kept[p->kept_count++] = (bat_svg_mark){bat_object_id(object), tag->open};

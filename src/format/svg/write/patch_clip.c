@@ -11,11 +11,38 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Whether an object that was in the element is no longer in the group. */
+static bool has_left(const bat_svg_plan *plan, int group, int end, const bat_sourced *entry) {
+    for (int k = 0; k < bat_source_count(plan->source); k++) {
+        const bat_sourced *own = bat_source_at(plan->source, k);
+        if (!own->id || own->element == entry->element) continue;
+        if (!bat_svg_plan_holds(plan, entry->element, own->element)) continue;
+        const int index = bat_document_find(plan->document, own->id);
+        if (index <= group || index >= end) return true;
+    }
+    return false;
+}
+
+/* Whether the box of what is in a group may be another one than it was. */
+static bool is_refilled(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry) {
+    const int group = bat_document_find(plan->document, bat_object_id(object)),
+              end = bat_document_end(plan->document, group);
+    for (int i = group + 1; i < end; i++) {
+        const bat_object *member = bat_document_at(plan->document, i);
+        const bat_sourced *own = bat_svg_plan_entry(plan, i);
+        if (!own || !bat_svg_plan_holds(plan, entry->element, own->element)) return true;
+        if (own->hidden != (bat_object_is_hidden(member) || plan->hidden[i])) return true;
+        if (!bat_object_is_group(member) && bat_svg_reshaped(member, own)) return true;
+    }
+    return has_left(plan, group, end, entry);
+}
+
 /* A clip path that is placed by a box follows it, which the object's does only as far as it is moved. */
-static bool changes(const bat_object *object, const bat_sourced *entry) {
+static bool changes(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry) {
     const bat_clip *clip = bat_object_clip(object);
     if (bat_clip_digest(clip) != entry->clip) return true;
-    return clip && entry->boxed && (bat_object_is_group(object) || bat_svg_reshaped(object, entry));
+    if (!clip || !entry->boxed) return false;
+    return bat_object_is_group(object) ? is_refilled(plan, object, entry) : bat_svg_reshaped(object, entry);
 }
 
 /* From the document's units to those of the element as it will be written. False: there is no way. */
@@ -35,7 +62,7 @@ void bat_svg_patch_clip(bat_svg_patch *p, const bat_object *object, const bat_so
                         bat_svg_ids *ids) {
     const bat_svg_tag *tag = &p->plan.tags.list[entry->element];
     double m[6];
-    if (!bat_object_clip(object) || !changes(object, entry)) return;
+    if (!bat_object_clip(object) || !changes(&p->plan, object, entry)) return;
     bat_svg_retag r;
     bat_svg_retag_begin(&r, p->plan.text + tag->open, tag->body - tag->open, p->plan.types,
                         p->plan.types_size, p->plan.sheets);

@@ -280,8 +280,8 @@ static bat_status decide(bat_svg_plan *plan) {
     match(plan);
     find_hidden(plan);
     touch_edited(plan);
-    bat_status status = bat_svg_refer(plan);
     mark_groups(plan);
+    bat_status status = bat_svg_refer(plan);
     if (status == BAT_OK) status = keep_all(plan);
     while (status == BAT_OK && untie(plan)) {
         status = bat_svg_refer(plan);

@@ -56,6 +56,25 @@ static bool attribute_of(const bat_svg_plan *plan, uint32_t element, const char 
     return true;
 }
 
+/* In any prefix: files call the namespace of XLink as they like. */
+static bool href_of(const bat_svg_plan *plan, uint32_t element, const char **value, size_t *size) {
+    const bat_svg_tag *tag = &plan->tags.list[element];
+    const char *text = plan->text + tag->open;
+    size_t at = 1 + bat_svg_tag_name(text, tag->body - tag->open);
+    bat_svg_piece piece;
+    bool found = false;
+    while (bat_svg_next_piece(text, tag->body - tag->open, &at, &piece)) {
+        const size_t length = piece.equal - piece.name;
+        const bool plain = length == 4 && memcmp(text + piece.name, "href", 4) == 0;
+        if (!plain && (found || length < 6 || memcmp(text + piece.equal - 5, ":href", 5) != 0)) continue;
+        *value = text + piece.value;
+        *size = piece.end - piece.value;
+        found = true;
+        if (plain) break;
+    }
+    return found;
+}
+
 static void collect(const bat_svg_plan *plan, table *t) {
     const char *value;
     size_t size;
@@ -63,9 +82,7 @@ static void collect(const bat_svg_plan *plan, table *t) {
         if (attribute_of(plan, i, "id", &value, &size)) t->ids[t->id_count++] = (named){value, size, i};
     if (t->id_count > 1) qsort(t->ids, t->id_count, sizeof *t->ids, compare_ids); /* no ties */
     for (uint32_t i = 1; i < plan->tags.count; i++) {
-        if (!attribute_of(plan, i, "href", &value, &size) &&
-            !attribute_of(plan, i, "xlink:href", &value, &size))
-            continue;
+        if (!href_of(plan, i, &value, &size)) continue;
         const uint32_t to = size > 1 && value[0] == '#' ? find(t, value + 1, size - 1) : 0;
         if (to) t->references[t->reference_count++] = (reference){i, to, bat_svg_is_called(plan, i, "use")};
     }
@@ -78,6 +95,13 @@ static void count_touched(const bat_svg_plan *plan, uint32_t *before) {
         before[i] = before[i - 1] + (i > 1 && (plan->fate[i - 1] & BAT_SVG_TOUCHED) != 0);
 }
 
+/* Whether what `use` shows of an element has been edited. An edited shape is not enough: it stays as it was for those that refer to
+ * it, in a `defs` at its place. */
+static bool shows_touched(const bat_svg_plan *plan, const uint32_t *before, uint32_t element) {
+    const uint32_t from = plan->fate[element] & BAT_SVG_GROUPED ? element : element + 1;
+    return before[plan->tags.list[element].last + 1] != before[from];
+}
+
 static void spread(bat_svg_plan *plan, const table *t, uint32_t *before) {
     for (bool more = true; more;) {
         more = false;
@@ -85,7 +109,7 @@ static void spread(bat_svg_plan *plan, const table *t, uint32_t *before) {
         for (uint32_t k = 0; k < t->reference_count; k++) {
             const reference *r = &t->references[k];
             if (!r->use || plan->fate[r->from] & BAT_SVG_TOUCHED) continue;
-            if (before[plan->tags.list[r->to].last + 1] == before[r->to]) continue;
+            if (!shows_touched(plan, before, r->to)) continue;
             plan->fate[r->from] |= BAT_SVG_TOUCHED;
             more = true;
         }
