@@ -1,6 +1,9 @@
-# What a shared library leaves undefined is an error, where the linker can say so.
-include(CheckLinkerFlag)
-check_linker_flag(C "LINKER:--no-undefined" BATTEN_LINKER_NO_UNDEFINED)
+# What a shared library leaves undefined is an error, where the linker can say so. On Windows it always is, and the
+# linkers there only warn of an option that they do not know.
+if(NOT WIN32)
+  include(CheckLinkerFlag)
+  check_linker_flag(C "LINKER:--no-undefined" BATTEN_LINKER_NO_UNDEFINED)
+endif()
 function(batten_define_all library)
   if(BATTEN_SANITIZE)
     target_link_options(${library} PRIVATE -fsanitize=${BATTEN_SANITIZE})
