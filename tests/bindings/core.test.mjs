@@ -17,8 +17,10 @@ const refuses = (status, what) => assert.throws(what, (error) => error instanceo
 
 test('the modules have the sizes that the README tells', () => {
   const size = (name) => zlib.gzipSync(fs.readFileSync(path.join(home, name)), { level: 9 }).length;
-  console.log(`batten.wasm ${size('batten.wasm')}, batten-sketch.wasm ${size('batten-sketch.wasm')} bytes gzip`);
+  const names = ['batten.wasm', 'batten-sketch.wasm', 'batten-levels.wasm'];
+  console.log(`${names.map((name) => `${name} ${size(name)}`).join(', ')} bytes gzip`);
   assert.ok(size('batten-sketch.wasm') <= 60000);
+  assert.ok(size('batten-levels.wasm') <= 60000);
   assert.ok(size('batten.wasm') <= 150000);
   assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(fs.readFileSync(path.join(home, 'batten.wasm')))), []);
 });
@@ -186,6 +188,24 @@ test('the small module draws, and says what it has not', async () => {
   sine(60, (x) => 30 * Math.sin(x / 20)).forEach((place) => live.add(...place));
   assert.ok(live.commit() instanceof Curve);
   refuses('unsupported', () => curve.levels(2));
+});
+
+test('the small module of levels gives what the whole one gives, and says what it has not', async () => {
+  const small = await load({ small: 'levels' });
+  const of = (library) => {
+    const curve = library.spline([[0, 0], [40, 30], [90, 5], [140, 40], [200, 0]], { tangents: [null, [1, 0], null, null, null] });
+    const shape = library.fit(sine(200), { tolerance: 0.05 }).levels(2);
+    const u = shape.curve(0).domain[1] / 2;
+    shape.drag(0, u, [0, 5]).setGain(1, 0.5);
+    const live = shape.live(1);
+    live.drag(u, [0, 2]);
+    return [curve, live.commit().flatten(), library.shapeFromSpline([[0, 0], [10, 20], [30, 5]]).flatten()].flatMap((one) => [...one.points]);
+  };
+  assert.deepEqual(of(small), of(b));
+  const shape = small.fit(sine(200)).levels(2);
+  refuses('unsupported', () => shape.redraw(sine(60)));
+  refuses('unsupported', () => small.live());
+  await assert.rejects(load({ small: 'tangents' }), (error) => error instanceof BattenError && error.status === 'argument');
 });
 
 test('in a worker', async () => {

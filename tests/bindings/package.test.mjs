@@ -26,7 +26,7 @@ test('packed, installed into a fresh project and used', async (t) => {
   const files = fs.readdirSync(path.join(project, 'node_modules/batten-core')).sort();
 
   await t.test('everything is in it, nothing else', () => {
-    assert.deepEqual(files, ['LICENSE', 'README.md', 'adapters', 'batten-sketch.wasm', 'batten.wasm', 'call.js', 'calls.js', 'error.js',
+    assert.deepEqual(files, ['LICENSE', 'README.md', 'adapters', 'batten-levels.wasm', 'batten-sketch.wasm', 'batten.wasm', 'call.js', 'calls.js', 'error.js',
       'given.js', 'index.d.ts', 'index.js', 'memory.js', 'package.json', 'path.js']);
     const told = JSON.parse(fs.readFileSync(path.join(project, 'node_modules/batten-core/package.json'), 'utf8'));
     assert.equal(told.dependencies, undefined);

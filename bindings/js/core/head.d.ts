@@ -78,5 +78,6 @@ export class Batten {
   // Batten: the calls of C
 }
 
-/** small: curves, fits and the sketch hand alone; wasm: where the module is, or the module, in place of the package's own. */
-export function load(options?: { small?: boolean; wasm?: string | URL | BufferSource | object }): Promise<Batten>;
+/** small: curves and fits with the sketch hand alone (true, 'sketch') or with points with directions and levels ('levels'); wasm:
+ * where the module is, or the module, in place of the package's own. */
+export function load(options?: { small?: boolean | 'sketch' | 'levels'; wasm?: string | URL | BufferSource | object }): Promise<Batten>;

@@ -206,7 +206,7 @@ for (const call of calls.calls) {
     const run = function run(...given) {
       const library = kind === 'b' ? this : this.library;
       if (!(call.c in library.memory.exports)) {
-        throw new BattenError('unsupported', `${name} is not in the small module: load() brings all`);
+        throw new BattenError('unsupported', `${name} is not in this small module: load() brings all`);
       }
       return new Call(library, plan, kind === 'b' ? null : this, given).run();
     };
@@ -235,12 +235,23 @@ async function moduleOf(source) {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
+/** The modules by the word of `small`; each address in full, since bundlers look for such. */
+const MODULES = {
+  false: () => new URL('./batten.wasm', import.meta.url),
+  true: () => new URL('./batten-sketch.wasm', import.meta.url),
+  sketch: () => new URL('./batten-sketch.wasm', import.meta.url),
+  levels: () => new URL('./batten-levels.wasm', import.meta.url),
+};
+
 /**
  * Loads the library.
- * @param {{ small?: boolean, wasm?: string | URL | BufferSource | WebAssembly.Module }} [options] small: curves, fits and the
- *   sketch hand alone, in less than half the bytes; wasm: where the module is, or the module itself, in place of that of the package
+ * @param {{ small?: boolean | 'sketch' | 'levels', wasm?: string | URL | BufferSource | WebAssembly.Module }} [options] small: curves
+ *   and fits with the sketch hand alone ('sketch', true), or with points with directions and levels ('levels'), in less than half
+ *   the bytes; wasm: where the module is, or the module itself, in place of that of the package
  */
 export async function load({ small = false, wasm } = {}) {
-  const own = small ? new URL('./batten-sketch.wasm', import.meta.url) : new URL('./batten.wasm', import.meta.url);
-  return new Batten(await WebAssembly.instantiate(await moduleOf(wasm ?? own), {}));
+  if (!Object.hasOwn(MODULES, String(small))) {
+    throw new BattenError('argument', `small is true, 'sketch' or 'levels', not ${small}`);
+  }
+  return new Batten(await WebAssembly.instantiate(await moduleOf(wasm ?? MODULES[String(small)]()), {}));
 }
