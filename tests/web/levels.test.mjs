@@ -93,6 +93,15 @@ for (const colorScheme of ['light', 'dark']) {
     assert.equal(leaf.kind, 'shape');
     const apart = await digest(page);
 
+    // Each row shows its line, within its box: a shape for the sweep, waves of their own for the details.
+    const lines = () => page.$$eval('.level-picture path', (paths) => paths.map((one) => {
+      const { x, y, width, height } = one.getBBox();
+      return { d: one.getAttribute('d'), height, within: x >= 0 && y >= 0 && x + width <= 32 && y + height <= 20 };
+    }));
+    const apartLines = await lines();
+    assert.equal(new Set(apartLines.map(({ d }) => d)).size, 4);
+    assert.ok(apartLines.every(({ height, within }) => within && height > 4));
+
     // Dragging the sweep: the point under the pen follows, the scales move along, one step.
     const grip = await place(page, 505, 87);
     await hand.stroke([grip, [grip[0] + 30, grip[1] - 50]], {
@@ -116,6 +125,9 @@ for (const colorScheme of ['light', 'dark']) {
     await fader.press('ArrowRight');
     await settle(page);
     assert.equal((await objects(page))[0].curves[0].levels[2].gain, 1.01);
+    const louder = await lines();
+    assert.ok(louder[0].height >= apartLines[0].height); // to a tenth of a unit
+    assert.equal(louder[1].d, apartLines[1].d);
     await key('Control+z');
     const before = await digest(page);
     const box = await fader.boundingBox();
@@ -163,7 +175,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.locator('#strip-show-frames').uncheck();
     await page.locator('#stage').focus();
 
-    // The sweep redrawn by a stroke over the leaf's lower rim; the strip stays visible.
+    // The sweep reapartLines by a stroke over the leaf's lower rim; the strip stays visible.
     await key('n');
     const [near, ...over] = await Promise.all([[500, 426.6], [540, 445], [600, 450], [660, 420], [720, 380]].map(
       ([x, y]) => place(page, x, y)));
