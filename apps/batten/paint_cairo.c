@@ -226,7 +226,7 @@ static void begin_masks(cairo_t *cairo, const bat_clip *clip) {
 }
 
 /* Paints the group as far as the picture covers it. */
-static bool end_mask(cairo_t *cairo, const bat_clip *mask) {
+static void end_mask(cairo_t *cairo, const bat_clip *mask) {
     const double *m = bat_clip_matrix(mask);
     const cairo_matrix_t place = {m[0], m[1], m[2], m[3], m[4], m[5]};
     cairo_pattern_t *inner = cairo_pop_group(cairo);
@@ -243,12 +243,14 @@ static bool end_mask(cairo_t *cairo, const bat_clip *mask) {
         cairo_paint(cairo);
     cairo_pattern_destroy(cover);
     cairo_pattern_destroy(inner);
-    return painted;
 }
 
 static void end_masks(cairo_t *cairo, const bat_clip *clip, paint_left *left) {
-    for (; clip; clip = bat_clip_within(clip))
-        if (bat_clip_picture(clip)) left->masks += !end_mask(cairo, clip);
+    for (; clip; clip = bat_clip_within(clip)) {
+        if (!bat_clip_picture(clip)) continue;
+        left->masks += !paint_is_known(cairo, bat_clip_picture(clip));
+        end_mask(cairo, clip);
+    }
 }
 
 /* From now on only what lies in all regions is painted, until cairo_restore. */
@@ -394,13 +396,13 @@ static bool is_layer(const bat_object *object) {
     return bat_object_is_group(object) && (bat_object_style(object)->opacity < 1 || bat_object_clip(object));
 }
 
-/* How many of its patterns cannot be painted. */
+/* How many of its patterns are not painted as they are. */
 static int count_unrepeated(cairo_t *cairo, const bat_object *object) {
     const bat_paint *paint = bat_object_paint(object);
     const bat_gradient none = {0}, *const parts[2] = {paint ? &paint->fill : &none,
                                                       paint ? &paint->stroke : &none};
     int count = 0;
-    for (int k = 0; k < 2; k++) count += parts[k]->tile && !paint_can_repeat(cairo, parts[k]->tile);
+    for (int k = 0; k < 2; k++) count += parts[k]->tile && !paint_is_known(cairo, parts[k]->tile);
     return count;
 }
 
@@ -410,9 +412,11 @@ static bat_status paint_clipped(cairo_t *cairo, const bat_object *object, double
     cairo_save(cairo);
     bat_status status = clip_to(cairo, bat_object_clip(object), tolerance);
     begin_masks(cairo, bat_object_clip(object));
-    if (status == BAT_OK && bat_object_picture(object))
-        *(bat_object_is_foreign(object) ? &left->foreign : &left->images) += !paint_placed(cairo, object);
-    else if (status == BAT_OK) {
+    if (status == BAT_OK && bat_object_picture(object)) {
+        int *missing = bat_object_is_foreign(object) ? &left->foreign : &left->images;
+        *missing += !paint_is_known(cairo, bat_object_picture(object));
+        paint_placed(cairo, object);
+    } else if (status == BAT_OK) {
         left->patterns += count_unrepeated(cairo, object);
         status = paint_marked(cairo, object, tolerance);
     }

@@ -3,29 +3,28 @@
 
 #include <math.h>
 
-bool paint_placed(cairo_t *cairo, const bat_object *object) {
+bool paint_is_known(cairo_t *cairo, const bat_picture *picture) {
+    paint_kept *kept = paint_kept_of(cairo);
+    return kept && paint_is_whole(kept, picture);
+}
+
+void paint_placed(cairo_t *cairo, const bat_object *object) {
     const double *m = bat_object_matrix(object), opacity = bat_object_style(object)->opacity;
     const cairo_matrix_t place = {m[0], m[1], m[2], m[3], m[4], m[5]};
     cairo_save(cairo);
     cairo_transform(cairo, &place);
     if (opacity < 1) cairo_push_group(cairo);
-    const bool painted = paint_once(cairo, bat_object_picture(object));
+    (void)paint_once(cairo, bat_object_picture(object));
     if (opacity < 1) {
         cairo_pop_group_to_source(cairo);
         cairo_paint_with_alpha(cairo, opacity);
     }
     cairo_restore(cairo);
-    return painted;
 }
 
 bool paint_once(cairo_t *cairo, const bat_picture *picture) {
     paint_kept *kept = paint_kept_of(cairo);
     return kept && paint_picture(kept, cairo, picture);
-}
-
-bool paint_can_repeat(cairo_t *cairo, const bat_picture *picture) {
-    paint_kept *kept = paint_kept_of(cairo);
-    return kept && paint_can(kept, picture);
 }
 
 cairo_pattern_t *paint_tile(cairo_t *cairo, const bat_picture *picture, double opacity, double scale) {

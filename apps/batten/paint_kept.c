@@ -20,6 +20,7 @@ typedef struct read_picture {
     cairo_surface_t *surface;
     void *handle; /* of librsvg */
     bool good;    /* it can be painted */
+    bool whole;   /* all of it, as far as can be told */
     size_t bytes;
 } read_picture;
 
@@ -82,7 +83,7 @@ static void read_png(const bat_picture *picture, read_picture *out) {
     bytes_left r;
     r.at = bat_picture_bytes(picture, &r.left);
     out->surface = cairo_image_surface_create_from_png_stream(read_bytes, &r);
-    out->good = cairo_surface_status(out->surface) == CAIRO_STATUS_SUCCESS;
+    out->good = out->whole = cairo_surface_status(out->surface) == CAIRO_STATUS_SUCCESS;
     out->bytes = (size_t)cairo_image_surface_get_stride(out->surface) *
                  (size_t)cairo_image_surface_get_height(out->surface);
 }
@@ -136,7 +137,7 @@ static void wrap(const bat_picture *picture, bat_text *out) {
     bat_text_string(out, "\"/></svg>");
 }
 
-/* Whether anything of it is seen: librsvg leaves out what it cannot decode, and says nothing. */
+/* Whether anything of it is seen. */
 static bool shows(const paint_kept *k, void *handle) {
     enum { SIDE = 16 };
     const rsvg_rectangle all = {0, 0, SIDE, SIDE};
@@ -167,14 +168,16 @@ static void read_by_rsvg(const paint_kept *k, const bat_picture *picture, read_p
     if (!k->loaded) return;
     if (strcmp(bat_picture_type(picture), "image/svg+xml") == 0) {
         out->handle = rsvg_read(&k->with, bytes, size, false);
-        out->good = out->handle && (!holds_image(bytes, size) || shows(k, out->handle));
+        out->good = out->handle != NULL;
+        out->whole = out->good && (!holds_image(bytes, size) || shows(k, out->handle));
         return;
     }
     bat_text text = {0};
     wrap(picture, &text);
     if (!text.failed) out->handle = rsvg_read(&k->with, text.data, text.size, true);
     bat_text_free(&text);
-    out->good = out->handle && shows(k, out->handle);
+    out->good = out->handle != NULL;
+    out->whole = out->good && shows(k, out->handle);
 }
 
 static const read_picture *read_of(paint_kept *k, const bat_picture *picture) {
@@ -194,7 +197,7 @@ static const read_picture *read_of(paint_kept *k, const bat_picture *picture) {
 
 /* ---- painting ---- */
 
-bool paint_can(paint_kept *kept, const bat_picture *picture) { return read_of(kept, picture)->good; }
+bool paint_is_whole(paint_kept *kept, const bat_picture *picture) { return read_of(kept, picture)->whole; }
 
 /* Up to its edges, however large its pixels are. */
 static void paint_pixels(cairo_t *cairo, cairo_surface_t *surface, const double sides[2]) {

@@ -20,6 +20,8 @@ from compare import SHARE, compare  # noqa: E402
 
 OPEN = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 100 100">'
 RED = '<rect x="20" y="20" width="60" height="60" fill="#f00"/>'
+MASK = '<mask id="m"><circle cx="50" cy="50" r="30" fill="#fff"/></mask>'
+BOXED, NAMED = '<mask maskContentUnits="userSpaceOnUse" x="0" y="0" width=".5" height="1"', '<rect id="r"'
 FILES = {
     "text": '<text x="5" y="50" font-size="20">Batten</text>',
     "text in the middle": '<text x="50" y="50" font-size="20" text-anchor="middle">Batten</text>',
@@ -33,6 +35,12 @@ FILES = {
     "shadow": '<filter id="f" x="-.3" y="-.3" width="1.8" height="1.8"><feOffset dx="9" dy="9"/><feGaussianBlur stdDeviation="3"/>'
               f'</filter><g style="filter:url(#f)">{RED}</g>{RED.replace("f00", "fb0")}',
     "mask": '<mask id="m"><circle cx="50" cy="50" r="30" fill="#fff"/></mask><g mask="url(#m)">' + RED + '</g>',
+    "mask of a copy": f'{MASK}<g id="r">{RED}</g><use xlink:href="#r" x="9" mask="url(#m)"/>',
+    "mask of a copy, by a box": f'{MASK.replace("<mask", BOXED)}<defs>{RED.replace("<rect", NAMED)}</defs><use xlink:href="#r" mask="url(#m)"/>',
+    "mask of a text": f'{MASK}<text x="5" y="60" font-size="28" mask="url(#m)">Batten</text>',
+    "mask of a drawing": f'{MASK}<svg x="10" y="10" width="70" height="70" viewBox="0 0 100 100" mask="url(#m)">{RED}</svg>',
+    "mask of a switch": f'{MASK}<switch mask="url(#m)"><g systemLanguage="xx"/>{RED}</switch>',
+    "copy of what is masked": f'{MASK}<g id="r"><g mask="url(#m)">{RED}</g></g><use xlink:href="#r" x="15"/>',
     "pattern": '<pattern id="p" width="12" height="12" patternUnits="userSpaceOnUse"><circle cx="6" cy="6" r="4" fill="#0a5"/>'
                '</pattern><path d="M5 5H95L50 95Z" fill="url(#p)" stroke="#246" stroke-width="4"/>',
     "pattern on a stroke": '<pattern id="p" width="6" height="6" patternUnits="userSpaceOnUse"><path d="M0 0H3V6H0Z"/></pattern>'
