@@ -1,6 +1,7 @@
 #include "editor/edit/outlining.h"
 
 #include <batten/measure.h>
+#include <batten/nearest.h>
 #include <batten/paint.h>
 #include <batten/refine.h>
 #include <batten/region.h>
@@ -74,6 +75,57 @@ static bat_status path_of(const bat_object *object, list *l, bat_object **out) {
 
 /* ---- offsets ---- */
 
+/* Whether dashes or widths follow its strokes from where they begin. */
+static bool goes_along(const bat_object *object) {
+    const bat_paint *paint = bat_object_paint(object);
+    return paint && (paint->dash_count > 0 || paint->width_count > 0);
+}
+
+/* Where on the curve the start of the nearest of those comes to lie; *ahead: they run there in the same direction. */
+static bat_status start_on(const bat_curve *made, size_t count, const bat_curve *const *from, double *u,
+                           bool *ahead) {
+    double least = INFINITY, here[4], there[4];
+    bat_status status = BAT_OK;
+    for (size_t i = 0; i < count && status == BAT_OK; i++) {
+        double domain[2];
+        bat_near near;
+        bat_curve_domain(from[i], domain);
+        bat_curve_eval(from[i], domain[0], 1, here);
+        status = bat_curve_nearest(made, here, &near);
+        if (status != BAT_OK || near.distance >= least) continue;
+        bat_curve_eval(made, near.u, 1, there);
+        least = near.distance, *u = near.u;
+        *ahead = here[2] * there[2] + here[3] * there[3] >= 0;
+    }
+    return status;
+}
+
+/* Curves begin where those do that they were made from, and run as they do, all or none turned round (holes stay holes). */
+static bat_status begin_alike(size_t count, bat_curve **made, size_t from_count,
+                              const bat_curve *const *from) {
+    bat_status status = BAT_OK;
+    size_t back = 0;
+    for (int pass = 0; pass < 2; pass++) /* first they are counted */
+        for (size_t i = 0; i < count && status == BAT_OK; i++) {
+            double u = 0;
+            bool ahead = true;
+            bat_curve *moved = NULL, *turned = NULL;
+            status = start_on(made[i], from_count, from, &u, &ahead);
+            if (pass == 0) back += !ahead;
+            if (pass == 0 || status != BAT_OK) continue;
+            status = bat_curve_move_seam(made[i], u, &moved);
+            if (status == BAT_OK && 2 * back > count) status = bat_curve_reverse(moved, &turned);
+            if (turned) bat_curve_free(moved);
+            if (status != BAT_OK) {
+                bat_curve_free(moved);
+                continue;
+            }
+            bat_curve_free(made[i]);
+            made[i] = turned ? turned : moved;
+        }
+    return status;
+}
+
 static bat_status offset_closed(const bat_object *object, double distance, double tolerance, list *l) {
     const int n = bat_object_curve_count(object);
     const bat_style *style = bat_object_style(object);
@@ -87,6 +139,10 @@ static bat_status offset_closed(const bat_object *object, double distance, doubl
     if (count)
         status = bat_region_offset(&(bat_region){count, closed, style->even_odd}, distance, style->join,
                                    fmax(style->miter_limit, 1), tolerance, CORNER, &made, &all);
+    if (status == BAT_OK && goes_along(object)) {
+        status = begin_alike(made, all, count, closed);
+        if (status != BAT_OK) bat_curves_free(made, all);
+    }
     free(closed);
     return status == BAT_OK ? add_all(l, made, all) : status;
 }
