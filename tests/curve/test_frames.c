@@ -360,6 +360,8 @@ static void all_ways_give_the_same_bits(void **state) {
         double points[64], knots[24];
         for (int i = 0; i < count * dimension; i++) /* many lie on one line, with zeros of both signs */
             points[i] = round % 3 ? uniform(-2, 2) : i % dimension == 0 ? 3 - i : round % 4 ? 0.0 : -0.0;
+        for (int i = dimension; i < 4 * dimension && round % 5 == 4; i++)
+            points[i] = points[i % dimension]; /* a span that is a point, beside others that are not */
         for (int i = 0; i < count + 4; i++) knots[i] = closed ? i : fmin(fmax(i - 3, 0), count - 3);
         bat_curve *curve;
         assert_int_equal(bat_curve_create(dimension, 3, closed, (size_t)count, points,

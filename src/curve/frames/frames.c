@@ -175,64 +175,114 @@ typedef struct targets {
     size_t stride;
 } targets;
 
-/* Parameters of one span, each one step from a node: those up to end[k] from node[k]. */
+/* Parameters of a span are made up to a multiple of this, so that no vector is left half empty. */
+#ifdef __OPTIMIZE_SIZE__ /* the same operations, one at a time */
+enum { AT_ONCE = 1 };
+#else
+enum { AT_ONCE = 4 };
+#endif
+
+/* Parameters, each one step from a node: all take their steps together. */
 typedef struct run {
-    int count, parts;
-    size_t node[BAT_FRAME_ROOM];
-    int end[BAT_FRAME_ROOM];
-    double u[BAT_FRAME_ROOM];
-    bat_rows xs, ts, ss;
+    int count, nodes, spans;
+    bool irregular;                                /* some tangent cannot be found in the quick way */
+    const bat_frame_node *from[BAT_FRAME_ROOM];    /* those up to past[k] from from[k] */
+    int past[BAT_FRAME_ROOM], end[BAT_FRAME_ROOM]; /* those up to end[k] are of the k-th span, */
+    double origin[BAT_FRAME_ROOM][3];              /* relative to here */
+    double u[BAT_FRAME_PLANE];
+    bat_rows from_x, from_t, from_s, xs, ts, ss;
 } run;
 
-static void repeat(int count, vec v, double *rows) {
-    for (int i = 0; i < count; i++) bat_rows_put(rows, i, v);
-}
-
-/* The same vector in each of the rows. */
-BAT_CLONES static void fill(int count, double x, double y, double z, double *rows) {
-    for (int i = 0; i < count; i++)
-        rows[i] = x, rows[BAT_FRAME_PLANE + i] = y, rows[2 * BAT_FRAME_PLANE + i] = z;
-}
-
-static bool solve_quickly(const bat_frame_chain *chain, const bat_frame_span *piece, run *r) {
-    bat_rows from_x, from_t, from_s;
-    if (chain->options.rule == BAT_FRAMES_FRENET) return false;
-    for (int k = 0, i = 0; k < r->parts; i = r->end[k++]) {
-        const bat_frame_node *from = chain->nodes + r->node[k];
-        int next = r->end[k];
-        fill(next - i, from->x.x, from->x.y, from->x.z, from_x + i);
-        fill(next - i, from->t.x, from->t.y, from->t.z, from_t + i);
-        fill(next - i, from->s.x, from->s.y, from->s.z, from_s + i);
+/* Adds v[0], and what follows of the same span as long as it ascends; most: so many. Returns the node of the last. */
+static size_t add_span(const bat_frame_chain *chain, int most, const double *v, size_t node, run *r) {
+    const bat_frame_node *nodes = chain->nodes;
+    double at = bat_curve_reduce(chain->curve, v[0]);
+    if (isnan(at)) at = chain->curve->knots[chain->curve->degree];
+    node = node_before(chain, at, node);
+    const int span = nodes[node].span;
+    const double end = chain->curve->knots[span + 1];
+    double *u = r->u + r->count;
+    int i = 0;
+    for (;;) {
+        const double high = at < end ? nodes[node + 1].u : at; /* the last node of a span is at its end */
+        for (u[i++] = at; i < most && v[i] >= at && v[i] < high; i++) u[i] = at = v[i];
+        r->from[r->nodes] = nodes + node, r->past[r->nodes++] = r->count + i;
+        if (i == most || !(v[i] >= at && v[i] < end)) break;
+        for (at = v[i]; nodes[node + 1].u <= at;) node++;
     }
-    return bat_frame_steps(piece, chain->curve->dimension, r->count, r->u, from_x, from_t, from_s, r->xs,
-                           r->ts, r->ss);
+    r->end[r->spans++] = r->count += i;
+    return node;
 }
 
-static void solve(const bat_frame_chain *chain, const bat_frame_span *piece, run *r) {
-    bat_frame_rule rule = chain->options.rule;
-    bool quick = solve_quickly(chain, piece, r);
-    double end = chain->curve->knots[chain->curve->spread];
-    for (int i = 0, k = 0; i < r->count && !quick; i++) {
-        k += i == r->end[k];
-        const bat_frame_node *from = chain->nodes + r->node[k];
-        bat_frame_node at = {.u = r->u[i]};
-        bat_frame_step(chain->curve, rule, piece, from, at.u == end, &at);
-        bat_rows_put(r->xs, i, at.x);
-        bat_rows_put(r->ts, i, at.u == from->u ? from->t : at.t);
-        bat_rows_put(r->ss, i, at.u == from->u ? from->s : at.s);
-    }
-    if (rule == BAT_FRAMES_FIXED) {
-        repeat(r->count, (vec){1, 0, 0}, r->ts);
-        repeat(r->count, (vec){0, 1, 0}, r->ss);
-    } else if (chain->holonomy != 0 && chain->length > 0) {
-        for (int i = 0, k = 0; i < r->count; i++) {
-            k += i == r->end[k];
-            const bat_frame_node *from = chain->nodes + r->node[k];
-            vec t = bat_rows_get(r->ts, i);
-            double length = from->length + bat_frame_length(piece, from->u, r->u[i]);
-            vec s = bat_turn_about(bat_rows_get(r->ss, i), t, -chain->holonomy * length / chain->length);
-            bat_rows_put(r->ss, i, vec_unit(vec_reject(s, t)));
+/* Positions and tangents of the span that was added last; first: of its parameters. */
+static void sample(const bat_frame_span *piece, int first, run *r) {
+    int count = r->count - first, even = (count + AT_ONCE - 1) / AT_ONCE * AT_ONCE;
+    for (int d = 0; d < 3; d++) r->origin[r->spans - 1][d] = piece->origin[d];
+    for (int i = r->count; i < first + even; i++) r->u[i] = r->u[r->count - 1];
+    r->irregular |= !bat_frame_span_eval(piece, even, r->u + first, r->xs + first, r->ts + first);
+}
+
+/* The same vector AT_ONCE times, from i on: those too many are written over. */
+BAT_INLINE void fill(double *restrict rows, int i, vec v) {
+    for (int j = 0; j < AT_ONCE; j++) rows[i + j] = v.x;
+    for (int j = 0; j < AT_ONCE; j++) rows[BAT_FRAME_PLANE + i + j] = v.y;
+    for (int j = 0; j < AT_ONCE; j++) rows[2 * BAT_FRAME_PLANE + i + j] = v.z;
+}
+
+/* What each steps from. */
+BAT_CLONES static void gather(run *restrict r) {
+    for (int i = 0, k = 0; k < r->nodes; i = r->past[k++])
+        for (int j = i; j < r->past[k]; j += AT_ONCE) {
+            fill(r->from_x, j, r->from[k]->x);
+            fill(r->from_t, j, r->from[k]->t);
+            fill(r->from_s, j, r->from[k]->s);
         }
+}
+
+static bool solve_quickly(const bat_frame_chain *chain, run *r) {
+    if (r->irregular || chain->options.rule == BAT_FRAMES_FRENET) return false;
+    if (chain->curve->dimension == 3)
+        return bat_rows_reflect(r->count, r->from_x, r->from_t, r->from_s, r->xs, r->ts, r->ss);
+    bat_rows_turn_left(r->count, r->ts, r->ss);
+    return true;
+}
+
+/* One of them by itself. */
+static void solve_alone(const bat_frame_chain *chain, const bat_frame_span *piece, const bat_frame_node *from,
+                        int i, run *r) {
+    bat_frame_node at = {.u = r->u[i]};
+    if (chain->options.rule != BAT_FRAMES_FRENET &&
+        bat_frame_steps(piece, chain->curve->dimension, 1, r->u + i, r->from_x + i, r->from_t + i,
+                        r->from_s + i, r->xs + i, r->ts + i, r->ss + i))
+        return;
+    bat_frame_step(chain->curve, chain->options.rule, piece, from,
+                   at.u == chain->curve->knots[chain->curve->spread], &at);
+    bat_rows_put(r->xs, i, at.x);
+    bat_rows_put(r->ts, i, at.u == from->u ? from->t : at.t);
+    bat_rows_put(r->ss, i, at.u == from->u ? from->s : at.s);
+}
+
+/* The frames of a loop are turned back, so that it closes. */
+static void turn_back(const bat_frame_chain *chain, const bat_frame_span *piece, const bat_frame_node *from,
+                      int i, run *r) {
+    const double length = from->length + bat_frame_length(piece, from->u, r->u[i]);
+    const vec t = bat_rows_get(r->ts, i),
+              s = bat_turn_about(bat_rows_get(r->ss, i), t, -chain->holonomy * length / chain->length);
+    bat_rows_put(r->ss, i, vec_unit(vec_reject(s, t)));
+}
+
+static void solve(const bat_frame_chain *chain, run *r) {
+    bat_frame_span piece = {.span = -1};
+    const bool quick = solve_quickly(chain, r), turned = chain->holonomy != 0 && chain->length > 0;
+    for (int i = 0, k = 0; i < r->count && (turned || !quick); i++) {
+        k += i == r->past[k];
+        if (piece.span != r->from[k]->span) bat_frame_span_make(chain->curve, r->from[k]->span, &piece);
+        if (!quick) solve_alone(chain, &piece, r->from[k], i, r);
+        if (turned) turn_back(chain, &piece, r->from[k], i, r);
+    }
+    for (int i = 0; i < r->count && chain->options.rule == BAT_FRAMES_FIXED; i++) {
+        bat_rows_put(r->ts, i, (vec){1, 0, 0});
+        bat_rows_put(r->ss, i, (vec){0, 1, 0});
     }
 }
 
@@ -247,21 +297,21 @@ BAT_CLONES static void put_rows(int count, const double *restrict rows, const do
     }
 }
 
-static void put_run(const bat_frame_chain *chain, const bat_frame_span *piece, const run *r,
-                    const targets *to, size_t at) {
-    bool flat = chain->curve->dimension == 2 && chain->options.rule == BAT_FRAMES_RMF;
+static void put_run(const bat_frame_chain *chain, const run *r, const targets *to, size_t at) {
+    /* What it is added to keeps its bits, even the sign of a zero. */
+    static const double none[3] = {-0.0, -0.0, -0.0};
+    const bool flat = chain->curve->dimension == 2 && chain->options.rule == BAT_FRAMES_RMF;
+    const bool rows = AT_ONCE > 1 && to->stride == 3 && !to->r;
     at *= to->stride;
-    if (to->stride == 3 && !to->r) {
-        const double none[3] = {-0.0, -0.0,
-                                -0.0}; /* what it is added to keeps its bits, even the sign of a zero */
-        if (to->point) put_rows(r->count, r->xs, piece->origin, to->point + at);
-        if (to->t) put_rows(r->count, r->ts, none, to->t + at);
-        if (to->s) put_rows(r->count, r->ss, none, to->s + at);
-        return;
-    }
-    for (int i = 0; i < r->count; i++, at += to->stride) {
+    if (rows && to->t) put_rows(r->count, r->ts, none, to->t + at);
+    if (rows && to->s) put_rows(r->count, r->ss, none, to->s + at);
+    for (int k = 0, i = 0; k < r->spans; i = r->end[k++])
+        if (rows && to->point)
+            put_rows(r->end[k] - i, r->xs + i, r->origin[k], to->point + at + 3 * (size_t)i);
+    for (int i = 0, k = 0; i < r->count && !rows; i++, at += to->stride) {
+        k += i == r->end[k];
         vec t = bat_rows_get(r->ts, i), s = bat_rows_get(r->ss, i);
-        if (to->point) vec_store(vec_add(vec_load(piece->origin, 3), bat_rows_get(r->xs, i)), to->point + at);
+        if (to->point) vec_store(vec_add(vec_load(r->origin[k], 3), bat_rows_get(r->xs, i)), to->point + at);
         if (to->t) vec_store(t, to->t + at);
         if (to->s) vec_store(s, to->s + at);
         if (to->r) vec_store(flat ? (vec){0, 0, 1} : vec_cross(t, s), to->r + at);
@@ -269,36 +319,22 @@ static void put_run(const bat_frame_chain *chain, const bat_frame_span *piece, c
 }
 
 static void evaluate(const bat_frame_chain *chain, size_t count, const double *u, const targets *to) {
-    const bat_curve *curve = chain->curve;
-    const bat_frame_node *nodes = chain->nodes;
     run r;
     bat_frame_span piece = {.span = -1};
     size_t node = 0;
     for (size_t i = 0; i < count; i += (size_t)r.count) {
-        int most = count - i < BAT_FRAME_ROOM ? (int)(count - i) : BAT_FRAME_ROOM;
-        const double *v = u + i;
-        r.u[0] = bat_curve_reduce(curve, v[0]);
-        if (isnan(r.u[0])) r.u[0] = curve->knots[curve->degree];
-        node = node_before(chain, r.u[0], node);
-        int span = nodes[node].span;
-        r.count = 1, r.parts = 0;
-        /* What follows is of this span as long as it ascends. */
-        for (;;) {
-            bool last = node + 1 == chain->count || nodes[node + 1].span != span;
-            double low = r.u[r.count - 1], high = last ? low : nodes[node + 1].u;
-            while (r.count < most && v[r.count] >= low && v[r.count] < high)
-                r.u[r.count] = v[r.count], r.count++;
-            r.node[r.parts] = node, r.end[r.parts++] = r.count;
-            if (last || r.count == most || !(v[r.count] >= high)) break;
-            node++;
-            if (node + 1 < chain->count && nodes[node + 1].span == span && v[r.count] < nodes[node + 1].u)
-                r.u[r.count] = v[r.count], r.count++;
-            else
-                break;
+        const int most = count - i < BAT_FRAME_ROOM ? (int)(count - i) : BAT_FRAME_ROOM;
+        r.count = r.nodes = r.spans = 0, r.irregular = false;
+        while (r.count < most) {
+            const int first = r.count;
+            node = add_span(chain, most - first, u + i + first, node, &r);
+            if (piece.span != chain->nodes[node].span)
+                bat_frame_span_make(chain->curve, chain->nodes[node].span, &piece);
+            sample(&piece, first, &r);
         }
-        if (piece.span != span) bat_frame_span_make(curve, span, &piece);
-        solve(chain, &piece, &r);
-        put_run(chain, &piece, &r, to, i);
+        gather(&r);
+        solve(chain, &r);
+        put_run(chain, &r, to, i);
     }
 }
 

@@ -15,9 +15,11 @@ void bat_frame_span_make(const bat_curve *curve, int span, bat_frame_span *out) 
     for (int k = 1; k <= p; k++, power *= half)
         for (int d = 0; d < 3; d++) {
             out->c[k][d] = d < size ? piece.c[k * size + d] : 0;
-            most = fmax(most, k * power * fabs(out->c[k][d]));
+            const double reach = k * power * fabs(out->c[k][d]);
+            most = reach > most ? reach : most;
         }
-    out->slow = fmax(1e-14 * most * most, 1e-200);
+    const double slow = 1e-14 * most * most;
+    out->slow = slow > 1e-200 ? slow : 1e-200;
 }
 
 BAT_INLINE bool eval_rows(const bat_frame_span *f, int p, int count, const double *restrict u,
