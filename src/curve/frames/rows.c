@@ -87,9 +87,9 @@ void bat_rows_multiply(int count, int next, vec s, const double *t, const double
     vec first = bat_rows_get(e, 0);
     double a = vec_dot(s, first), b = vec_dot(s, vec_cross(bat_rows_get(t, 0), first));
     for (int i = 0; i < count; i++, re += next, im += next) {
-        double one = 1.5 - 0.5 * (a * a + b * b), x = *re, y = *im;
-        *re = a *= one, *im = b *= one;
-        double turned = a * x - b * y;
+        /* Of unit length by one Newton step, for which the next product does not wait: it is not off by more than rounding. */
+        double one = 1.5 - 0.5 * (a * a + b * b), x = *re, y = *im, turned = a * x - b * y;
+        *re = a * one, *im = b * one;
         b = a * y + b * x, a = turned;
     }
 }
