@@ -8,6 +8,8 @@ include(cmake/words.cmake)
 # The files in which a stroke spends its time: compiled for speed, the rest for size.
 set_source_files_properties(src/curve/lsq.c src/curve/lsq_error.c src/hands/sketch/whittaker.c src/hands/sketch/stroke.c
   PROPERTIES COMPILE_OPTIONS "-O2;-fno-unroll-loops")
+# Its loops stay loops where code is made for size: code for each degree and dimension would only be larger.
+set_source_files_properties(src/curve/insert.c PROPERTIES COMPILE_DEFINITIONS BAT_NO_INLINE)
 # Grids of surfaces, which a tilted view is painted with.
 set_source_files_properties(src/form/surface/tile.c src/form/surface/grid.c src/form/surface/grid_normals.c
   PROPERTIES COMPILE_OPTIONS "-O3")

@@ -16,12 +16,13 @@ BAT_INLINE void refined(const double *t, const double *points, int p, int size, 
                         double *out) {
     double d[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
     for (int i = 0; i < (m + 1) * size; i++) d[i] = points[i];
-    for (int r = 1; r <= m; r++)
-        for (int j = 0; j <= m - r; j++) { /* c = k - m + r + j */
-            double left = t[j + r], w = (x[r - 1] - left) / (t[j + p + 1] - left);
+    for (int r = 1; r <= m; r++) {
+        double w[BAT_DEGREE_MAX]; /* first, so that their divisions are made side by side */
+        for (int j = 0; j <= m - r; j++) w[j] = (x[r - 1] - t[j + r]) / (t[j + p + 1] - t[j + r]);
+        for (int j = 0; j <= m - r; j++) /* c = k - m + r + j */
             for (int c = 0; c < size; c++)
-                d[j * size + c] = (1 - w) * d[j * size + c] + w * d[(j + 1) * size + c];
-        }
+                d[j * size + c] = (1 - w[j]) * d[j * size + c] + w[j] * d[(j + 1) * size + c];
+    }
     for (int c = 0; c < size; c++) out[c] = d[c];
 }
 
@@ -121,13 +122,13 @@ bat_status bat_curve_insert_knots(const bat_curve *curve, int knot_count, const 
                                   bat_curve **out) {
     if (!curve || !out || knot_count < 0 || (knot_count > 0 && !knots)) return BAT_ARGUMENT;
     if (knot_count > BAT_POINTS_MAX - curve->count) return BAT_COUNT;
+    bat_status status = bat_parameters_check((size_t)knot_count, knots);
+    if (status != BAT_OK) return status;
     double start = curve->knots[curve->degree], end = curve->knots[curve->spread];
     int front = 0, back = 0;
-    for (int i = 0; i < knot_count; i++) {
-        if (isnan(knots[i])) return BAT_NUMBER;
-        if (knots[i] < start || knots[i] > end || (i > 0 && knots[i] < knots[i - 1])) return BAT_PARAMETER;
-        front += knots[i] == start, back += knots[i] == end;
-    }
+    if (knot_count > 0 && (knots[0] < start || knots[knot_count - 1] > end)) return BAT_PARAMETER;
+    while (front < knot_count && knots[front] == start) front++;
+    while (back < knot_count && knots[knot_count - 1 - back] == end) back++;
     if (curve->closed) front = back = 0;
     int p = curve->degree;
     if (front + back > 0 && (front + bat_knot_multiplicity(curve, start) > p + 1 ||
@@ -135,8 +136,7 @@ bat_status bat_curve_insert_knots(const bat_curve *curve, int knot_count, const 
         return BAT_KNOTS;
 
     bat_curve *fresh;
-    bat_status status = bat_curve_allocate(p, curve->dimension, curve->closed, curve->count + knot_count,
-                                           &fresh);
+    status = bat_curve_allocate(p, curve->dimension, curve->closed, curve->count + knot_count, &fresh);
     if (status != BAT_OK) return status;
     int *rank = malloc(((size_t)fresh->spread + (size_t)p + 1) * sizeof(int));
     if (!rank) {

@@ -272,7 +272,8 @@ static void turn_back(const bat_frame_chain *chain, const bat_frame_span *piece,
 }
 
 static void solve(const bat_frame_chain *chain, run *r) {
-    bat_frame_span piece = {.span = -1};
+    bat_frame_span piece;
+    piece.span = -1;
     const bool quick = solve_quickly(chain, r), turned = chain->holonomy != 0 && chain->length > 0;
     for (int i = 0, k = 0; i < r->count && (turned || !quick); i++) {
         k += i == r->past[k];
