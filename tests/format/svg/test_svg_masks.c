@@ -92,9 +92,10 @@ static void pictures(void **unused) {
     (void)unused;
     bat_document *document = opened(
         "<style>.a{fill:#123}</style><linearGradient id='g'><stop offset='1' stop-color='blue'/>"
-        "</linearGradient><mask id='n'><path d='M0 0H9V9Z' fill='lime'/></mask><mask id='m' " USER
+        "</linearGradient><mask id='n'><path d='M0 0H9V9Z' fill='lime'/></mask><g fill='teal' "
+        "transform='scale(7)'><mask id='m' " USER
         " stroke='aqua' mask-type='alpha' onload='x()'><path class='a' d='M0 0H3V3Z' stroke='url(#g)' "
-        "mask='url(#n)'/></mask>" BOX);
+        "mask='url(#n)'/></mask></g>" BOX);
     char text[6000];
     size_t size;
     const void *bytes = bat_picture_bytes(bat_clip_picture(mask_of(document)), &size);
@@ -106,6 +107,11 @@ static void pictures(void **unused) {
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
         if (!strstr(text, wanted[i])) fail_msg("%s is missing", wanted[i]);
     assert_null(strstr(text, "onload"));
+    /* It is within what it inherits from, which has no effects. */
+    const char *around = strstr(text, "<g fill=\"teal\" style=\";opacity:1!important"),
+               *mask = strstr(text, "<mask id=\"m");
+    assert_true(around && mask && around < mask);
+    assert_null(strstr(text, "scale(7)"));
     assert_true(bat_picture_is_drawing(bat_clip_picture(mask_of(document))));
     bat_document_free(document);
 }
@@ -275,8 +281,9 @@ static void wrong_ones_are_refused(void **unused) {
 
 static void memory_may_run_out(void **unused) {
     (void)unused;
-    static const char text[] = HEAD MASK("") "<circle r='9' mask='url(#m)'/><g mask='url(#m)'><path d='M0 "
-                                             "0H9V9Z'/><path d='M1 1H9V9Z'/></g></svg>";
+    static const char text[] = HEAD "<defs stroke='red'><g style='stroke-width:2'>" MASK(
+        "") "</g></defs><circle r='9' mask='url(#m)'/><g mask='url(#m)'><path d='M0 "
+            "0H9V9Z'/><path d='M1 1H9V9Z'/></g></svg>";
     const long before = alloc_live();
     for (int n = 1;; n++) {
         bat_document *document = NULL;
