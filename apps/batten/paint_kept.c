@@ -113,10 +113,10 @@ static void write_bytes(const unsigned char *bytes, size_t size, bool turned, ba
 
 /* A file of nothing else than the picture. */
 static void wrap(const bat_picture *picture, bat_text *out) {
-    static const char *const names[] = {"<svg xmlns=\"http://www.w3.org/2000/svg\" "
-                                        "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"",
-                                        "\" height=\"", "\"><image preserveAspectRatio=\"none\" width=\"",
-                                        "\" height=\""};
+    static const char head[] = "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                               "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"";
+    static const char *const names[] = {head, "\" height=\"",
+                                        "\"><image preserveAspectRatio=\"none\" width=\"", "\" height=\""};
     double sides[2], m[6];
     size_t size;
     const unsigned char *bytes = bat_picture_bytes(picture, &size);
