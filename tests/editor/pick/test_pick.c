@@ -149,6 +149,7 @@ static void what_a_swelling_stroke_covers_is_picked(void **state) {
             object = swelling;
         }
         assert_int_equal(bat_document_insert(document, i, object), BAT_OK);
+        bat_object_release(object);
     }
     bat_scene_init(&scene);
     assert_int_equal(bat_scene_sync(&scene, document, 1), BAT_OK);
