@@ -44,6 +44,13 @@ static void run_bulk(void *context) {
     bat_frame_chain_free(chain);
 }
 
+/* From the chain that is there already. */
+static void run_kept(void *context) {
+    framing *f = context;
+    bat_frame_arrays out = {f->point, f->t, f->s, NULL};
+    if (bat_frame_chain_many(f->chain, FRAMES, f->u, &out) != BAT_OK) abort();
+}
+
 static void run_structs(void *context) {
     framing *f = context;
     if (bat_frames(f->curve, FRAMES, f->u, NULL, f->frames, NULL) != BAT_OK) abort();
@@ -120,6 +127,8 @@ static void run_gain(void *context) {
 const bench_row bench_rows_levels[] = {
     {"RMF 10000 in bulk, n=16", "ns/frame", 1e9, FRAMES, 16, begin_frames, run_bulk, end_frames, 0},
     {"RMF 10000 in bulk, n=1000", "ns/frame", 1e9, FRAMES, 1000, begin_frames, run_bulk, end_frames, 0},
+    {"RMF 10000, chain kept, n=16", "ns/frame", 1e9, FRAMES, 16, begin_frames, run_kept, end_frames, 0},
+    {"RMF 10000, chain kept, n=1000", "ns/frame", 1e9, FRAMES, 1000, begin_frames, run_kept, end_frames, 0},
     {"RMF 10000 as structs, n=16", "ns/frame", 1e9, FRAMES, 16, begin_frames, run_structs, end_frames, 0},
     {"RMF one at a time, n=16", "ns/frame", 1e9, FRAMES, 16, begin_frames, run_serial, end_frames, 0},
     {"level drag, plane, 1000 points", "us", 1e6, 1, -1000, begin_shape, run_drag, end_shape, 0},
