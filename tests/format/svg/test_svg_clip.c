@@ -11,6 +11,7 @@
 #include "editor/edit/affine.h"
 #include "format/svg/tags.h"
 #include "support/alloc_fail.h"
+#include "support/svg_kept.h"
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/measure.h>
@@ -22,14 +23,7 @@
 #define BOX "<path d='M10 10H90V70H10Z'"
 
 static bat_status read_file(const char *text, bat_document **out, bat_svg_report *report) {
-    bat_svg_reader *reader;
-    bat_status status = bat_svg_reader_create(NULL, &reader);
-    if (status != BAT_OK) return status;
-    status = bat_svg_reader_source(reader, text, strlen(text));
-    if (status == BAT_OK) status = bat_svg_feed(text, strlen(text), reader);
-    if (status == BAT_OK) return bat_svg_reader_finish(reader, out, report, NULL);
-    bat_svg_reader_free(reader);
-    return status;
+    return svg_read_kept(NULL, text, strlen(text), out, report);
 }
 
 static bat_document *opened(const char *text, int losses) {

@@ -10,6 +10,7 @@
 #include "format/svg/reader.h"
 #include "format/svg/tags.h"
 #include "support/random_curve.h"
+#include "support/svg_kept.h"
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -19,12 +20,8 @@
 #define SVG "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 90 90'>\n"
 
 static bat_document *opened(const char *text) {
-    bat_svg_reader *reader;
     bat_document *document = NULL;
-    assert_int_equal(bat_svg_reader_create(NULL, &reader), BAT_OK);
-    assert_int_equal(bat_svg_reader_source(reader, text, strlen(text)), BAT_OK);
-    assert_int_equal(bat_svg_feed(text, strlen(text), reader), BAT_OK);
-    assert_int_equal(bat_svg_reader_finish(reader, &document, NULL, NULL), BAT_OK);
+    assert_int_equal(svg_read_kept(NULL, text, strlen(text), &document, NULL), BAT_OK);
     return document;
 }
 

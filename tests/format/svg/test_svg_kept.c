@@ -12,6 +12,7 @@
 #include "format/svg/tags.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
+#include "support/svg_kept.h"
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/paint.h>
@@ -54,14 +55,7 @@ enum { FILE_COUNT = sizeof FILES / sizeof *FILES };
 
 static bat_status read_file(const char *text, size_t size, bat_document **out, bat_svg_report *report) {
     const bat_svg_options options = bat_svg_merging();
-    bat_svg_reader *reader;
-    bat_status status = bat_svg_reader_create(&options, &reader);
-    if (status != BAT_OK) return status;
-    status = bat_svg_reader_source(reader, text, size);
-    if (status == BAT_OK) status = bat_svg_feed(text, size, reader);
-    if (status == BAT_OK) return bat_svg_reader_finish(reader, out, report, NULL);
-    bat_svg_reader_free(reader);
-    return status;
+    return svg_read_kept(&options, text, size, out, report);
 }
 
 static bat_document *opened(const char *text) {

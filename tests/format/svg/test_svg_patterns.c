@@ -12,6 +12,7 @@
 #include "editor/edit/affine.h"
 #include "format/svg/tags.h"
 #include "support/alloc_fail.h"
+#include "support/svg_kept.h"
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -25,14 +26,7 @@
 static bat_svg_report report;
 
 static bat_status read_file(const char *text, bat_document **out) {
-    bat_svg_reader *reader;
-    bat_status status = bat_svg_reader_create(NULL, &reader);
-    if (status != BAT_OK) return status;
-    status = bat_svg_reader_source(reader, text, strlen(text));
-    if (status == BAT_OK) status = bat_svg_feed(text, strlen(text), reader);
-    if (status == BAT_OK) return bat_svg_reader_finish(reader, out, &report, NULL);
-    bat_svg_reader_free(reader);
-    return status;
+    return svg_read_kept(NULL, text, strlen(text), out, &report);
 }
 
 /* By a reader that has not got the file's text. */

@@ -10,6 +10,7 @@
 #include "document/document.h"
 #include "document/kind.h"
 #include "format/svg/tags.h"
+#include "support/svg_kept.h"
 #include <batten/bezier.h>
 #include <batten/format.h>
 
@@ -21,12 +22,8 @@
 #define PAIR "<path d='M20 20H60V50Z'/><path d='M30 10L40 70L9 9Z' fill='red'/>"
 
 static bat_document *opened(const char *text) {
-    bat_svg_reader *reader;
     bat_document *document = NULL;
-    assert_int_equal(bat_svg_reader_create(NULL, &reader), BAT_OK);
-    assert_int_equal(bat_svg_reader_source(reader, text, strlen(text)), BAT_OK);
-    assert_int_equal(bat_svg_feed(text, strlen(text), reader), BAT_OK);
-    assert_int_equal(bat_svg_reader_finish(reader, &document, NULL, NULL), BAT_OK);
+    assert_int_equal(svg_read_kept(NULL, text, strlen(text), &document, NULL), BAT_OK);
     return document;
 }
 
