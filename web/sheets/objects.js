@@ -84,7 +84,8 @@ class ObjectTree {
       }
       hidden = this.shut.has(row.id) ? depth : Infinity;
       const { selected, ...rest } = row;
-      const shows = JSON.stringify([rest, depth, hidden, document.documentElement.lang, painted(this.panel, row.id)?.item.version]);
+      const shows = JSON.stringify([rest, depth, hidden, document.documentElement.lang, this.panel.theme?.turned,
+        painted(this.panel, row.id)?.item.version]);
       const line = this.made.get(shows) ?? this.#row(row, depth);
       line.setAttribute('aria-selected', String(selected));
       line.classList.toggle('chosen', selected);
