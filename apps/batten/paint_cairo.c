@@ -33,10 +33,8 @@ static void grow(const bat_object *object, double box[4]) {
     double margin = style->stroked ? style->width / 2 * longest(bat_object_paint(object)) : 0;
     if (style->stroked && style->join == BAT_JOIN_MITER) margin *= fmin(style->miter_limit, 4);
     if (style->stroked && style->cap == BAT_CAP_SQUARE) margin = fmax(margin, style->width * 0.7072);
-    box[0] = fmin(box[0], own[0] - margin);
-    box[1] = fmin(box[1], own[1] - margin);
-    box[2] = fmax(box[2], own[2] + margin);
-    box[3] = fmax(box[3], own[3] + margin);
+    for (int k = 0; k < 2; k++) own[k] -= margin, own[k + 2] += margin;
+    bat_box_hold(box, own);
 }
 
 static int pixels(double length) { return (int)fmin(fmax(ceil(length - 1e-9), 1), PAINT_SIZE_MAX); }

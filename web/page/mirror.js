@@ -47,7 +47,6 @@ export class Mirror {
     this.items = [];
     /** What each line of the tree shows. @type {string[]} */
     this.lines = [];
-    this.shown = '';
     this.active = '';
     this.timer = 0;
     /** The tree itself is moving the focus. */
@@ -123,10 +122,9 @@ export class Mirror {
     if (!items.some((item) => item.key === this.active)) {
       this.active = items[0]?.key ?? '';
     }
-    const now = JSON.stringify([items, this.active]);
-    if (now !== this.shown || entered) {
-      this.shown = now;
-      this.#fill(items, focused);
+    const lines = items.map((item) => JSON.stringify([item, item.key === this.active]));
+    if (entered || lines.length !== this.lines.length || lines.some((line, i) => line !== this.lines[i])) {
+      this.#fill(items, lines, focused);
     }
   }
 
@@ -138,8 +136,8 @@ export class Mirror {
     return outline;
   }
 
-  /** @param {Item[]} items @param {boolean} focused */
-  #fill(items, focused) {
+  /** @param {Item[]} items @param {string[]} lines what each shows @param {boolean} focused */
+  #fill(items, lines, focused) {
     const same = items.length === this.items.length && items.every((item, i) => item.key === this.items[i].key);
     this.items = items;
     if (!same) {
@@ -151,9 +149,9 @@ export class Mirror {
       }));
     }
     const before = same ? this.lines : [];
-    this.lines = items.map((item) => JSON.stringify([item, item.key === this.active]));
+    this.lines = lines;
     for (const [i, item] of items.entries()) {
-      if (this.lines[i] === before[i]) {
+      if (lines[i] === before[i]) {
         continue;
       }
       const line = /** @type {HTMLElement} */ (this.tree.children[i]);

@@ -100,29 +100,29 @@ static bat_status start_on(const bat_curve *made, size_t count, const bat_curve 
     return status;
 }
 
+static void replace(bat_curve **place, bat_curve *by) {
+    bat_curve_free(*place);
+    *place = by;
+}
+
 /* Curves begin where those do that they were made from, and run as they do, all or none turned round (holes stay holes). */
 static bat_status begin_alike(size_t count, bat_curve **made, size_t from_count,
                               const bat_curve *const *from) {
     bat_status status = BAT_OK;
+    bat_curve *next = NULL;
     size_t back = 0;
-    for (int pass = 0; pass < 2; pass++) /* first they are counted */
-        for (size_t i = 0; i < count && status == BAT_OK; i++) {
-            double u = 0;
-            bool ahead = true;
-            bat_curve *moved = NULL, *turned = NULL;
-            status = start_on(made[i], from_count, from, &u, &ahead);
-            if (pass == 0) back += !ahead;
-            if (pass == 0 || status != BAT_OK) continue;
-            status = bat_curve_move_seam(made[i], u, &moved);
-            if (status == BAT_OK && 2 * back > count) status = bat_curve_reverse(moved, &turned);
-            if (turned) bat_curve_free(moved);
-            if (status != BAT_OK) {
-                bat_curve_free(moved);
-                continue;
-            }
-            bat_curve_free(made[i]);
-            made[i] = turned ? turned : moved;
-        }
+    for (size_t i = 0; i < count && status == BAT_OK; i++) {
+        double u = 0;
+        bool ahead = true;
+        status = start_on(made[i], from_count, from, &u, &ahead);
+        if (status == BAT_OK) status = bat_curve_move_seam(made[i], u, &next);
+        if (status == BAT_OK) replace(made + i, next);
+        back += !ahead;
+    }
+    for (size_t i = 0; i < count && 2 * back > count && status == BAT_OK; i++) {
+        status = bat_curve_reverse(made[i], &next);
+        if (status == BAT_OK) replace(made + i, next);
+    }
     return status;
 }
 

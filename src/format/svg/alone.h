@@ -17,10 +17,10 @@ bat_status bat_svg_alone_within(bat_svg_walk *w, uint32_t element, const uint32_
 
 /* The size of such a picture for a box of that size. */
 void bat_svg_alone_sides(double width, double height, uint32_t sides[2]);
-/* The attributes of an element that holds something, as far as they say how that looks. */
 /* Opens elements with the attributes of those around a holder, which what is in it inherits, and closes them: in `before` and
  * `after`. The effects of those elements are none of the holder's, and left out. */
 void bat_svg_alone_around(const bat_svg_walk *w, uint32_t holder, bat_text *before, bat_text *after);
+/* The attributes of an element that holds something, as far as they say how that looks. */
 void bat_svg_alone_attributes(const bat_svg_walk *w, uint32_t element, bat_text *out);
 /* The same as bat_svg_alone_within, kept by the walk among its pictures (pattern.c). */
 bat_status bat_svg_held(bat_svg_walk *w, uint32_t holder, const uint32_t sides[2], const bat_text *before,

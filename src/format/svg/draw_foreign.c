@@ -1,5 +1,6 @@
 /* What is not edited becomes foreign content: texts, pictures in other formats, and whatever has a filter, or a mask, a
  * pattern or markers that cannot be painted. */
+#include "base/box.h"
 #include "base/matrix.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -93,7 +94,7 @@ static void filter_region(const bat_svg_walk *w, const char *value, double regio
 
 /* What the objects from an index on cover, with their strokes, markers that reach so far, and what a filter adds. */
 static bool covered(const bat_svg_walk *w, int from, double reach, const double region[4], double box[4]) {
-    for (int i = 0; i < 2; i++) box[i] = INFINITY, box[i + 2] = -INFINITY;
+    bat_box_nothing(box);
     for (int i = from; i < bat_document_count(w->document); i++) {
         const bat_object *object = bat_document_at(w->document, i);
         const bat_style *style = bat_object_style(object);
@@ -103,10 +104,8 @@ static bool covered(const bat_svg_walk *w, int from, double reach, const double 
         if (style->stroked)
             more = style->width / 2 * (style->join == BAT_JOIN_MITER ? fmin(style->miter_limit, 4) : 1.5);
         more = fmax(more, reach);
-        for (int k = 0; k < 2; k++) {
-            box[k] = fmin(box[k], own[k] - more);
-            box[k + 2] = fmax(box[k + 2], own[k + 2] + more);
-        }
+        for (int k = 0; k < 2; k++) own[k] -= more, own[k + 2] += more;
+        bat_box_hold(box, own);
     }
     if (!(box[0] < box[2] && box[1] < box[3])) return false;
     const double low[2] = {box[0], box[1]}, side[2] = {box[2] - box[0], box[3] - box[1]};
