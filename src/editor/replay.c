@@ -70,16 +70,14 @@ static bat_status perform(bat_editor *editor, const bat_json *json, bat_problem 
     if (name && !strcmp(name, "change")) return bat_change_perform(&editor->context, json, problem);
     if (name && !strcmp(name, BAT_LINE_EDIT)) return bat_line_edit_perform(&editor->context, json, problem);
     bat_edit edit = {0};
-    bat_curve *curve = NULL;
+    bat_edit_result result = {0};
     bat_sketch_report report;
     bat_status status = bat_edit_read(json, editor->context.stage->casters, &edit, problem);
     if (status == BAT_OK) {
-        status = bat_edit_compute(&editor->context, &edit, NULL, &curve, &report);
+        status = bat_edit_compute(editor->context.session->document, &edit, NULL, &result, &report);
         if (status == BAT_TOLERANCE && edit.accepted) status = BAT_OK;
-        if (status == BAT_OK)
-            status = bat_edit_commit(&editor->context, &edit, curve);
-        else
-            bat_curve_free(curve);
+        if (status == BAT_OK) status = bat_edit_commit(&editor->context, &edit, &result);
+        bat_edit_result_clear(&result);
     }
     bat_samples_free(&edit.samples);
     return status;

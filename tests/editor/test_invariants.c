@@ -254,9 +254,9 @@ static void of_sketching(void **state) {
     DAMAGED(e, s->preview.blends, &number, "a preview outlived its stroke");
     DAMAGED(e, s->has_pending, true, "a pending fit without a curve");
     DAMAGED(e, s->state, BAT_SKETCHING_PENDING, "nothing is pending");
-    s->has_pending = true, s->pending_curve = curve;
+    s->has_pending = true, s->pending_result = (bat_edit_result){1, {curve}, NULL};
     named(e, "a pending fit is forgotten", "pending");
-    s->has_pending = false, s->pending_curve = NULL;
+    s->has_pending = false, s->pending_result = (bat_edit_result){0};
     pen p = pen_for(e);
     pen_begin(&p, pen_arch, (double[]){300, 300, 500, 380, 20}, 16);
     assert_int_equal(s->state, BAT_SKETCHING_DRAWING);

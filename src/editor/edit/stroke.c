@@ -37,83 +37,78 @@ static bat_status chain(const bat_document *document, const bat_edit *edit, bat_
     return bat_sketch_chain(edit->part_count, curves, cuts, meaning, &stroke, &edit->options, out);
 }
 
-/* The first of them represents all. */
-static bat_status compute_first(const bat_document *document, const bat_edit *edit, bat_curve **out) {
-    bat_curve *made[BAT_EDIT_PARTS];
-    bat_status status = chain(document, edit, made);
-    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
-    for (int i = 1; i < edit->part_count; i++) bat_curve_free(made[i]);
-    *out = made[0];
-    return status;
-}
-
-static bat_status compute(const bat_document *document, const bat_edit *edit, bat_curve **out,
-                          bat_sketch_report *report) {
+/* The curve of an edit that makes one. */
+static bat_status one_curve(const bat_document *document, const bat_edit *edit, bat_curve **out,
+                            bat_sketch_report *report) {
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
     if (edit->kind == BAT_EDIT_NEW)
         return bat_sketch_new_meant(&stroke, &edit->options, &edit->meaning, out, report);
     const bat_curve *target = bat_edit_curve(document, edit, edit->object, edit->curve);
     if (!target) return BAT_ARGUMENT;
-    if (edit->kind == BAT_EDIT_LEVEL) {
-        bat_shape *shape = NULL;
-        bat_status status = bat_edit_shape(document, edit, &shape, report);
-        if (!shape) return status;
-        bat_status copied = bat_shape_flatten(shape, out);
-        bat_shape_free(shape);
-        return copied == BAT_OK ? status : copied;
-    }
     if (edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND)
         return bat_sketch_meant(target, &stroke, &edit->options, &edit->meaning, out, report);
     if (edit->kind == BAT_EDIT_CLOSE) return bat_sketch_close(target, &stroke, &edit->options, out, report);
-    if (edit->kind == BAT_EDIT_SEVERAL) return compute_first(document, edit, out);
     if (edit->kind == BAT_EDIT_SMOOTH) return bat_sketch_smooth(target, &stroke, &edit->options, out, report);
     const bat_curve *other = bat_edit_curve(document, edit, edit->other, edit->other_curve);
     if (!other || other == target) return BAT_ARGUMENT;
     return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
 }
 
-bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sketch_live *live,
-                            bat_curve **out, bat_sketch_report *report) {
-    bat_curve *curve = NULL;
+/* The levels of a LEVEL edit, and the finest of them as its curve. */
+static bat_status levels(const bat_document *document, const bat_edit *edit, bat_edit_result *out,
+                         bat_sketch_report *report) {
+    if (!bat_edit_curve(document, edit, edit->object, edit->curve)) return BAT_ARGUMENT;
+    bat_status status = bat_edit_shape(document, edit, &out->shape, report);
+    if (!out->shape) return status;
+    bat_status copied = bat_shape_flatten(out->shape, out->curve);
+    return copied == BAT_OK ? status : copied;
+}
+
+void bat_edit_result_clear(bat_edit_result *result) {
+    for (int i = 0; i < result->count; i++) bat_curve_free(result->curve[i]);
+    bat_shape_free(result->shape);
+    *result = (bat_edit_result){0};
+}
+
+bat_status bat_edit_compute(const bat_document *document, const bat_edit *edit, bat_sketch_live *live,
+                            bat_edit_result *out, bat_sketch_report *report) {
+    bat_edit_result made = {.count = edit->kind == BAT_EDIT_SEVERAL ? edit->part_count : 1};
+    bat_status status;
     *report = (bat_sketch_report){0};
-    bat_status status = live ? bat_sketch_live_commit(live, &curve, report)
-                             : compute(c->session->document, edit, &curve, report);
-    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
-    if (!curve) return BAT_SINGULAR;
-    *out = curve;
+    *out = (bat_edit_result){0};
+    if (live)
+        status = bat_sketch_live_commit(live, made.curve, report);
+    else if (edit->kind == BAT_EDIT_SEVERAL)
+        status = chain(document, edit, made.curve);
+    else if (edit->kind == BAT_EDIT_LEVEL)
+        status = levels(document, edit, &made, report);
+    else
+        status = one_curve(document, edit, made.curve, report);
+    if (status == BAT_OK && !made.curve[0]) status = BAT_SINGULAR;
+    if (status == BAT_OK || status == BAT_TOLERANCE)
+        *out = made;
+    else
+        bat_shape_free(made.shape);
     return status;
 }
 
-bat_status bat_edit_outcome(const bat_document *document, const bat_edit *edit, int *count,
-                            bat_curve *out[BAT_EDIT_PARTS]) {
-    const bool several = edit->kind == BAT_EDIT_SEVERAL;
-    bat_sketch_report report;
-    *count = several ? edit->part_count : 1;
-    return several ? chain(document, edit, out) : compute(document, edit, out, &report);
-}
-
-/* The curve is only for display. */
-static bat_status put_level(bat_context *c, const bat_edit *edit, bat_curve *curve) {
-    bat_shape *shape = NULL;
-    bat_curve_free(curve);
-    bat_sketch_report report = {0};
-    bat_status status = bat_edit_shape(c->session->document, edit, &shape, &report);
-    return shape ? bat_put_shape(c, edit->object, edit->curve, shape) : status;
-}
-
-/* The curve is only for display. */
-static bat_status put_several(bat_context *c, const bat_edit *edit, bat_curve *curve) {
-    bat_curve *made[BAT_EDIT_PARTS];
-    bat_curve_free(curve);
-    bat_status status = chain(c->session->document, edit, made), put = BAT_OK;
-    if (status != BAT_OK && status != BAT_TOLERANCE) return status;
-    for (int i = 0; i < edit->part_count; i++) {
-        if (put == BAT_OK)
-            put = bat_put_curve(c, edit->part[i].object, edit->part[i].curve, made[i]);
-        else
-            bat_curve_free(made[i]);
+bat_status bat_edit_put(bat_context *c, const bat_edit *edit, bat_edit_result *result) {
+    bat_status status = BAT_OK;
+    if (result->shape) {
+        bat_shape *shape = result->shape;
+        result->shape = NULL;
+        status = bat_put_shape(c, edit->object, edit->curve, shape);
+    } else {
+        for (int i = 0; i < result->count && status == BAT_OK; i++) {
+            const bool several = edit->kind == BAT_EDIT_SEVERAL;
+            bat_curve *curve = result->curve[i];
+            result->curve[i] = NULL;
+            status = bat_put_curve(c, several ? edit->part[i].object : edit->object,
+                                   several ? edit->part[i].curve : edit->curve, curve);
+        }
     }
-    return put;
+    bat_edit_result_clear(result);
+    return status;
 }
 
 /* The object just made, with the pen's pressure as the width along it; flat lines stay flat. */
@@ -130,20 +125,20 @@ static bat_status press(bat_context *c, const bat_edit *edit) {
     return status;
 }
 
-bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curve) {
+/* A new object of the result's one curve. */
+static bat_status insert(bat_context *c, const bat_edit *edit, bat_edit_result *result) {
+    bat_curve *curve = result->curve[0];
+    result->curve[0] = NULL;
+    return bat_insert_curve(c, edit->object, &edit->style, edit->parent, curve);
+}
+
+bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_edit_result *result) {
     bat_text line = {0};
     bat_edit_write(edit, &line);
     bat_status status = bat_transaction_begin(c);
-    if (status != BAT_OK)
-        bat_curve_free(curve);
-    else if (edit->kind == BAT_EDIT_NEW)
-        status = bat_insert_curve(c, edit->object, &edit->style, edit->parent, curve);
-    else if (edit->kind == BAT_EDIT_LEVEL)
-        status = put_level(c, edit, curve);
-    else if (edit->kind == BAT_EDIT_SEVERAL)
-        status = put_several(c, edit, curve);
-    else
-        status = bat_put_curve(c, edit->object, edit->curve, curve);
+    if (status == BAT_OK)
+        status = edit->kind == BAT_EDIT_NEW ? insert(c, edit, result) : bat_edit_put(c, edit, result);
+    bat_edit_result_clear(result);
     if (status == BAT_OK && edit->kind == BAT_EDIT_NEW) status = bat_dash_new(c, edit->object, edit->dashes);
     if (status == BAT_OK && edit->kind == BAT_EDIT_NEW && edit->pressed) status = press(c, edit);
     /* The joined curve replaces the first; the second has become part of it. */

@@ -71,21 +71,28 @@ const char *bat_edit_name(bat_edit_kind kind);
 bat_edit_kind bat_edit_named(const char *name); /* BAT_EDIT_COUNT: none */
 bat_string bat_edit_label(bat_edit_kind kind);
 
+/* What an edit makes of a document. Computed once; then shown, kept until it is accepted, or committed. */
+typedef struct bat_edit_result {
+    int count;                        /* curves: SEVERAL: one for each part; else 1; 0: there is no result */
+    bat_curve *curve[BAT_EDIT_PARTS]; /* owned */
+    bat_shape *shape;                 /* LEVEL: the levels whose finest curve[0] is, owned; else NULL */
+} bat_edit_result;
+
 /*
- * Computes the curve that the edit makes. live: a session that has all the samples and is ended here, or NULL.
- * BAT_OK, or BAT_TOLERANCE with the best curve found; otherwise no curve.
+ * Computes what the edit makes of this document. live: a session that has all the samples and is ended here, or NULL.
+ * BAT_OK, or BAT_TOLERANCE with the best that was found; otherwise the result is empty.
  */
-bat_status bat_edit_compute(const bat_context *c, const bat_edit *edit, bat_sketch_live *live,
-                            bat_curve **out, bat_sketch_report *report);
-/* All curves that the edit would make of this document, *count of them: BAT_OK, or BAT_TOLERANCE with the best ones
- * found; otherwise none. */
-bat_status bat_edit_outcome(const bat_document *document, const bat_edit *edit, int *count,
-                            bat_curve *out[BAT_EDIT_PARTS]);
+bat_status bat_edit_compute(const bat_document *document, const bat_edit *edit, bat_sketch_live *live,
+                            bat_edit_result *out, bat_sketch_report *report);
+void bat_edit_result_clear(bat_edit_result *result); /* one that is empty stays so */
 /* Computes the shape that a LEVEL edit makes: BAT_OK, or BAT_TOLERANCE with the best one found; otherwise none. */
 bat_status bat_edit_shape(const bat_document *document, const bat_edit *edit, bat_shape **out,
                           bat_sketch_report *report);
-/* Puts the curve into the document as one undo step and one line of the journal, or changes nothing. Takes ownership
- * of the curve, whatever it returns. */
-bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_curve *curve);
+/* Puts the curves of a result in the place of those that the edit changes, within a transaction; empties it, whatever it
+ * returns. Not for NEW. */
+bat_status bat_edit_put(bat_context *c, const bat_edit *edit, bat_edit_result *result);
+/* Puts the result into the document as one undo step and one line of the journal, or changes nothing. Empties the
+ * result, whatever it returns. */
+bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_edit_result *result);
 
 #endif

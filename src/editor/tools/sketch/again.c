@@ -100,9 +100,7 @@ void bat_again_converged(bat_again *again, bat_together *together) {
     *together = (bat_together){0};
 }
 
-static void drop_fit(bat_again *again) {
-    while (again->fits > 0) bat_curve_free(again->fit[--again->fits]);
-}
+static void drop_fit(bat_again *again) { bat_edit_result_clear(&again->fit); }
 
 void bat_again_drop(bat_again *again) {
     drop_fit(again);
@@ -132,22 +130,23 @@ static bat_status converge(const bat_again *again, const bat_edit *edit, bat_cur
 
 /* at: the reading. */
 static bat_status carry_out(bat_context *c, bat_again *again, bat_edit *edit, int at) {
-    bat_curve *curve = NULL;
+    bat_edit_result result;
     bat_sketch_report report;
     note_before(c, again, edit);
     if (at == again->converged) {
+        bat_curve *curve = NULL;
         bat_status status = converge(again, edit, &curve);
         if (status != BAT_OK) return status;
         return bat_commit_curve(c, edit->object, edit->curve, curve, BAT_STRING_STEP_CONVERGE);
     }
-    bat_status status = bat_edit_compute(c, edit, NULL, &curve, &report);
+    bat_status status = bat_edit_compute(c->session->document, edit, NULL, &result, &report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     edit->accepted = status == BAT_TOLERANCE; /* it was asked for by name */
     if (edit->kind == BAT_EDIT_NEW) {
         edit->object = bat_document_new_id(c->session->document);
         bat_arrange_place(c, &edit->parent);
     }
-    return bat_edit_commit(c, edit, curve);
+    return bat_edit_commit(c, edit, &result);
 }
 
 bat_status bat_again_read(bat_context *c, bat_again *again, int at) {
@@ -172,20 +171,16 @@ bat_status bat_again_read(bat_context *c, bat_again *again, int at) {
 /* What the edit makes of the document as it was before the stroke. */
 static bat_status preview(const bat_context *c, bat_again *again, const bat_edit *edit) {
     bat_document *before = NULL;
-    int count = 1;
-    bat_curve *fit[BAT_EDIT_PARTS];
+    bat_sketch_report report;
     bat_status status;
     drop_fit(again);
     if (again->at == again->converged) {
-        status = converge(again, edit, fit);
+        status = converge(again, edit, again->fit.curve);
+        again->fit.count = status == BAT_OK;
     } else {
         status = bat_history_before(&c->session->history, c->session->document, &before);
-        if (status == BAT_OK) status = bat_edit_outcome(before, edit, &count, fit);
+        if (status == BAT_OK) status = bat_edit_compute(before, edit, NULL, &again->fit, &report);
         bat_document_free(before);
-    }
-    if (status == BAT_OK || status == BAT_TOLERANCE) {
-        memcpy(again->fit, fit, (size_t)count * sizeof(bat_curve *));
-        again->fits = count;
     }
     return status == BAT_MEMORY ? status : BAT_OK;
 }

@@ -24,14 +24,13 @@ typedef struct bat_again {
     bat_together together; /* what they mean, owned */
     double amount;         /* from raw, 0, to fair, 1; as drawn: 1/2 */
     double tolerance;      /* of the stroke as drawn, document units */
-    bat_curve *before; /* what the reading in force has redrawn, owned; NULL: nothing, or several curves */
-    int fits;          /* curves of the preview, while the amount is being chosen; 0: none */
-    bat_curve *fit[BAT_EDIT_PARTS]; /* owned */
-    uint64_t revision;              /* of the document after the stroke */
-    double place[3];                /* the stroke's end, document units */
-    uint32_t selection;             /* its version then */
-    uint32_t kept;                  /* kept.h: the serial number of the stroke, or 0 */
-    uint32_t version;               /* changes whenever the readings change or another is put in force */
+    bat_curve *before;   /* what the reading in force has redrawn, owned; NULL: nothing, or several curves */
+    bat_edit_result fit; /* the preview while the amount is being chosen */
+    uint64_t revision;   /* of the document after the stroke */
+    double place[3];     /* the stroke's end, document units */
+    uint32_t selection;  /* its version then */
+    uint32_t kept;       /* kept.h: the serial number of the stroke, or 0 */
+    uint32_t version;    /* changes whenever the readings change or another is put in force */
 } bat_again;
 
 /* Gathers the other possible meanings of the stroke: readings not much dearer than the best, and always a new line.

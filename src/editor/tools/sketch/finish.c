@@ -11,8 +11,9 @@
 
 static const double DOUBLE_TAP = 400, NEAR = 8; /* ms, px */
 
-/* Computes the curve fitted to the stroke, by itself or as a level of a curve. */
-static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report) {
+/* Computes what is fitted to the stroke. */
+static bat_status compute(bat_context *c, bat_sketching *s, bat_edit_result *result,
+                          bat_sketch_report *report) {
     bat_sketch_live *live = NULL;
     if (s->edit.kind == BAT_EDIT_SMOOTH || s->forced) {
         bat_status status = s->edit.kind == BAT_EDIT_LEVEL ? BAT_OK : bat_sketching_feed(c, s);
@@ -20,12 +21,12 @@ static bat_status compute(bat_context *c, bat_sketching *s, bat_curve **curve, b
         live = s->live;
         s->live = NULL;
     }
-    return bat_edit_compute(c, &s->edit, live, curve, report);
+    return bat_edit_compute(c->session->document, &s->edit, live, result, report);
 }
 
 /* Carries out the best reading of the whole stroke, or the next one that works. A forced redraw that is too far away
  * makes a new curve. */
-static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_sketch_report *report,
+static bat_status make(bat_context *c, bat_sketching *s, bat_edit_result *result, bat_sketch_report *report,
                        bool *strayed) {
     bat_edit *edit = &s->edit;
     bat_status status = BAT_OK;
@@ -40,11 +41,11 @@ static bat_status make(bat_context *c, bat_sketching *s, bat_curve **curve, bat_
     do {
         if (tried < s->meaning.count && !s->smoothing)
             bat_meaning_apply(c, &s->meaning, &s->meaning.readings[tried], edit);
-        status = compute(c, s, curve, report);
+        status = compute(c, s, result, report);
         if (status == BAT_FAR && edit->kind != BAT_EDIT_NEW && edit->kind != BAT_EDIT_SMOOTH && s->forced) {
             edit->kind = BAT_EDIT_NEW;
             *strayed = true;
-            return bat_edit_compute(c, edit, NULL, curve, report);
+            return bat_edit_compute(c->session->document, edit, NULL, result, report);
         }
     } while (status != BAT_OK && status != BAT_TOLERANCE && status != BAT_MEMORY && status != BAT_DOT &&
              status != BAT_STATE && ++tried < s->meaning.count);
@@ -73,12 +74,12 @@ static bool converge(bat_context *c, bat_sketching *s) {
     return true;
 }
 
-/* Commits the curve, and keeps the other readings of the stroke. */
-static void commit(bat_context *c, bat_sketching *s, bat_curve *curve, const bat_sketch_report *report,
+/* Commits the result, and keeps the other readings of the stroke. */
+static void commit(bat_context *c, bat_sketching *s, bat_edit_result *result, const bat_sketch_report *report,
                    bool strayed) {
-    bool closed = bat_curve_is_closed(curve), choice = !s->forced && !s->smoothing;
+    bool closed = bat_curve_is_closed(result->curve[0]), choice = !s->forced && !s->smoothing;
     if (choice) bat_again_gather(c, &s->meaning, &s->edit, &s->again);
-    bat_status status = bat_edit_commit(c, &s->edit, curve);
+    bat_status status = bat_edit_commit(c, &s->edit, result);
     if (status != BAT_OK) {
         bat_again_drop(&s->again);
         bat_notice_failure(c, status);
@@ -118,24 +119,24 @@ void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
         return;
     }
     (void)event;
-    bat_curve *curve = NULL;
+    bat_edit_result result = {0};
     bat_sketch_report report;
     bool strayed = false;
     const bool left = s->edit.samples.last.beside;
     const bool beside = 3 * s->dropped > s->dropped + s->edit.samples.count;
-    bat_status status = beside ? BAT_FAR : make(c, s, &curve, &report, &strayed);
+    bat_status status = beside ? BAT_FAR : make(c, s, &result, &report, &strayed);
     if (status == BAT_OK || status == BAT_TOLERANCE) {
         if (s->edit.kind == BAT_EDIT_NEW) {
             s->edit.object = bat_document_new_id(c->session->document);
             bat_arrange_place(c, &s->edit.parent);
         }
         if (converge(c, s)) {
-            bat_curve_free(curve);
+            bat_edit_result_clear(&result);
         } else if (status == BAT_TOLERANCE) {
-            bat_sketching_keep_pending(s, curve, &report);
+            bat_sketching_keep_pending(s, &result, &report);
             bat_notice(c, BAT_STRING_NOTICE_PENDING);
         } else {
-            commit(c, s, curve, &report, strayed);
+            commit(c, s, &result, &report, strayed);
         }
     } else {
         bat_sketching_say_failed(c, s, status);

@@ -22,9 +22,7 @@ static void free_stroke(bat_kept_stroke *stroke) {
     free(stroke);
 }
 
-static void drop_fit(bat_kept *kept) {
-    while (kept->fits > 0) bat_curve_free(kept->fit[--kept->fits]);
-}
+static void drop_fit(bat_kept *kept) { bat_edit_result_clear(&kept->fit); }
 
 void bat_kept_free(bat_kept *kept) {
     drop_fit(kept);
@@ -201,29 +199,15 @@ static bat_status before_it(const bat_kept_stroke *stroke, const bat_document *d
 }
 
 /* What the edit makes of that document takes the place of the present curves, as one step. */
-static bat_status put(bat_context *c, const bat_document *before, const bat_edit *edit, int count,
-                      bat_curve **fit) {
+static bat_status put(bat_context *c, const bat_edit *edit, bat_edit_result *fit) {
     bat_status status = bat_transaction_begin(c);
-    if (status != BAT_OK) return status;
-    if (edit->kind == BAT_EDIT_LEVEL) {
-        bat_shape *shape = NULL;
-        bat_sketch_report report;
-        status = bat_edit_shape(before, edit, &shape, &report);
-        if (shape) status = bat_put_shape(c, edit->object, edit->curve, shape);
-    }
-    for (int i = 0; i < count && edit->kind != BAT_EDIT_LEVEL && status == BAT_OK; i++) {
-        const bool several = edit->kind == BAT_EDIT_SEVERAL;
-        bat_curve *curve = fit[i];
-        fit[i] = NULL;
-        status = bat_put_curve(c, several ? edit->part[i].object : edit->object,
-                               several ? edit->part[i].curve : edit->curve, curve);
-    }
+    if (status == BAT_OK) status = bat_edit_put(c, edit, fit);
     return bat_transaction_end(c, status, BAT_STRING_STEP_REFIT);
 }
 
 /* Makes the step, instead of the last one if that was a refit of the same stroke. */
 static bat_status carry_out(bat_context *c, bat_kept *kept, const bat_kept_stroke *stroke,
-                            const bat_document *before, const bat_edit *edit, double amount) {
+                            const bat_edit *edit, double amount) {
     const bool again = kept->revision == c->session->revision;
     const uint32_t serial = stroke->serial;
     const bool all = whole(stroke, c->session->document);
@@ -231,7 +215,7 @@ static bat_status carry_out(bat_context *c, bat_kept *kept, const bat_kept_strok
     bat_object *were[BAT_EDIT_PARTS];
     bat_status status = again ? bat_session_step(c, true) : BAT_OK;
     if (status != BAT_OK) return status;
-    status = put(c, before, edit, kept->fits, kept->fit);
+    status = put(c, edit, &kept->fit);
     if (status != BAT_OK) {
         if (again) bat_session_step(c, false);
         if (again) kept->revision = c->session->revision;
@@ -262,13 +246,11 @@ bat_status bat_kept_refit(bat_context *c, bat_kept *kept, double amount, bool do
     if (!all) edit.kind = BAT_EDIT_REDRAW, edit.meaning = (bat_sketch_meaning){0};
     bat_status status = all ? before_it(stroke, c->session->document, &before)
                             : bat_document_copy(c->session->document, &before);
-    int count = 0;
-    bat_curve *fit[BAT_EDIT_PARTS];
-    if (status == BAT_OK) status = bat_edit_outcome(before, &edit, &count, fit);
+    bat_sketch_report report;
+    if (status == BAT_OK) status = bat_edit_compute(before, &edit, NULL, &kept->fit, &report);
     if (status == BAT_OK || status == BAT_TOLERANCE) {
-        memcpy(kept->fit, fit, (size_t)count * sizeof(bat_curve *));
-        kept->fits = count, kept->shown = stroke->serial;
-        status = done ? carry_out(c, kept, stroke, before, &edit, amount) : BAT_OK;
+        kept->shown = stroke->serial;
+        status = done ? carry_out(c, kept, stroke, &edit, amount) : BAT_OK;
         if (done) drop_fit(kept);
     }
     bat_document_free(before);
@@ -276,11 +258,11 @@ bat_status bat_kept_refit(bat_context *c, bat_kept *kept, double amount, bool do
 }
 
 void bat_kept_show(const bat_context *c, const bat_kept *kept, bat_overlay *overlay) {
-    if (!kept->fits) return;
+    if (!kept->fit.count) return;
     const bat_kept_stroke *stroke = bat_kept_offered(c, kept);
     if (!stroke || stroke->serial != kept->shown) return;
-    for (int i = 0; i < kept->fits; i++) {
+    for (int i = 0; i < kept->fit.count; i++) {
         bat_overlay_item(overlay, BAT_ROLE_FIT, BAT_ITEM_STROKED, FIT_WIDTH);
-        bat_path_curve(&overlay->path, kept->fit[i]);
+        bat_path_curve(&overlay->path, kept->fit.curve[i]);
     }
 }

@@ -30,9 +30,8 @@ typedef struct bat_kept {
     bat_kept_stroke *stroke[BAT_KEPT_MOST]; /* the newest last, owned */
     uint32_t serial;                        /* given out last */
     uint64_t revision;                      /* of the document after the newest was refitted; 0: it was not */
-    int fits;                               /* what is shown while the amount is being chosen */
+    bat_edit_result fit;                    /* what is shown while the amount is being chosen */
     uint32_t shown;                         /* of which stroke */
-    bat_curve *fit[BAT_EDIT_PARTS];         /* owned */
 } bat_kept;
 
 void bat_kept_free(bat_kept *kept);

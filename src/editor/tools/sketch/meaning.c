@@ -11,6 +11,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
 #include "base/real.h"
+#include <batten/levels.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -62,7 +62,8 @@ void bat_sketching_say_failed(bat_context *c, const bat_sketching *s, bat_status
 void bat_sketching_say_dropped(bat_context *c, const bat_sketching *s, bool refused, bool left);
 
 /* ---- pending.c: a fit that awaits confirmation ---- */
-void bat_sketching_keep_pending(bat_sketching *s, bat_curve *curve, const bat_sketch_report *report);
+void bat_sketching_keep_pending(bat_sketching *s, const bat_edit_result *result,
+                                const bat_sketch_report *report);
 bool bat_sketching_accept(bat_context *c, void *state); /* false: nothing awaits confirmation */
 
 /* ---- traced.c: a stroke without a pen ---- */

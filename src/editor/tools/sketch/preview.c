@@ -79,7 +79,11 @@ static void fit(bat_context *c, bat_sketching *s) {
     bat_curve *curve = NULL;
     bat_status status;
     if (s->edit.kind == BAT_EDIT_LEVEL) {
-        status = bat_edit_compute(c, &s->edit, NULL, &curve, &info.report);
+        bat_edit_result result;
+        status = bat_edit_compute(c->session->document, &s->edit, NULL, &result, &info.report);
+        curve = result.curve[0];
+        result.curve[0] = NULL;
+        bat_edit_result_clear(&result);
     } else {
         status = bat_sketching_feed(c, s);
         if (status == BAT_OK) status = bat_sketch_live_preview(s->live, &curve, &info);

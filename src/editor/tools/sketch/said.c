@@ -2,6 +2,7 @@
 #include "editor/session/notice.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/sketch/parts.h"
+#include <batten/levels.h>
 #include <stdio.h>
 
 bat_string bat_sketching_outcome(const bat_edit *edit, bool strayed, bool closed) {

@@ -178,12 +178,14 @@ void bat_sketching_show_refit(bat_context *c, const bat_sketching *s, bat_overla
     const bat_curve *before = again->before;
     if (!now) return;
     show_present(c, overlay, edit->object, edit->curve);
-    for (int i = 1; i < again->fits; i++) show_present(c, overlay, edit->part[i].object, edit->part[i].curve);
-    for (int i = 0; i < again->fits; i++) show_fit(c, overlay, BAT_ROLE_FIT, again->fit[i], NULL, true);
-    if (!edit->mirror.on || again->fits > 1) return;
+    for (int i = 1; i < again->fit.count; i++)
+        show_present(c, overlay, edit->part[i].object, edit->part[i].curve);
+    for (int i = 0; i < again->fit.count; i++)
+        show_fit(c, overlay, BAT_ROLE_FIT, again->fit.curve[i], NULL, true);
+    if (!edit->mirror.on || again->fit.count > 1) return;
     /* The twin, where there is one, is by now that of the present curve. */
     const bool own = before && bat_mirror_twins(&edit->mirror, before, before, edit->options.pixel);
-    show_other_side(c, edit, !before || own ? before : now, again->fit[0], overlay);
+    show_other_side(c, edit, !before || own ? before : now, again->fit.curve[0], overlay);
 }
 
 /* The fit that awaits confirmation. */
@@ -191,5 +193,5 @@ void bat_sketching_show_pending(const bat_context *c, const bat_sketching *s, ba
     const bat_edit *edit = &s->pending;
     bool whole = !bat_sketching_one_changes(edit);
     if (!whole) show_stretch(c, overlay, edit, &s->pending_report);
-    show_fit(c, overlay, BAT_ROLE_PENDING, s->pending_curve, &s->pending_report, whole);
+    show_fit(c, overlay, BAT_ROLE_PENDING, s->pending_result.curve[0], &s->pending_report, whole);
 }

@@ -63,7 +63,7 @@ static void show_landing(const bat_context *c, const bat_sketching *s, bat_overl
 
 static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_sketching *s = state;
-    if (s->again.fits && bat_sketching_readings(c, s)) bat_sketching_show_refit(c, s, list);
+    if (s->again.fit.count && bat_sketching_readings(c, s)) bat_sketching_show_refit(c, s, list);
     if (s->has_pending) bat_sketching_show_pending(c, s, list);
     if (s->state == BAT_SKETCHING_DRAWING)
         bat_sketching_show_stroke(c, s, list);
@@ -92,7 +92,7 @@ static const char *check(const bat_context *c, const void *state) {
     if (drawing && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a stroke without a pen";
     if (s->fed > s->edit.samples.count) return "the session has samples that the stroke has not";
-    if (s->has_pending != (s->pending_curve != NULL)) return "a pending fit without a curve";
+    if (s->has_pending != (s->pending_result.count > 0)) return "a pending fit without a curve";
     if (s->state == BAT_SKETCHING_PENDING && !s->has_pending) return "nothing is pending";
     if (s->state == BAT_SKETCHING_IDLE && s->has_pending) return "a pending fit is forgotten";
     if (drawing && s->edit.kind != BAT_EDIT_NEW &&
@@ -121,7 +121,7 @@ static uint32_t readings(const bat_context *c, const void *state) {
 
 void bat_sketching_show_kept(const bat_context *c, bat_overlay *overlay) {
     const bat_sketching *s = bat_sketching_of(c);
-    if (s->kept.fits) bat_kept_show(c, &s->kept, overlay);
+    if (s->kept.fit.count) bat_kept_show(c, &s->kept, overlay);
 }
 
 const bat_tool *bat_tool_sketch(void) {

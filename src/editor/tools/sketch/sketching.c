@@ -17,8 +17,7 @@ void bat_sketching_drop_session(bat_sketching *s) {
 }
 
 void bat_sketching_drop_pending(bat_sketching *s) {
-    bat_curve_free(s->pending_curve);
-    s->pending_curve = NULL;
+    bat_edit_result_clear(&s->pending_result);
     s->has_pending = false;
 }
 

@@ -65,7 +65,7 @@ typedef struct bat_sketching {
     /* PENDING, and DRAWING over it while it may still be a tap */
     bool has_pending;
     bat_edit pending; /* with its own samples */
-    bat_curve *pending_curve;
+    bat_edit_result pending_result;
     bat_sketch_report pending_report;
 } bat_sketching;
 
