@@ -6,6 +6,7 @@ batten.h holds the public headers, batten.c the internal headers and then all so
 uses it: nothing clashes, not even with what the headers of some system declare. Macros of a source end with it.
 """
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -151,15 +152,18 @@ def renamed(text, names):
 
 
 class Library:
-    def __init__(self, root):
+    def __init__(self, root, made):
         self.root = root
         self.src = root / "src"
+        self.made = made # headers that the build makes
         self.version = re.search(r'BAT_VERSION "([^"]+)"', (root / "include/batten/base.h").read_text()).group(1)
         self.system = set()
 
     def place(self, kind, name, beside):
         """The file that an include means, None for one of the system."""
         path = self.root / "include" / name if name.startswith("batten/") else self.src / name
+        if kind == '"' and not path.exists():
+            path = self.made / name
         if kind == '"' and not path.exists():
             path = beside.parent / name
         return path if path.exists() else None
@@ -189,7 +193,7 @@ class Library:
 
     def source(self):
         sources = sorted(self.src.rglob("*.c"))
-        headers = sorted(self.src.rglob("*.h"))
+        headers = sorted(self.src.rglob("*.h")) + sorted(self.made.rglob("*.h"))
         done, shared = set(), []
         for path in headers:
             if path not in done:
@@ -231,9 +235,18 @@ def banner(root, text):
     return f"/* {text}\n *\n * {licence} */\n"
 
 
+def make_ids(root, path):
+    """The enums of the tables, as the build makes them."""
+    tables = root / "src/editor/tables"
+    subprocess.run(["cmake", f"-DSTRINGS={tables}/strings.def", f"-DCOMMANDS={tables}/commands.def", f"-DOUT={path}", "-P",
+                    str(root / "cmake/ids.cmake")], check=True)
+
+
 def main():
-    library, out = Library(Path(sys.argv[1])), Path(sys.argv[2])
+    root, out = Path(sys.argv[1]), Path(sys.argv[2])
     out.mkdir(parents=True, exist_ok=True)
+    make_ids(root, out / "made/editor/tables/ids.h")
+    library = Library(root, out / "made")
     source = library.source()
     (out / "batten.h").write_text(library.header(), encoding="utf-8")
     (out / "batten.c").write_text(source, encoding="utf-8")

@@ -17,6 +17,7 @@ endfunction()
 add_library(batten STATIC $<TARGET_OBJECTS:batten_objects>)
 if(WIN32) # there, what a DLL exports is compiled differently
   add_library(batten_shared SHARED ${BATTEN_SOURCES})
+  add_dependencies(batten_shared batten_ids)
   target_include_directories(batten_shared PRIVATE src)
   target_link_libraries(batten_shared PRIVATE $<BUILD_INTERFACE:batten_options>)
   target_compile_definitions(batten_shared PRIVATE BATTEN_DLL=dllexport INTERFACE BATTEN_DLL=dllimport)

@@ -3,6 +3,7 @@
 #include <batten/bezier.h>
 #include <batten/document.h>
 #include <batten/format.h>
+#include <batten/camera.h>
 
 #include <math.h>
 #include <stdlib.h>

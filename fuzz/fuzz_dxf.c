@@ -2,6 +2,7 @@
 #include "format/formats.h"
 
 #include <batten/bezier.h>
+#include <batten/document.h>
 
 #include <stdlib.h>
 #include <string.h>

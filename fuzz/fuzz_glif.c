@@ -2,6 +2,7 @@
  * all else as it was. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/document.h>
 
 #include "document/format.h"
 #include "format/svg/tags.h"

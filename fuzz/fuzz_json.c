@@ -3,6 +3,8 @@
 #include "format/formats.h"
 
 #include <batten/bezier.h>
+#include <batten/document.h>
+#include <batten/view.h>
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,6 +2,8 @@
  * and given other vertices. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/mesh.h>
+#include <batten/surface.h>
 
 #include <math.h>
 #include <stdlib.h>

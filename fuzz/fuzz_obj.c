@@ -2,6 +2,9 @@
 #include "format/formats.h"
 
 #include <batten/bezier.h>
+#include <batten/document.h>
+#include <batten/mesh.h>
+#include <batten/surface.h>
 
 #include <stdlib.h>
 

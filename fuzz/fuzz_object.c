@@ -3,6 +3,10 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/paint.h>
+#include <batten/recipe.h>
+#include <batten/wires.h>
+#include <batten/levels.h>
+#include <batten/mesh.h>
 
 #include "support/pictures.h"
 

@@ -2,6 +2,7 @@
  * nothing changes; levels come off and on. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/relief.h>
 
 #include <math.h>
 #include <stdlib.h>

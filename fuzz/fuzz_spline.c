@@ -2,6 +2,7 @@
  * splines pass through their points, and a point inserted on the curve does not move the curve. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/levels.h>
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,6 +3,7 @@
  * is lost. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/document.h>
 
 #include "support/xml.h"
 #include "text/utf8.h"

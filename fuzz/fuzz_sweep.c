@@ -1,6 +1,7 @@
 /* Any bytes as a SWEEP. The surface that is made of one that can be read is within its tolerance at the places that are
  * looked at. */
 #include <batten/format.h>
+#include <batten/format_space.h>
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 /* Any bytes as WIRES, applied to a grid of points: what is far away keeps its bits, what moves does not go further than
  * the wires and their turns take it, and the references put everything back. */
 #include <batten/format.h>
+#include <batten/format_space.h>
 
 #include <math.h>
 #include <stdlib.h>

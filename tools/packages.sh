@@ -68,6 +68,7 @@ need_to_test() {
     need clang-format clang-format
     need clang-tidy clang-tidy
     need git git
+    need ccache ccache
     need curl curl
     need jq jq
     need python3-scipy '/usr/lib/python3/dist-packages/scipy'

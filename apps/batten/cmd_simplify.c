@@ -9,6 +9,7 @@
 #include <batten/bezier.h>
 #include <batten/fit.h>
 #include <batten/measure.h>
+#include <batten/document.h>
 
 #include <math.h>
 

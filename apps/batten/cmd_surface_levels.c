@@ -3,6 +3,7 @@
 #include "results.h"
 
 #include <batten/format.h>
+#include <batten/relief.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -3,6 +3,7 @@
 #include "results.h"
 
 #include <batten/sweep.h>
+#include <batten/format_space.h>
 #include <math.h>
 #include <stdlib.h>
 

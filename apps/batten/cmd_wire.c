@@ -1,6 +1,8 @@
 /* batten wire: a mesh, a surface or a curve follows wires. */
 #include "program.h"
 #include "results.h"
+#include <batten/format_space.h>
+#include <batten/mesh.h>
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,6 +2,7 @@
 
 #include "gzip.h"
 #include "replace.h"
+#include <batten/document.h>
 
 #include <errno.h>
 #include <stdio.h>

@@ -7,6 +7,7 @@
 #include <batten/svg_read.h>
 
 #include <batten/format.h>
+#include <batten/document.h>
 
 #include <stdlib.h>
 #include <string.h>

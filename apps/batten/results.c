@@ -8,6 +8,7 @@
 #include "address.h"
 #include "io.h"
 #include "program.h"
+#include <batten/relate.h>
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,6 +4,8 @@
 
 #include "format/model/model.h"
 #include "format/seen/seen.h"
+#include <batten/camera.h>
+#include <batten/mesh.h>
 
 #include <math.h>
 #include <stdlib.h>

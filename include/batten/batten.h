@@ -3,6 +3,7 @@
 #define BATTEN_BATTEN_H
 
 #include <batten/base.h>
+#include <batten/types.h>
 #include <batten/camera.h>
 #include <batten/curve.h>
 #include <batten/refine.h>
@@ -33,6 +34,7 @@
 #include <batten/document.h>
 #include <batten/paint.h>
 #include <batten/format.h>
+#include <batten/format_space.h>
 #include <batten/input.h>
 #include <batten/frame.h>
 #include <batten/panels.h>

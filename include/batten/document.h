@@ -7,16 +7,8 @@
 #ifndef BATTEN_DOCUMENT_H
 #define BATTEN_DOCUMENT_H
 
-#include <batten/camera.h>
-#include <batten/levels.h>
-#include <batten/mesh.h>
-#include <batten/motion.h>
-#include <batten/recipe.h>
 #include <batten/relate.h>
-#include <batten/relief.h>
-#include <batten/surface.h>
-#include <batten/tangents.h>
-#include <batten/wires.h>
+#include <batten/types.h>
 
 #ifdef __cplusplus
 extern "C" {

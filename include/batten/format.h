@@ -2,18 +2,8 @@
 #ifndef BATTEN_FORMAT_H
 #define BATTEN_FORMAT_H
 
-#include <batten/motion.h>
-#include <batten/camera.h>
-#include <batten/document.h>
-#include <batten/levels.h>
-#include <batten/mesh.h>
-#include <batten/relief.h>
-#include <batten/sketch.h>
-#include <batten/surface.h>
-#include <batten/sweep.h>
-#include <batten/tangents.h>
-#include <batten/view.h>
-#include <batten/wires.h>
+#include <batten/base.h>
+#include <batten/types.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -130,26 +120,9 @@ BAT_API bat_status bat_viewpoint_read(const char *text, size_t size, bat_viewpoi
                                       bat_problem *problem);
 BAT_API bat_status bat_viewpoint_write(const bat_viewpoint *view, char **text, size_t *size);
 BAT_API bat_status bat_canvas_read(const char *text, size_t size, bat_canvas *out, bat_problem *problem);
-/* One SWEEP, released by bat_sweep_source_clear. */
-typedef struct bat_sweep_source {
-    bat_curve *path, *profile;
-    bat_sweep_options options;
-} bat_sweep_source;
-BAT_API bat_status bat_sweep_read(const char *text, size_t size, bat_sweep_source *out, bat_problem *problem);
-BAT_API void bat_sweep_source_clear(bat_sweep_source *source);
 /* One MOVE; of a path with levels, the finest curve is taken. */
 BAT_API bat_status bat_camera_read(const char *text, size_t size, bat_camera **out, bat_problem *problem);
 BAT_API bat_status bat_camera_write(const bat_camera *camera, char **text, size_t *size);
-/* WIRES, released by bat_wires_source_clear: wires, the curve that each becomes, and how they blend. */
-enum { BAT_WIRE_CURVES = 3 };
-typedef struct bat_wires_source {
-    size_t count;
-    bat_wire *wires;
-    bat_curve **curves, **owned; /* owned: reference, curve and domain curve (may be NULL) of each */
-    bat_wire_options options;
-} bat_wires_source;
-BAT_API bat_status bat_wires_read(const char *text, size_t size, bat_wires_source *out, bat_problem *problem);
-BAT_API void bat_wires_source_clear(bat_wires_source *source);
 /*
  * Points in order, of 2 or 3 numbers: a STROKE, a GeoJSON LineString (or a Feature that holds one), or columns of numbers
  * with any header or none; the columns are those called x, y and z, in any case, else the first two or, where there are

@@ -5,6 +5,7 @@
 #ifndef BATTEN_SVG_READ_H
 #define BATTEN_SVG_READ_H
 
+#include <batten/document.h>
 #include <batten/format.h>
 
 #ifdef __cplusplus

@@ -7,6 +7,7 @@
 #include "base/users.h"
 
 #include <batten/document.h>
+#include <batten/wires.h>
 
 enum { BAT_BOUND_SOURCES = 2 * BAT_BOUND_WIRES };
 

@@ -9,6 +9,7 @@
 #include "document/list.h"
 #include "document/nesting.h"
 #include "document/object.h"
+#include <batten/recipe.h>
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "document/kind.h"
+#include <batten/recipe.h>
 
 bat_status bat_document_follower(const bat_document *document, int index, bat_object **out) {
     const bat_object *object = bat_document_at(document, index), *from[BAT_RECIPE_CURVES];

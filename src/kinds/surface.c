@@ -13,6 +13,7 @@
 #include "format/json/surface.h"
 #include "kinds/kinds.h"
 #include "text/text.h"
+#include <batten/recipe.h>
 
 #include <stdlib.h>
 #include <string.h>

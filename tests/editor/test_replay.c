@@ -206,7 +206,7 @@ static void the_pen_is_recorded(void **state) {
 static void the_documented_example(void **state) {
     (void)state;
     static char page[32768];
-    FILE *file = fopen(BATTEN_SOURCE_DIR "/docs/journal.md", "rb");
+    FILE *file = fopen("docs/journal.md", "rb");
     assert_non_null(file);
     size_t size = fread(page, 1, sizeof page - 1, file);
     fclose(file);

@@ -1,5 +1,6 @@
 /* Whole SVG files read by expat: drawings, and malicious files. */
 #include <batten/svg_read.h>
+#include <batten/document.h>
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -3,6 +3,7 @@
 #include "support/xml.h"
 
 #include <batten/bezier.h>
+#include <batten/document.h>
 
 #include <stdio.h>
 

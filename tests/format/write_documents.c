@@ -1,6 +1,8 @@
 /* Prints random documents for test_schema.py, each ended by a zero byte. */
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/camera.h>
+#include <batten/levels.h>
 #include "support/pictures.h"
 #include "support/random_surface.h"
 

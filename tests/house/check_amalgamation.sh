@@ -15,7 +15,7 @@ for compiler in gcc clang; do
     (cd "$work" && $compiler -std=c17 -pedantic -Wall -Wextra -Wno-misleading-indentation -Werror -O0 -c batten.c -o $compiler.o)
     $compiler -std=c17 -pedantic -Werror "$work/main.c" "$work/$compiler.o" -o "$work/$compiler.main" -lm
     "$work/$compiler.main"
-    $compiler -std=c17 -I"$1/src" -I"$1/include" -I"$1/tests" "$1/tests/wasm/parity.c" "$1/tests/wasm/parity_native.c" \
+    $compiler -std=c17 -I"$1/src" -I"$work/made" -I"$1/include" -I"$1/tests" "$1/tests/wasm/parity.c" "$1/tests/wasm/parity_native.c" \
         "$work/$compiler.o" -o "$work/$compiler.parity" -lm
     "$work/$compiler.parity" > "$work/$compiler.txt"
     # What it shows to a linker are names that begin with bat_.

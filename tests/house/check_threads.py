@@ -9,7 +9,8 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 headers = "\n".join(path.read_text() for path in sorted((root / "include/batten").glob("*.h")))
-kinds = "|".join(sorted(set(re.findall(r"typedef struct (bat_\w+) \1;", headers))))
+opaque = set(re.findall(r"typedef struct (bat_\w+) \1;", headers)) - set(re.findall(r"typedef struct (bat_\w+) \{", headers))
+kinds = "|".join(sorted(opaque))
 calls = re.findall(r"BAT_API([^;]*?)\b(bat_\w+)\(([^;]*)\);", headers)
 wanted = {name for _, name, takes in calls if re.search(rf"const ({kinds}) \*", takes)}
 tests = "\n".join(path.read_text() for path in (root / "tests/threads").glob("*.c"))

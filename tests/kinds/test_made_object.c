@@ -8,6 +8,7 @@
 
 #include <batten/format.h>
 #include <batten/refine.h>
+#include <batten/recipe.h>
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -5,6 +5,7 @@
 
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/relief.h>
 
 #include <setjmp.h>
 #include <stdarg.h>

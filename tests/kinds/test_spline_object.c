@@ -13,6 +13,8 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/refine.h>
+#include <batten/document.h>
+#include <batten/tangents.h>
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 #include "support/objects.h"

@@ -1,7 +1,6 @@
 /*
- * Makes the Nth allocation fail. A test program that includes this is linked with --wrap for malloc, calloc
- * and realloc (tests/CMakeLists.txt does so when it finds the name of this file in the source), which reaches
- * into the static library. Include it in one file of a program.
+ * Makes the Nth allocation fail. All test programs are linked with --wrap for malloc, calloc, realloc and free
+ * (tests/CMakeLists.txt), which reaches into the static library; alloc_fail.c has the functions.
  *
  *     for (int n = 1; ; n++) {
  *         alloc_fail_at(n);
@@ -17,25 +16,11 @@
 #define BATTEN_TESTS_ALLOC_FAIL_H
 
 #include <stdbool.h>
-#include <stddef.h>
 
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *memory, size_t size);
-void __real_free(void *memory);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *memory, size_t size);
-void __wrap_free(void *memory);
-
-#ifdef BATTEN_ONE_MODULE /* many programs in one: only tests/wasm/units.c defines the state and the functions */
-#define ALLOC_STATE extern
-#else
-#define ALLOC_STATE
-#endif
-ALLOC_STATE long alloc_countdown; /* 0: none fails; -1: alloc_paths.h decides */
-ALLOC_STATE bool alloc_hit;
-ALLOC_STATE long alloc_blocks;
+extern long alloc_countdown; /* 0: none fails; -1: alloc_decides says which */
+extern bool alloc_hit;
+extern long alloc_blocks;
+extern bool (*alloc_decides)(void); /* alloc_paths.h */
 
 /* Makes the nth allocation from now on fail, once; 0 switches this off. */
 static inline void alloc_fail_at(long n) { alloc_countdown = n, alloc_hit = false; }
@@ -47,40 +32,5 @@ static inline bool alloc_fail_reached(void) {
 }
 
 static inline long alloc_live(void) { return alloc_blocks; }
-
-#ifndef BATTEN_ONE_MODULE
-#ifndef ALLOC_DECIDES
-#define ALLOC_DECIDES() false
-#endif
-static inline bool alloc_fails_now(void) {
-    if (alloc_countdown < 0) return ALLOC_DECIDES() && (alloc_hit = true);
-    if (alloc_countdown == 0 || --alloc_countdown > 0) return false;
-    return alloc_hit = true;
-}
-
-void *__wrap_malloc(size_t size) {
-    void *memory = alloc_fails_now() ? NULL : __real_malloc(size);
-    alloc_blocks += memory != NULL;
-    return memory;
-}
-
-void *__wrap_calloc(size_t count, size_t size) {
-    void *memory = alloc_fails_now() ? NULL : __real_calloc(count, size);
-    alloc_blocks += memory != NULL;
-    return memory;
-}
-
-void *__wrap_realloc(void *memory, size_t size) {
-    if (alloc_fails_now()) return NULL;
-    void *moved = __real_realloc(memory, size);
-    alloc_blocks += memory == NULL && moved != NULL;
-    return moved;
-}
-
-void __wrap_free(void *memory) {
-    alloc_blocks -= memory != NULL;
-    __real_free(memory);
-}
-#endif
 
 #endif

@@ -18,14 +18,12 @@
 #ifndef BATTEN_TESTS_ALLOC_PATHS_H
 #define BATTEN_TESTS_ALLOC_PATHS_H
 
+#include "support/alloc_fail.h"
+
 #include <execinfo.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
-
-static bool alloc_is_new(void);
-#define ALLOC_DECIDES() alloc_is_new()
-#include "support/alloc_fail.h"
 
 enum { ALLOC_DEPTH = 64, ALLOC_CALLS = 1 << 20 };
 static uint64_t alloc_known[ALLOC_CALLS]; /* calls, each with an allocation below it; 0: free */
@@ -33,9 +31,6 @@ static int alloc_known_count;
 static bool alloc_rest_fails;
 static void
     *alloc_failed[ALLOC_DEPTH]; /* the calls of the last that failed, the innermost first; for a debugger */
-
-/* The next new allocation fails; with `rest` all that follow it, too, until alloc_fail_reached. */
-static inline void alloc_fail_new(bool rest) { alloc_fail_at(-1), alloc_rest_fails = rest; }
 
 /* Whether it is the first of its kind. */
 static inline bool alloc_learn(uint64_t key) {
@@ -64,6 +59,12 @@ static bool alloc_is_new(void) {
     }
     if (found) memcpy(alloc_failed, calls, sizeof calls);
     return found;
+}
+
+/* The next new allocation fails; with `rest` all that follow it, too, until alloc_fail_reached. */
+static inline void alloc_fail_new(bool rest) {
+    alloc_decides = alloc_is_new, alloc_rest_fails = rest;
+    alloc_fail_at(-1);
 }
 
 #endif

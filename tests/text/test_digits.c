@@ -10,11 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#ifdef BATTEN_ONE_MODULE /* which has it already */
 #include "../../web/module/print.h"
-#else
-#include "../../web/module/print.c"
-#endif
 #include "text/digits.h"
 #include "text/number.h"
 

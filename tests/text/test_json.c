@@ -11,6 +11,8 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/document.h>
+#include <batten/motion.h>
 #include "text/json.h"
 #include "text/number.h"
 #include "support/random_curve.h"

@@ -1,6 +1,5 @@
 /* What wasi-libc lacks for the tests, and the exports for tests/wasm/host.mjs. */
 #define _POSIX_C_SOURCE 200809L /* fmemopen */
-#define BATTEN_ONE_MODULE
 #include "support/alloc_fail.h"
 #include "wasm/units.h"
 #include "wasm/witness.h"

@@ -10,11 +10,6 @@ list(APPEND UNITS ${EXAMPLES} ${PROJECT_SOURCE_DIR}/tests/curve/fit_strokes.c
 # need threads, expat, native struct sizes or the calls on the stack, which WebAssembly does not have, or that make
 # solves fail.
 set(NATIVE_ONLY test_svg_file test_svg_view test_options)
-set(files /) # the path of the repository for tests
-if(NOT BATTEN_WASM)
-  set(files ${PROJECT_SOURCE_DIR})
-endif()
-
 set(PROGRAMS)
 set(declared)
 set(programs)
@@ -31,7 +26,7 @@ foreach(source ${UNITS})
     set(every)
   endif()
   set_source_files_properties(${source} PROPERTIES
-    COMPILE_DEFINITIONS "main=unit_${name};BATTEN_ONE_MODULE;BATTEN_SOURCE_DIR=\"${files}\""
+    COMPILE_DEFINITIONS "main=unit_${name}"
     COMPILE_OPTIONS "${every};-Wno-missing-prototypes")
   file(STRINGS ${source} takes_words REGEX "^int main\\(int" LIMIT_COUNT 1)
   if(takes_words)
@@ -63,8 +58,8 @@ list(TRANSFORM wraps REPLACE "^WRAP\\([^,]*, ([a-z_]+),.*" "-Wl,--wrap=\\1")
 
 # Adds all of these to a target.
 function(use_programs target)
-  target_sources(${target} PRIVATE units.c readers.c witness.c ${CMAKE_CURRENT_BINARY_DIR}/units_list.c
-    ${UNITS} ${FUZZERS})
+  target_sources(${target} PRIVATE units.c readers.c witness.c ${here}/../support/alloc_fail.c
+    ${CMAKE_CURRENT_BINARY_DIR}/units_list.c ${UNITS} ${FUZZERS})
   target_include_directories(${target} BEFORE PRIVATE ${here}/cmocka ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_link_options(${target} PRIVATE ${wraps} -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free)
 endfunction()

@@ -6,6 +6,7 @@
 
 #include <batten/bezier.h>
 #include <batten/editor.h>
+#include <batten/levels.h>
 
 #include <stdio.h>
 

@@ -13,7 +13,7 @@ for (let first = 0, run; (run = units.run(name, first)).failed; first = run.at +
   if (run.at < first) break;
 }
 if (faults === 0) {
-  const [theirText, theirs] = execFileSync(native, ['run', name], { encoding: 'latin1', maxBuffer: 1 << 28 }).split('\nwitness\n');
+  const [theirText, theirs] = execFileSync(native, ['run', name], { cwd: root, encoding: 'latin1', maxBuffer: 1 << 28 }).split('\nwitness\n');
   const text = Buffer.concat(units.printed).toString('latin1');
   const mine = units.witness();
   if (mine !== theirs || (text !== theirText && name !== 'test_real')) { // which prints how far libm is away

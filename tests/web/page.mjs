@@ -6,28 +6,11 @@ import path from 'node:path';
 import { afterEach, beforeEach } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { BROWSER, HANG } from './chromium.mjs';
+
+export { HANG };
 
 export const SCREENSHOTS = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../build/screenshots');
-
-/** Milliseconds: a test step that takes longer counts as hanging, however busy the machine. */
-export const HANG = 90000;
-
-/**
- * Features of Chromium that are off: those that Playwright puts off (the last such flag replaces all before it), and pages of
- * the address bar that no window here shows and that cost as much as opening the editor.
- */
-const OFF = ['AvoidUnnecessaryBeforeUnloadCheckSync', 'BoundaryEventDispatchTracksNodeRemoval', 'DestroyProfileOnBrowserClose',
-  'DialMediaRouteProvider', 'GlobalMediaControls', 'HttpsUpgrades', 'LensOverlay', 'MediaRouter', 'PaintHolding',
-  'ThirdPartyStoragePartitioning', 'Translate', 'AutoDeElevate', 'RenderDocument', 'OptimizationHints',
-  'WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup', 'PreloadTopChromeWebUI'];
-
-const BROWSER = {
-  timeout: HANG,
-  executablePath: process.env.BATTEN_CHROMIUM ?? '/usr/bin/chromium',
-  headless: true,
-  args: ['--disable-gpu', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-    '--disable-component-update', '--disable-sync', `--disable-features=${OFF.join()}`],
-};
 
 /**
  * Console errors of any page, including uncaught ones and policy violations: each fails the test in which it occurs.
@@ -148,9 +131,18 @@ async function watch(context) {
   return context;
 }
 
+/** The browser that other test files use, too, where one is running (browser.mjs). */
+async function shared() {
+  try {
+    return await chromium.connect(fs.readFileSync(process.env.BATTEN_BROWSER ?? '', 'utf8'));
+  } catch {
+    return null;
+  }
+}
+
 export async function launch() {
   fs.mkdirSync(SCREENSHOTS, { recursive: true });
-  const browser = await chromium.launch(BROWSER);
+  const browser = await shared() ?? await chromium.launch(BROWSER);
   const make = browser.newContext.bind(browser);
   browser.newContext = async (options) => watch(await make(options));
   return browser;

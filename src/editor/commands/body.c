@@ -8,6 +8,7 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/commands.h"
+#include <batten/motion.h>
 
 /* The skeleton that is selected, and the object beside it in the selection, whose first curve can be a path; NULL: none. */
 static const bat_object *body_of(const bat_context *c, const bat_object **path) {

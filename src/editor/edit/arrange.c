@@ -16,6 +16,7 @@
 #include "editor/session/reorder.h"
 #include "base/matrix.h"
 #include "document/kind.h"
+#include <batten/recipe.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,6 +6,7 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "form/wire/refine.h"
+#include <batten/recipe.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

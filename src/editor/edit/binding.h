@@ -8,6 +8,7 @@
 #include "editor/session/context.h"
 
 #include <batten/document.h>
+#include <batten/function.h>
 
 /* Whether the selection can be bound. */
 bool bat_bind_fits(const bat_context *c);

@@ -17,6 +17,7 @@
 #include "editor/session/reorder.h"
 #include "base/matrix.h"
 #include "document/kind.h"
+#include <batten/recipe.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -2,6 +2,7 @@
 #include "editor/edit/mirror_record.h"
 #include "editor/session/journal_line.h"
 #include "editor/view/stage.h"
+#include <batten/levels.h>
 #include <math.h>
 #include <string.h>
 #include <stdio.h>

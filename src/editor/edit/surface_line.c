@@ -3,6 +3,7 @@
 #include "editor/session/context.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
+#include <batten/levels.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -8,6 +8,7 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "form/wire/stops.h"
+#include <batten/recipe.h>
 
 #include <string.h>
 

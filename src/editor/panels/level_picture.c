@@ -1,6 +1,8 @@
 #include "editor/panels/level_picture.h"
 
 #include "curve/curve.h"
+#include <batten/levels.h>
+#include <batten/relief.h>
 #include <math.h>
 #include <stdlib.h>
 

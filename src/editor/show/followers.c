@@ -10,6 +10,7 @@
 #include "editor/tables/tables.h"
 #include "editor/view/stage.h"
 #include "editor/view/unit.h"
+#include <batten/mesh.h>
 
 #include <math.h>
 #include <stdio.h>

@@ -7,6 +7,7 @@
 #include "editor/session/session.h"
 #include "editor/view/stage.h"
 #include "editor/view/unit.h"
+#include <batten/mesh.h>
 
 #include <math.h>
 #include <stdlib.h>

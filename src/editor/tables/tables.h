@@ -3,47 +3,8 @@
 #define BATTEN_EDITOR_TABLES_TABLES_H
 
 #include "document/kind.h"
+#include "editor/tables/ids.h" /* made by cmake/ids.cmake */
 #include <batten/base.h>
-
-typedef enum bat_string {
-#define TEXT(id, key, english, korean) BAT_STRING_##id,
-#include "editor/tables/strings.def"
-    BAT_STRING_COUNT
-} bat_string;
-
-typedef enum bat_command_id {
-#define COMMAND(id, name, keys, when, function) BAT_COMMAND_##id,
-#define HELD(id, name, keys, function) BAT_COMMAND_##id,
-/* A section has the same number as its first command. */
-#define SECTION(id) BAT_SECTION_##id, BAT_SECTION_##id##_AGAIN = BAT_SECTION_##id - 1,
-#include "editor/tables/commands.def"
-    BAT_COMMAND_COUNT
-} bat_command_id;
-
-typedef enum bat_property_id {
-#define PROPERTY(id, name, type, standard, low, high, step, unit, group) BAT_PROPERTY_##id,
-#define SUBJECT(id) BAT_SUBJECT_##id, BAT_SUBJECT_##id##_AGAIN = BAT_SUBJECT_##id - 1,
-#include "editor/tables/commands.def"
-    BAT_PROPERTY_COUNT
-} bat_property_id;
-
-typedef enum bat_number_id {
-#define NUMBER(id, name) BAT_NUMBER_##id,
-#include "editor/tables/commands.def"
-    BAT_NUMBER_COUNT
-} bat_number_id;
-
-typedef enum bat_tool_id {
-#define TOOL(id, name, command, behaviour, traits) BAT_TOOL_##id,
-#include "editor/tables/commands.def"
-    BAT_TOOL_COUNT
-} bat_tool_id;
-
-enum {
-#define MODE(id, behaviour) BAT_MODE_##id,
-#include "editor/tables/commands.def"
-    BAT_MODE_COUNT
-};
 
 typedef enum bat_property_type {
     BAT_PROPERTY_NUMBER,

@@ -2,6 +2,7 @@
 #include "document/format.h"
 #include "kinds/kinds.h"
 #include "text/json.h"
+#include <batten/motion.h>
 
 #include <string.h>
 

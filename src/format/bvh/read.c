@@ -4,6 +4,7 @@
 #include "text/utf8.h"
 
 #include <batten/format.h>
+#include <batten/motion.h>
 
 #include <math.h>
 #include <stdio.h>

@@ -2,6 +2,7 @@
 #include "text/text.h"
 
 #include <batten/format.h>
+#include <batten/motion.h>
 
 #include <stdlib.h>
 

@@ -3,6 +3,7 @@
 #include "document/format.h"
 #include "text/json.h"
 #include "text/number.h"
+#include <batten/curve.h>
 
 #include <math.h>
 #include <stdio.h>

@@ -3,6 +3,7 @@
 #include "format/dxf/dxf.h"
 #include "text/json.h"
 #include "text/utf8.h"
+#include <batten/curve.h>
 
 #include <math.h>
 #include <stdlib.h>

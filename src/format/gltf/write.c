@@ -4,6 +4,7 @@
 #include "format/model/model.h"
 
 #include "base/real.h"
+#include <batten/camera.h>
 
 #include <math.h>
 #include <stdlib.h>

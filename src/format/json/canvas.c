@@ -4,6 +4,7 @@
 #include "format/json/fields.h"
 #include "format/json/surface.h"
 #include <batten/format.h>
+#include <batten/view.h>
 
 static bat_status read_direction(const bat_fields *f, uint32_t object, const char *name, double out[3]) {
     bat_status status = bat_fields_vector(f, object, name, out);

@@ -5,6 +5,7 @@
 #include "format/json/shape.h"
 
 #include <batten/format.h>
+#include <batten/motion.h>
 
 #include <stdlib.h>
 

@@ -5,6 +5,8 @@
 #include "format/json/stroke.h"
 #include "text/number.h"
 
+#include <batten/sketch.h>
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

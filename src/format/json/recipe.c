@@ -1,4 +1,5 @@
 #include "format/json/recipe.h"
+#include <batten/recipe.h>
 
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "format/json/curve.h"
 #include "text/number.h"
 #include "format/json/stroke.h"
+#include <batten/sketch.h>
 
 #include <math.h>
 #include <stdio.h>

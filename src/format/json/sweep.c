@@ -4,6 +4,7 @@
 #include "format/json/word.h"
 
 #include <batten/format.h>
+#include <batten/format_space.h>
 
 static const char *const FRAMES[] = {"rmf", "frenet", "fixed", NULL};
 

@@ -6,6 +6,7 @@
 #include "format/json/word.h"
 
 #include <batten/format.h>
+#include <batten/format_space.h>
 
 #include <math.h>
 #include <stdlib.h>

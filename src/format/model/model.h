@@ -3,6 +3,7 @@
 #define BATTEN_FORMAT_MODEL_H
 
 #include <batten/format.h>
+#include <batten/surface.h>
 
 /* Adds one more. Takes it over, and frees it on failure. */
 bat_status bat_model_add_surface(bat_model *model, bat_surface *surface);

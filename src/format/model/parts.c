@@ -3,6 +3,7 @@
 #include "base/real.h"
 
 #include <batten/bezier.h>
+#include <batten/mesh.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,6 +6,7 @@
 #include "format/obj/lines.h"
 #include "format/obj/obj.h"
 #include "text/json.h"
+#include <batten/mesh.h>
 
 #include <math.h>
 #include <stdio.h>

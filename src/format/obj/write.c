@@ -1,6 +1,7 @@
 /* Writes OBJ. Closed directions get as many points and knots more as their degree, before the first. */
 #include "format/model/full.h"
 #include "format/obj/obj.h"
+#include <batten/mesh.h>
 
 enum { ROW = 10 };
 

@@ -2,6 +2,7 @@
 
 #include <batten/bezier.h>
 #include <batten/relate.h>
+#include <batten/document.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

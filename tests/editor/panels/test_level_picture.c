@@ -10,6 +10,8 @@
 #include "support/alloc_fail.h"
 #include "base/real.h"
 #include "editor/panels/level_picture.h"
+#include <batten/levels.h>
+#include <batten/relief.h>
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/camera.h>
 #include "support/alloc_fail.h"
 
 #define PATH                                                                                                 \

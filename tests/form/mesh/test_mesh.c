@@ -10,6 +10,7 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/mesh.h>
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/relief.h>
 #include "support/alloc_fail.h"
 #include "support/random_surface.h"
 

@@ -8,6 +8,7 @@
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/sweep.h>
+#include <batten/format_space.h>
 #include "support/alloc_fail.h"
 #include "support/random_surface.h"
 

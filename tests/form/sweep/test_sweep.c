@@ -10,6 +10,7 @@
 #include <batten/refine.h>
 #include <batten/format.h>
 #include <batten/sweep.h>
+#include <batten/format_space.h>
 #include "support/random_curve.h"
 
 static const double TURN = 6.283185307179586477;

@@ -7,6 +7,7 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/view.h>
 #include "support/alloc_fail.h"
 #include "support/random_surface.h"
 

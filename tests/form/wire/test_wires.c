@@ -13,6 +13,7 @@
 #include <batten/format.h>
 #include <batten/nearest.h>
 #include <batten/refine.h>
+#include <batten/format_space.h>
 #include "form/wire/turns.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"

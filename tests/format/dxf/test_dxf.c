@@ -4,6 +4,7 @@
 
 #include <batten/bezier.h>
 #include <batten/measure.h>
+#include <batten/document.h>
 
 #include "support/random_curve.h"
 

@@ -10,6 +10,7 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/levels.h>
 #include "document/nesting.h"
 #include "support/pictures.h"
 

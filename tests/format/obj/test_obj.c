@@ -4,6 +4,8 @@
 
 #include <batten/bezier.h>
 #include <batten/curve.h>
+#include <batten/document.h>
+#include <batten/mesh.h>
 
 #include "support/random_curve.h"
 

@@ -13,6 +13,7 @@
 #include "support/random_curve.h"
 #include "support/xml.h"
 #include <batten/bezier.h>
+#include <batten/document.h>
 
 #define LINE "<path d='M0 0L5 5' stroke='red' "
 #define BOX "<rect width='5' height='5' "

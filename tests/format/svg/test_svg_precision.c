@@ -11,6 +11,7 @@
 #include "support/random_curve.h"
 #include <batten/bezier.h>
 #include <batten/format.h>
+#include <batten/document.h>
 
 #include <math.h>
 

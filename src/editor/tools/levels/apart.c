@@ -13,6 +13,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/edit/curves_of.h"
+#include <batten/relief.h>
 #include <math.h>
 #include <stdio.h>
 

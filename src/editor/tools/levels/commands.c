@@ -14,6 +14,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/edit/curves_of.h"
 #include "base/real.h"
+#include <batten/relief.h>
 #include <math.h>
 #include <stdio.h>
 

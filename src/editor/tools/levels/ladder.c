@@ -1,6 +1,8 @@
 #include "editor/tools/levels/ladder.h"
 
 #include "curve/curve.h"
+#include <batten/levels.h>
+#include <batten/relief.h>
 
 int bat_ladder_levels(bat_ladder ladder) {
     if (ladder.relief) return bat_relief_levels(ladder.relief);

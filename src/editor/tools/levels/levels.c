@@ -34,6 +34,7 @@
 #include "editor/pick/pick.h"
 #include "editor/edit/curves_of.h"
 #include <batten/measure.h>
+#include <batten/relief.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

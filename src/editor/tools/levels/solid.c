@@ -9,6 +9,7 @@
 #include "editor/view/ground.h"
 #include "editor/view/stage.h"
 #include "editor/view/way.h"
+#include <batten/relief.h>
 #include <math.h>
 
 static const double CLOSE = 0.02; /* px between the pen and the place that it drags */

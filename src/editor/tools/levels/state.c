@@ -14,6 +14,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
+#include <batten/relief.h>
 #include <stdlib.h>
 
 bat_leveling *bat_leveling_of(const bat_context *c) { return bat_toolbox_that(c, BAT_EDITS_LEVELS)->state; }

@@ -11,6 +11,7 @@
 #include "editor/tables/tables.h"
 #include "editor/tools/levels/ladder.h"
 #include <batten/editor.h>
+#include <batten/levels.h>
 
 typedef struct bat_leveling {
     bat_id object;  /* the chosen curve or surface; 0: none */

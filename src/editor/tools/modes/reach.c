@@ -15,6 +15,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
 #include "base/real.h"
+#include <batten/wires.h>
 #include <math.h>
 
 static const double REACH = 7, REACH_TOUCH = 16; /* px */
