@@ -1,11 +1,17 @@
 # BATTEN_WEB_FILES: a C file with the browser shell and the WASM module as data, regenerated when they change.
-# The module is built in a separate tree, build/wasm, with its own preset; without a WASM compiler it is left out.
+# The module is built in a separate tree, build/wasm, with its own preset; without a WASM compiler it is left out. With
+# BATTEN_MODULE_APART it is built here only when there is none: who changes the engine need not wait for it, and builds that
+# tree when it matters, as ./test does.
+option(BATTEN_MODULE_APART "The program takes the module as it lies in build/wasm" OFF)
 include(${CMAKE_CURRENT_LIST_DIR}/wasm_clang.cmake)
 if(BATTEN_WASM_CLANG AND EXISTS /usr/include/wasm32-wasi/wasi/api.h)
   set(BATTEN_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/batten.wasm ${PROJECT_SOURCE_DIR}/build/wasm/batten-later.wasm)
   file(GLOB_RECURSE MODULE_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.[ch] ${PROJECT_SOURCE_DIR}/src/*.def
     ${PROJECT_SOURCE_DIR}/include/*.h ${PROJECT_SOURCE_DIR}/web/module/*.[ch] ${PROJECT_SOURCE_DIR}/web/module/later.txt)
   set(BATTEN_WORDS ${PROJECT_SOURCE_DIR}/build/wasm/words.en.json ${PROJECT_SOURCE_DIR}/build/wasm/words.ko.json)
+  if(BATTEN_MODULE_APART)
+    set(MODULE_INPUTS)
+  endif()
   add_custom_command(OUTPUT ${BATTEN_MODULE} ${BATTEN_WORDS} VERBATIM COMMENT "The WASM module, in build/wasm"
     DEPENDS ${MODULE_INPUTS} ${PROJECT_SOURCE_DIR}/cmake/wasm.cmake ${PROJECT_SOURCE_DIR}/cmake/module.cmake
       ${PROJECT_SOURCE_DIR}/cmake/split_module.cmake ${PROJECT_SOURCE_DIR}/cmake/wasm_clang.cmake

@@ -1,10 +1,9 @@
 // Human motion in the page: a BVH file is dropped and is a skeleton; it plays; a pen chooses a joint, its levels are mixed, and a stroke over
 // the graph redraws its angle; undo gives the drawing back as it was.
 import assert from 'node:assert/strict';
-import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { drop, launch, move, open, place, quiet, SCREENSHOTS, state } from './page.mjs';
+import { downloaded, drop, launch, move, open, place, quiet, SCREENSHOTS, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -50,7 +49,7 @@ async function exported(page) {
   await page.selectOption('#export-format', 'bvh');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export .strong')]);
   assert.equal(download.suggestedFilename(), 'walk.bvh');
-  return numbers(fs.readFileSync(await download.path(), 'utf8'));
+  return numbers(String(await downloaded(download)));
 }
 
 /** How high the root is in each frame. */

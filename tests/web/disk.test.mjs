@@ -1,4 +1,4 @@
-// Files on disk that the page may write; several files at once; a file named by the page's address. The handles are those
+// label: smoke. Files on disk that the page may write; several files at once; a file named by the page's address. The handles are those
 // of the browser's private file system, which is the same interface as that of the picker, without its window.
 import assert from 'node:assert/strict';
 import path from 'node:path';

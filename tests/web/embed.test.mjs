@@ -8,7 +8,7 @@ import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { bezier, expectFaults, Hand, launch, MALFORMED, quiet, SCREENSHOTS, settle } from './page.mjs';
+import { bezier, downloaded, expectFaults, Hand, launch, MALFORMED, quiet, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, MODULE } from './server.mjs';
 
 const POLICY = "default-src 'none'; script-src 'self'; frame-src 'self'; connect-src 'self'; img-src data:; base-uri 'none'";
@@ -149,7 +149,7 @@ test('nobody takes what is saved: it is downloaded', async () => {
   await page.evaluate(() => one.addEventListener('save', (event) => event.stopImmediatePropagation(), { capture: true }));
   const [download] = await Promise.all([page.waitForEvent('download'), page.evaluate(() => one.save())]);
   assert.equal(download.suggestedFilename(), 'square.svg');
-  assert.equal(paths(fs.readFileSync(await download.path(), 'utf8')), 2);
+  assert.equal(paths(String(await downloaded(download))), 2);
 });
 
 test('removed, put back and put elsewhere it goes on, with undo; two are apart', async () => {

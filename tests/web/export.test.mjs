@@ -1,11 +1,11 @@
-// Export: parts of the drawing in other formats, pictures, prints, and a picture on the clipboard.
+// label: smoke. Export: parts of the drawing in other formats, pictures, prints, and a picture on the clipboard.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { drop, launch, open, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { downloaded, drop, launch, open, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const ART = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300">
@@ -47,7 +47,7 @@ async function choose(page, fields) {
 async function made(page, fields) {
   await choose(page, fields);
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export .strong')]);
-  return { name: download.suggestedFilename(), bytes: fs.readFileSync(await download.path()) };
+  return { name: download.suggestedFilename(), bytes: await downloaded(download) };
 }
 
 /** Width, height and some pixels of a PNG, as the browser decodes it. */

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { drop, expectFaults, launch, MALFORMED, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { downloaded, drop, expectFaults, launch, MALFORMED, open, place, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -39,7 +39,7 @@ test('download as SVG and as Batten file; both open again as they were', async (
     await page.click('[data-name=menu]');
     const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-command=${command}]`)]);
     assert.equal(download.suggestedFilename(), name);
-    const text = fs.readFileSync(await download.path(), 'utf8');
+    const text = String(await downloaded(download));
     const other = await open(browser, server.address);
     await drop(other.page, name, text);
     assert.equal((await state(other.page)).digest, digest, name);
@@ -76,7 +76,7 @@ test('every format that the engine reads opens, with another name too', async ()
       await page.click('[data-name=menu]');
       const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-command=${command}]`)]);
       assert.equal(download.suggestedFilename(), `${name.replace(/\..*/, '')}.${ending}`);
-      saved[ending] = fs.readFileSync(await download.path(), 'utf8');
+      saved[ending] = String(await downloaded(download));
     }
     const { objects } = JSON.parse(saved.batten);
     assert.equal(objects.length, 1, name);

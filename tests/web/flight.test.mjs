@@ -7,7 +7,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, move, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { downloaded, launch, move, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { PROGRAM, serve } from './server.mjs';
 import { SCENE } from './tori.mjs';
 
@@ -95,7 +95,7 @@ test('from a stroke to a flight, and back', async (t) => {
 
   await page.click('[data-name=menu]');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-command=download-native]')]);
-  const drawing = JSON.parse(fs.readFileSync(await download.path(), 'utf8'));
+  const drawing = JSON.parse(String(await downloaded(download)));
   const camera = drawing.objects.find(({ kind }) => kind === 'camera');
   fs.writeFileSync(path.join(folder, 'move.json'), JSON.stringify(camera.move));
   execFileSync(PROGRAM, ['camera', path.join(folder, 'move.json'), '--fps', '24', '--out', path.join(folder, 'flight.glb')]);

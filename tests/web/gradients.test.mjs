@@ -1,4 +1,4 @@
-// Gradients, dashes and uneven strokes as the page paints them, against what SVG says they are at a point.
+// label: smoke. Gradients, dashes and uneven strokes as the page paints them, against what SVG says they are at a point.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';

@@ -1,4 +1,4 @@
-// Pen, mouse, fingers, wheel and keys.
+// label: smoke. Pen, mouse, fingers, wheel and keys.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, beforeEach, afterEach, test } from 'node:test';

@@ -1,4 +1,4 @@
-// Levels in the page: an outline with many points decomposed with a live choice, its sweep dragged with a pen while the
+// label: smoke. Levels in the page: an outline with many points decomposed with a live choice, its sweep dragged with a pen while the
 // scales follow, faders, mute and solo, a level redrawn by a stroke, detail copied to another curve, frames shown as
 // axes; by keys too; no findings by axe; screenshots in light and dark.
 import assert from 'node:assert/strict';

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, expectFaults, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, downloaded, expectFaults, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
 /** A file whose elements are not all in its text cannot be kept as it is. */
@@ -55,7 +55,7 @@ test('asked once, before the first save that would lose something', async (t) =>
 
   await ask(page);
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
-  assert.match(fs.readFileSync(await download.path(), 'utf8'), /<svg/);
+  assert.match(String(await downloaded(download)), /<svg/);
   assert.equal(server.saves, 0);
   assert.equal(server.bytes.toString(), ART);
   assert.equal((await state(page)).unsaved, true, 'the file is not saved');
@@ -116,7 +116,7 @@ test('each object that does not look as in the file is named, and the first save
   await page.keyboard.press('Control+S');
   await page.waitForSelector('#inexact[open]');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#inexact button[value=copy]')]);
-  assert.match(fs.readFileSync(await download.path(), 'utf8'), /mix-blend-mode:multiply/);
+  assert.match(String(await downloaded(download)), /mix-blend-mode:multiply/);
   assert.equal(server.saves, 0);
   assert.equal(server.bytes.toString(), BLENDED);
 

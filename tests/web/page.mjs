@@ -185,6 +185,15 @@ export async function reveal(page, name) {
   await settle(page);
 }
 
+/** The bytes of a file that the page hands to the browser. @param {import('playwright-core').Download} download */
+export async function downloaded(download) {
+  const parts = [];
+  for await (const part of await download.createReadStream()) {
+    parts.push(part);
+  }
+  return Buffer.concat(parts);
+}
+
 export async function ready(page) {
   await page.waitForSelector('html[data-ready=yes]');
   await settle(page);

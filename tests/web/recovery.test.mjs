@@ -1,8 +1,8 @@
-// When the module traps, the drawing is restored from its journal.
+// label: smoke. When the module traps, the drawing is restored from its journal.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { bezier, expectFaults, launch, open, place, settle, state } from './page.mjs';
+import { bezier, downloaded, expectFaults, launch, open, place, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -83,7 +83,7 @@ for (const [bad, name] of [[5, 'a drawing whose every picture breaks is given up
     }
     assert.match(await page.textContent('[data-about=trap]'), /Not all steps/);
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-about=trap] button')]);
-    assert.equal(fs.readFileSync(await download.path()).length, steps);
+    assert.equal((await downloaded(download)).length, steps);
     await context.close();
   });
 }

@@ -1,4 +1,4 @@
-// The structure of the page's scripts: files stay short, imports run downwards, what the page starts with is fetched at
+// label: smoke. The structure of the page's scripts: files stay short, imports run downwards, what the page starts with is fetched at
 // once, and each sheet is fetched separately when it is first opened.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';

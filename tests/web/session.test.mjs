@@ -1,4 +1,4 @@
-// The main task from end to end: open the example, redraw the roof line with the pen, undo, redo, save, reload, compare
+// label: smoke. The main task from end to end: open the example, redraw the roof line with the pen, undo, redo, save, reload, compare
 // the file.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';

@@ -1,4 +1,4 @@
-// The first load: all that the program serves until the page is ready, before any input, is at most 200 kB with gzip.
+// label: smoke. The first load: all that the program serves until the page is ready, before any input, is at most 200 kB with gzip.
 // The second part of the module and what the inspector shows follow when the page has been painted.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';

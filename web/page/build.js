@@ -17,15 +17,19 @@ export async function get(name) {
   return response;
 }
 
+const LEAVING = 100; // milliseconds in which a page that is being left is gone
+
 let missed = false;
 /** @type {() => void} */
 let tell = () => {};
 
-/** Tells the user that something is missing. @param {unknown} error */
+/** Tells the user that something is missing; not when it is because the page is being left. @param {unknown} error */
 export function miss(error) {
-  console.error(error);
-  missed = true;
-  tell();
+  setTimeout(() => {
+    console.error(error);
+    missed = true;
+    tell();
+  }, LEAVING);
 }
 
 /** @param {() => void} run called to tell the user */

@@ -66,7 +66,7 @@ static bat_status levels(const bat_document *document, const bat_edit *edit, bat
 
 void bat_edit_result_clear(bat_edit_result *result) {
     for (int i = 0; i < result->count; i++) bat_curve_free(result->curve[i]);
-    bat_shape_free(result->shape);
+    if (result->shape) bat_shape_free(result->shape);
     *result = (bat_edit_result){0};
 }
 
