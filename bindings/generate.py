@@ -112,6 +112,12 @@ def used(headers, type_, found):
             used(headers, inner, found)
 
 
+def write(path, text):
+    """Writes a file, unless it says so already: what is made from it then stays as it is."""
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
 def main():
     root, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     headers = Headers(root)
@@ -134,16 +140,16 @@ def main():
              if name == "bat_status" or any(name == field["type"] for s in structs.values() for field in s["fields"])
              or any(name == type_ for call in calls for _, type_ in call["args"])}
     out.mkdir(parents=True, exist_ok=True)
-    (out / "calls.json").write_text(json.dumps({"calls": calls, "structs": structs, "enums": enums, "inits": inits,
-                                                "classes": CLASSES, "frees": FREES}, indent=None) + "\n")
+    write(out / "calls.json", json.dumps({"calls": calls, "structs": structs, "enums": enums, "inits": inits,
+                                          "classes": CLASSES, "frees": FREES}, indent=None) + "\n")
     exports = sorted({call["c"] for call in calls} | set(ALSO) | set(inits.values()))
-    (out / "exports.txt").write_text("\n".join(exports) + "\n")
+    write(out / "exports.txt", "\n".join(exports) + "\n")
     lines = ["#include <batten/batten.h>", ""]
     for name, layout in structs.items():
         lines.append(f'_Static_assert(sizeof({name}) == {layout["size"]}, "{name}");')
         lines += [f'_Static_assert(offsetof({name}, {field["name"]}) == {field["at"]}, "{name}.{field["name"]}");'
                   for field in layout["fields"]]
-    (out / "layout.c").write_text("\n".join(lines) + "\n")
+    write(out / "layout.c", "\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

@@ -149,7 +149,7 @@ def test(trees, choice):
             progress.tell(f"{state['done']} done; running: {', '.join(running)}")
 
     say(f"tests of {', '.join(trees)}")
-    follow(["ctest", "--test-dir", folder, f"-j{CORES}", "--output-on-failure", "--no-tests=error", "--output-junit", report,
+    follow(["ctest", "--test-dir", folder, f"-j{CORES + 1}", "--output-on-failure", "--no-tests=error", "--output-junit", report,
             *choice], folder / "log.txt", look)
     progress.show(f"[{progress.passed()}] done")
     try:

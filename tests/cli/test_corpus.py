@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# label: slow
+# label: all (sixty files of other programs, rendered and edited)
 """Files of other programs, opened and saved again (tests/pictures/again.py): all those in tests/pictures/programs, which are
 written as Illustrator, Figma, Inkscape, matplotlib, d3, Graphviz and LibreOffice write them, and of the icons of the machine as
 many different ones, spread over all. How many are good may only grow."""

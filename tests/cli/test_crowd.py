@@ -1,4 +1,4 @@
-"""label: slow. More connections than the editor's server has places for."""
+"""label: all (hundreds of connections). More connections than the editor's server has places for."""
 import concurrent.futures
 import http.client
 import socket

@@ -1,7 +1,7 @@
 """Shapes of several levels, in the plane and in space, open and closed: whole curves and edits of them, to the bar of
 1e-10 of the size, against everything written here anew with numpy: de Boor bases by scipy, chains of double
 reflections a span at a time, nodes by root finding, loops closed by arc length, twist bookkeeping over the whole curve.
-label: slow"""
+label: all (all of levels computed once more in Python)"""
 import math
 import unittest
 

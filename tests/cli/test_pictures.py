@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# label: slow
+# label: all (renders every file three times)
 """Small files, one for each way in which curves are painted: `batten render` and rsvg-convert make the same pictures, of the
 file and of the file as it is written anew, without what was kept of it. Left out is what librsvg 2.54 does otherwise than SVG
 says: the box of a turned shape, gradients without extent, strokes that do not scale, clip paths of clip paths."""

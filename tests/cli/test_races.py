@@ -1,4 +1,4 @@
-"""label: slow. Two who save at once: several servers, or a server and another program. Whatever was saved and not seen by the other
+"""label: all (many servers at once). Two who save at once: several servers, or a server and another program. Whatever was saved and not seen by the other
 is not lost. meddler.c acts as the other program, in the moment that matters."""
 import fcntl
 import os

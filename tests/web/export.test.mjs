@@ -1,4 +1,4 @@
-// label: smoke. Export: parts of the drawing in other formats, pictures, prints, and a picture on the clipboard.
+// Export: parts of the drawing in other formats, pictures, prints, and a picture on the clipboard.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';

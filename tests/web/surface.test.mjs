@@ -1,4 +1,4 @@
-// label: smoke. The surface tool with a pen: a jug's rim is lit, redrawn with the surface following, locked and undone; in the tilted view
+// The surface tool with a pen: a jug's rim is lit, redrawn with the surface following, locked and undone; in the tilted view
 // as face-on.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
