@@ -3,7 +3,10 @@
 #include "curve/banded.h"
 
 static long countdown, rest; /* 0: none fails; how many fail from there on */
+static long count_of_all;
 static bool hit;
+
+long solve_count(void) { return count_of_all; }
 
 void solve_fail_at(long n, long count) { countdown = n, rest = count, hit = false; }
 
@@ -13,6 +16,7 @@ bool solve_fail_reached(void) {
 }
 
 static bool fails_now(void) {
+    count_of_all++;
     if (countdown == 0 || (countdown > 1 && countdown--)) return false;
     if (--rest == 0) countdown = 0;
     return hit = true;

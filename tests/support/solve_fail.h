@@ -10,6 +10,8 @@
 
 /* The nth solve from now on fails, and those that follow it, `count` in all; 0 switches this off. */
 void solve_fail_at(long n, long count);
+/* How many there were since the program began: what fitting costs. */
+long solve_count(void);
 /* Whether it has failed. Also switches this off. */
 bool solve_fail_reached(void);
 
