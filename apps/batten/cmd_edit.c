@@ -166,6 +166,7 @@ static int begin_beside(const char *path, char **name, char **text, serve_file *
 }
 
 static int edit(const cli_arguments *arguments, const serve_file *file, int port) {
+    io_remark_copy(file->path);
     const int failed = look_at(file->path, file->format);
     if (failed) return failed;
     tidy_up(file->path);

@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* O_PATH */ /* NOLINT(bugprone-reserved-identifier) */
 #include "document_file.h"
 
 #include "gzip.h"
@@ -5,9 +6,11 @@
 #include <batten/document.h>
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* Size and FNV-1a hash of the content: the chance that two versions of one size get the same tag by accident
  * is 2^-64. Time and inode are left out, so that touching the file or writing back the same bytes is no
@@ -43,6 +46,8 @@ static file_result result_of(io_result result) {
     case IO_CHANGED: return FILE_CHANGED;
     case IO_READ_ONLY: return FILE_READ_ONLY;
     case IO_NOT_REGULAR: return FILE_NOT_REGULAR;
+    case IO_COPY_LEFT: return FILE_COPY_LEFT;
+    case IO_BROKEN: return FILE_BROKEN;
     default: return FILE_FAILED;
     }
 }
@@ -173,10 +178,14 @@ file_result document_file_save_beside(const char *path, const bat_format *format
         free(packed);
         return FILE_FAILED;
     }
-    struct stat original; /* a file that only its owner may read stays private */
-    if (stat(place.path, &original) == 0) place.like = &original;
+    /* A file that only its owner may read stays private. */
+    place.like = open(place.path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (place.like < 0 && errno != ENOENT) place.like = open(place.path, O_PATH | O_CLOEXEC);
     io_place_lock(&place);
     result = put_beside(&place, data, size, name);
+    const int reason = errno;
+    if (place.like >= 0) close(place.like);
+    errno = reason;
     io_place_close(&place);
     free(packed);
     return result;

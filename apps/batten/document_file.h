@@ -13,7 +13,9 @@ typedef enum file_result {
     FILE_MALFORMED, /* the bytes are not a drawing in the format; problem says why */
     FILE_READ_ONLY,
     FILE_NOT_REGULAR, /* a pipe, a folder or a device is there now */
-    FILE_FAILED       /* errno says why */
+    FILE_COPY_LEFT, /* an earlier save broke off, and the copy from before is beside it (rewrite.h): nothing is written */
+    FILE_BROKEN, /* written in part; the copy from before is beside it */
+    FILE_FAILED  /* errno says why */
 } file_result;
 
 /* What a file that does not exist yet begins as, in its format; text NULL: an empty drawing. */

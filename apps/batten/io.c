@@ -4,12 +4,17 @@
 #include "program.h"
 #include "progress.h"
 #include "replace.h"
+#include "rewrite.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
+#include <time.h>
 #include <unistd.h>
+
+enum { LOCK_TRIES = 2000, LOCK_PAUSE = 5000000 }; /* nanoseconds: ten seconds in all */
 
 const char *io_message(io_result result) {
     switch (result) {
@@ -17,6 +22,10 @@ const char *io_message(io_result result) {
     case IO_CHANGED: return "changed on disk";
     case IO_READ_ONLY: return "is read-only";
     case IO_NOT_REGULAR: return "is not a regular file";
+    case IO_COPY_LEFT:
+        return "was not written: an earlier save of it broke off. Keep it or the copy from before, which is "
+               "beside it, and move the other away: the copy is";
+    case IO_BROKEN: return "was written in part only; as it was before, it is beside it as";
     default: return strerror(errno);
     }
 }
@@ -25,10 +34,23 @@ io_stamp io_stamp_of(const struct stat *status) {
     return (io_stamp){true, status->st_dev, status->st_ino, status->st_size, status->st_mtim};
 }
 
+io_stamp io_stamp_at(int folder, const char *name) {
+    struct stat status;
+    return fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) == 0 ? io_stamp_of(&status)
+                                                                    : (io_stamp){.exists = false};
+}
+
 bool io_stamp_equal(const io_stamp *a, const io_stamp *b) {
     if (!a->exists || !b->exists) return a->exists == b->exists;
     return a->device == b->device && a->inode == b->inode && a->size == b->size &&
            a->changed.tv_sec == b->changed.tv_sec && a->changed.tv_nsec == b->changed.tv_nsec;
+}
+
+void io_lock(int file) {
+    for (int i = 0; i < LOCK_TRIES; i++) {
+        if (flock(file, LOCK_EX | LOCK_NB) == 0 || (errno != EWOULDBLOCK && errno != EINTR)) return;
+        nanosleep(&(struct timespec){.tv_nsec = LOCK_PAUSE}, NULL);
+    }
 }
 
 /* Reads everything from file; hint: bytes expected. */
@@ -128,9 +150,26 @@ static int unpack(const char *name, char **data, size_t *size) {
     return wrong ? fail_data(name, NULL, "%s", wrong) : EXIT_DONE;
 }
 
+static void remark_copy(const char *path, const io_place *place) {
+    char copy[FILE_NAME_ROOM];
+    if (!rewrite_copy_left(place->folder, place->name, copy)) return;
+    remark("%s: an earlier save of it broke off; as it was before, it is beside it as %s", path, copy);
+}
+
+void io_remark_copy(const char *path) {
+    io_place place;
+    int reason = errno;
+    if (io_place_open(&place, path)) {
+        remark_copy(path, &place);
+        io_place_close(&place);
+    }
+    errno = reason;
+}
+
 int io_read(const char *name, char **data, size_t *size) {
     bool standard = strcmp(name, "-") == 0;
     if (standard && stand_in.data) return read_stand_in(data, size);
+    if (!standard) io_remark_copy(name);
     int file = standard ? STDIN_FILENO : open(name, O_RDONLY | O_CLOEXEC);
     struct stat status;
     bool done = file >= 0 && fstat(file, &status) == 0 && read_whole(file, &status, data, size);
@@ -180,9 +219,16 @@ static int write_file(const char *name, const void *data, size_t size) {
     io_place place;
     if (!io_place_open(&place, name)) return fail_output(name);
     io_result result = io_replace(&place, data, size, NULL);
+    char copy[FILE_NAME_ROOM] = "";
+    const int reason = errno;
+    const bool left = rewrite_copy_left(place.folder, place.name, copy);
+    if (left && result == IO_DONE) remark_copy(name, &place);
     io_place_close(&place);
+    errno = reason;
     if (result == IO_DONE) return EXIT_DONE;
-    return result == IO_FAILED ? fail_output(name) : fail_data(name, NULL, "%s", io_message(result));
+    if (result == IO_FAILED) return fail_output(name);
+    const bool named = result == IO_COPY_LEFT || result == IO_BROKEN;
+    return fail_data(name, NULL, "%s%s%s", io_message(result), named ? " " : "", named ? copy : "");
 }
 
 int io_write(const char *name, const void *data, size_t size) {

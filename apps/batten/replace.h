@@ -10,9 +10,9 @@ enum { PATH_ROOM = 4096 };
  * folder. */
 typedef struct io_place {
     int folder;
-    const char *name;        /* in the folder; points into path */
-    char path[PATH_ROOM];    /* folder and name */
-    const struct stat *like; /* mode and owner for a file where there was none; NULL: the defaults */
+    const char *name;     /* in the folder; points into path */
+    char path[PATH_ROOM]; /* folder and name */
+    int like; /* an open file that a file where there was none is made like (likeness.h); -1: none */
 } io_place;
 
 /* False: errno says why. The place must not be moved in memory, as name points into it. */
@@ -23,15 +23,15 @@ bool io_place_rename(io_place *place, const char *name);
 bool io_place_taken(const io_place *place);
 /* Keeps errno. */
 void io_place_close(io_place *place);
-/* Until the place is closed, any other process that locks a place in this folder waits. If somebody holds the
- * lock for good, this waits for only ten seconds. */
+/* Until the place is closed, any other process that locks a place in this folder waits (io_lock). */
 void io_place_lock(const io_place *place);
 /* The same without waiting; false: somebody has the lock, or this file system has no locks. */
 bool io_place_try_lock(const io_place *place);
 
 /*
  * Writes data to a file beside the place, then fsync, then moves it into the place, then fsync of the folder.
- * Mode and owner of the old file are kept. A reader sees either the old file or the new one.
+ * Owner, group, mode and extended attributes of the old file are kept. A reader sees either the old file or the new one.
+ * Where these cannot be kept so, or the file has other names (hard links), it is written over in its place (rewrite.h).
  *
  * expected: if the file in the place is not the expected one, it stays there and the result is IO_CHANGED, even
  * when another program put it there at the last moment. For this the two files are exchanged in one step, and the

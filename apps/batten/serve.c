@@ -2,8 +2,10 @@
 
 #include "clean.h"
 #include "document_file.h"
+#include "held_folder.h"
 #include "guests.h"
 #include "peer.h"
+#include "rewrite.h"
 #include "web_files.h"
 
 #include <arpa/inet.h>
@@ -24,7 +26,8 @@ enum {
     HOST_ROOM = 32,
     CONNECTIONS_MAX = 2 * GUESTS_MAX, /* guests that were disconnected may not be gone yet */
     STRANGER_SECONDS = 10,            /* how long a guest that has not shown the token may be silent */
-    IDLE_SECONDS = 60
+    IDLE_SECONDS = 60,
+    LINE_ROOM = 1024 /* of what is answered in one line */
 };
 
 /* Headers of every response. */
@@ -46,6 +49,7 @@ struct http_server {
     struct MHD_Daemon *daemon;
     guest_list guests;
     serve_file file;
+    held_folder folder; /* of the file */
     int port;
     char token[TOKEN_ROOM];
     char hosts[2][HOST_ROOM]; /* values allowed for Host */
@@ -79,7 +83,7 @@ static enum MHD_Result answer(struct MHD_Connection *connection, unsigned status
 /* Answers with one line of plain text. name, value: an extra header, or NULL. */
 static enum MHD_Result say(struct MHD_Connection *connection, unsigned status, const char *text,
                            const char *name, const char *value) {
-    char line[512];
+    char line[LINE_ROOM];
     size_t size = clean_text(text, line, sizeof line - 1);
     line[size] = '\n';
     struct MHD_Response *response = MHD_create_response_from_buffer(size + 1, line, MHD_RESPMEM_MUST_COPY);
@@ -239,8 +243,35 @@ static char *percent_encoded(const char *text) {
     return out;
 }
 
+/* Answers that a save broke off, this one or an earlier one, and how the copy from before is called. */
+static enum MHD_Result say_copy(const http_server *server, struct MHD_Connection *connection, bool earlier) {
+    char line[LINE_ROOM], copy[FILE_NAME_ROOM];
+    const char *path = server->file.path;
+    io_place place;
+    if (!io_place_open(&place, path)) return MHD_NO;
+    rewrite_copy_left(place.folder, place.name, copy);
+    io_place_close(&place);
+    snprintf(
+        line, sizeof line,
+        earlier
+            ? "Not saved: an earlier save of the file broke off. Keep it or the copy from before, which is "
+              "beside it, and move the other away: the copy is %s"
+            : "The file was written in part only. As it was before, it is beside it as %s",
+        copy);
+    return say(connection, earlier ? MHD_HTTP_CONFLICT : MHD_HTTP_INTERNAL_SERVER_ERROR, line, NULL, NULL);
+}
+
+/* Answers that the folder was moved, and where the file may be. */
+static enum MHD_Result say_moved(struct MHD_Connection *connection, const char *now) {
+    char line[LINE_ROOM];
+    snprintf(line, sizeof line, "The folder was moved; nothing is saved here any more.%s%s",
+             now[0] ? " The file may now be in " : "", now);
+    return say(connection, MHD_HTTP_CONFLICT, line, NULL, NULL);
+}
+
 /* Answers why the file could not be saved. */
-static enum MHD_Result say_failure(struct MHD_Connection *connection, file_result result) {
+static enum MHD_Result say_failure(const http_server *server, struct MHD_Connection *connection,
+                                   file_result result) {
     switch (result) {
     case FILE_CHANGED:
         return say(connection, MHD_HTTP_PRECONDITION_FAILED, "The file changed on disk. It was not touched.",
@@ -249,6 +280,8 @@ static enum MHD_Result say_failure(struct MHD_Connection *connection, file_resul
     case FILE_NOT_REGULAR:
         return say(connection, MHD_HTTP_CONFLICT, "In the file's place stands what is no regular file.", NULL,
                    NULL);
+    case FILE_COPY_LEFT:
+    case FILE_BROKEN: return say_copy(server, connection, result == FILE_COPY_LEFT);
     default:
         if (errno == EACCES || errno == EPERM || errno == EROFS)
             return say(connection, MHD_HTTP_CONFLICT, "The folder is read-only.", NULL, NULL);
@@ -260,11 +293,12 @@ static enum MHD_Result say_failure(struct MHD_Connection *connection, file_resul
 }
 
 static enum MHD_Result get_document(const http_server *server, struct MHD_Connection *connection) {
-    char *data, tag[TAG_ROOM];
+    char *data, tag[TAG_ROOM], now[PATH_ROOM];
     size_t size;
+    if (held_folder_moved(&server->folder, now)) return say_moved(connection, now);
     file_result result = document_file_load(server->file.path, server->file.format, &server->file.start,
                                             &data, &size, tag);
-    if (result != FILE_DONE) return say_failure(connection, result);
+    if (result != FILE_DONE) return say_failure(server, connection, result);
     struct MHD_Response *response = MHD_create_response_from_buffer(size, data, MHD_RESPMEM_MUST_FREE);
     if (!response) {
         free(data);
@@ -276,16 +310,16 @@ static enum MHD_Result get_document(const http_server *server, struct MHD_Connec
 }
 
 /* Answers a save: 204 with the new tag, 201 with the name of the new file, or why it failed. */
-static enum MHD_Result say_saved(struct MHD_Connection *connection, file_result result,
-                                 const bat_problem *problem, unsigned status, const char *name,
-                                 const char *value) {
+static enum MHD_Result say_saved(const http_server *server, struct MHD_Connection *connection,
+                                 file_result result, const bat_problem *problem, unsigned status,
+                                 const char *name, const char *value) {
     char line[sizeof *problem + 64];
     if (result == FILE_MALFORMED) {
         snprintf(line, sizeof line, "Not a drawing: %s%s%s", problem->place, problem->place[0] ? ": " : "",
                  problem->message);
         return say(connection, MHD_HTTP_UNPROCESSABLE_CONTENT, line, NULL, NULL);
     }
-    if (result != FILE_DONE) return say_failure(connection, result);
+    if (result != FILE_DONE) return say_failure(server, connection, result);
     struct MHD_Response *response = MHD_create_response_from_buffer(0, NULL, MHD_RESPMEM_PERSISTENT);
     if (response) MHD_add_response_header(response, name, value);
     return answer(connection, status, response, NULL);
@@ -298,7 +332,7 @@ static enum MHD_Result put_document(const http_server *server, struct MHD_Connec
     bat_problem problem = {.place = ""};
     file_result result = document_file_save(server->file.path, server->file.format, request->body,
                                             request->size, wanted, tag, &problem);
-    return say_saved(connection, result, &problem, MHD_HTTP_NO_CONTENT, MHD_HTTP_HEADER_ETAG, tag);
+    return say_saved(server, connection, result, &problem, MHD_HTTP_NO_CONTENT, MHD_HTTP_HEADER_ETAG, tag);
 }
 
 /* Writes a new file beside the served one. */
@@ -313,8 +347,8 @@ static enum MHD_Result post_document(const http_server *server, struct MHD_Conne
     clean_text(name, shown, sizeof shown);
     char *value = percent_encoded(shown);
     if (!value) return MHD_NO;
-    enum MHD_Result answered = say_saved(connection, result, &problem, MHD_HTTP_CREATED, "X-Batten-Name",
-                                         value);
+    enum MHD_Result answered = say_saved(server, connection, result, &problem, MHD_HTTP_CREATED,
+                                         "X-Batten-Name", value);
     free(value);
     return answered;
 }
@@ -395,6 +429,8 @@ static enum MHD_Result on_request(void *user, struct MHD_Connection *connection,
     }
     if (strcmp(path, "/document") != 0) return get_file(server, connection, find_file(path));
     if (!request->body) return get_document(server, connection);
+    char now[PATH_ROOM];
+    if (held_folder_moved(&server->folder, now)) return say_moved(connection, now);
     return (strcmp(method, "PUT") == 0 ? put_document : post_document)(server, connection, request);
 }
 
@@ -523,6 +559,7 @@ const char *serve_start(const serve_file *file, int port, bool lasting, http_ser
     http_server *server = calloc(1, sizeof *server);
     if (!server) return "out of memory";
     server->file = *file;
+    held_folder_open(&server->folder, file->path);
     const char *path = file->path, *slash = strrchr(path, '/');
     char shown[CLEAN_ROOM * 256];
     clean_text(slash ? slash + 1 : path, shown, sizeof shown);
@@ -546,6 +583,7 @@ int serve_port(const http_server *server) { return server->port; }
 
 void serve_stop(http_server *server) {
     if (server->daemon) MHD_stop_daemon(server->daemon);
+    held_folder_close(&server->folder);
     free(server->name);
     free(server->page);
     free(server);

@@ -7,7 +7,7 @@
  *   404 a path that is not in the table (there is no file system behind it)
  *   405 another method
  *   409 the file or its folder is read-only; a pipe, a folder or a device is in its place; all names for a copy
- *       are taken
+ *       are taken; the folder was moved, or another is in its place; a copy that an earlier save has left is there
  *   411 a body without its length; 413 one larger than SERVE_BODY_MAX
  *   412 the file on disk is not the one that If-Match names
  *   415 a media type other than the file's

@@ -25,9 +25,9 @@ def drawing(x=1.0, objects=1):
 class Editor:
     """A running `batten edit`."""
 
-    def __init__(self, path, *words, environment=None):
-        self.process = subprocess.Popen([PROGRAM, "edit", path, "--no-open", *words], stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, env={**os.environ, **(environment or {})})
+    def __init__(self, path, *words, environment=None, program=PROGRAM, **how):
+        self.process = subprocess.Popen([program, "edit", path, "--no-open", *words], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, env={**os.environ, **(environment or {})}, **how)
         ready, _, _ = select.select([self.process.stdout], [], [], HANG)
         self.address = self.process.stdout.readline().decode().strip() if ready else ""
         if not self.address:
@@ -94,7 +94,7 @@ class EditTest(ProgramTest):
             self.path.write_bytes(content)
         return self.editor_on(self.path, *words, environment=environment)
 
-    def editor_on(self, path, *words, environment=None):
-        editor = Editor(path, *words, environment=environment)
+    def editor_on(self, path, *words, **how):
+        editor = Editor(path, *words, **how)
         self.addCleanup(editor.end, signal.SIGKILL)
         return editor

@@ -70,6 +70,14 @@ class Servers(Race):
         fcntl.flock(folder, fcntl.LOCK_EX)
         self.assertEqual(editor.put(drawing(2))[0], 204)
 
+    def test_a_stranger_who_locks_a_file_with_two_names_does_not_either(self):
+        editor = self.start(content=drawing())
+        os.link(self.path, self.folder / "twin.batten")
+        with open(self.path) as held:
+            fcntl.flock(held, fcntl.LOCK_EX)
+            self.assertEqual(editor.put(drawing(2))[0], 204)
+        self.assertEqual((self.folder / "twin.batten").read_bytes(), drawing(2))
+
 
 class WithMeddler(Race):
     def meddled(self, moments, content=drawing()):
