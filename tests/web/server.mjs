@@ -135,6 +135,7 @@ export async function edit(bytes, name, ...words) {
   }
   const editor = {
     address: '',
+    folder,
     program: /** @type {import('node:child_process').ChildProcess | null} */ (null),
     get bytes() {
       return fs.readFileSync(file);

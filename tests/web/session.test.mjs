@@ -140,7 +140,7 @@ test('the program and a native file', async (t) => {
 });
 
 /** The question and its answers. @returns {Promise<string[]>} */
-const answers = (page) => page.locator('[data-about=changed] button').allTextContents();
+const answers = (page, about = 'changed') => page.locator(`[data-about=${about}] button`).allTextContents();
 const shown = (page) => page.waitForFunction(() => [...document.querySelectorAll('#compare img')]
   .filter((picture) => picture.complete && picture.naturalWidth > 0).length === 2);
 
@@ -324,13 +324,15 @@ test('a program started again is found without a reload; one with another file i
   const { address } = program;
   await program.kill();
   await page.keyboard.press('Control+S');
-  await page.waitForFunction(() => /does not answer/.test(document.getElementById('notice-text').textContent));
+  await page.waitForSelector('[data-about=unsaved] >> text=does not answer');
+  assert.deepEqual(await answers(page, 'unsaved'), ['Download a copy', '×']);
   assert.equal((await state(page)).unsaved, true);
 
   await program.start();
   assert.equal(program.address, address);
   await page.keyboard.press('Control+S');
   await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.equal(await page.isVisible('[data-about=unsaved]'), false);
   assert.match(program.bytes.toString(), /batten:document/);
 
   await program.kill();
@@ -338,7 +340,7 @@ test('a program started again is found without a reload; one with another file i
   t.after(() => stranger.close());
   await hand.stroke(line.map(([x, y]) => [x, y + 40]));
   await page.keyboard.press('Control+S');
-  await page.waitForFunction(() => /token/.test(document.getElementById('notice-text').textContent));
+  await page.waitForSelector('[data-about=unsaved] >> text=token');
   assert.deepEqual(stranger.bytes, fs.readFileSync(EXAMPLE));
   assert.equal((await state(page)).unsaved, true);
   await context.close();
@@ -354,5 +356,34 @@ test('what was said goes when the next stroke begins', async (t) => {
     during: async () => assert.equal(await page.isVisible('#notice'), false),
   });
   assert.doesNotMatch(await page.textContent('#notice-text'), /Nothing to undo/);
+  await context.close();
+});
+
+test('a folder that was moved: it is said where the file may be, and a copy is offered', async (t) => {
+  expectFaults(/status of 409/);
+  const program = await edit(fs.readFileSync(EXAMPLE), 'car.svg');
+  t.after(() => program.close());
+  const { page, hand, context } = await open(browser, program.address);
+  await page.waitForLoadState('networkidle');
+  await hand.stroke(bezier(...await Promise.all([[60, 60], [140, 20], [220, 100], [320, 60]].map(([x, y]) => place(page, x, y)))));
+  const away = `${program.folder}-away`;
+  t.after(() => fs.rmSync(away, { recursive: true, force: true }));
+  fs.renameSync(program.folder, away);
+  await lookedAt(page);
+  await page.waitForSelector(`[data-about=silent] >> text=may now be in ${away}`);
+  await page.keyboard.press('Control+S');
+  await page.waitForSelector(`[data-about=unsaved] >> text=The folder was moved`);
+  for (const about of ['silent', 'unsaved']) {
+    assert.deepEqual(await answers(page, about), ['Download a copy', '×']);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-about=${about}] >> text=Download a copy`)]);
+    assert.match(fs.readFileSync(await download.path(), 'utf8'), /batten:document/);
+  }
+  assert.deepEqual(fs.readFileSync(`${away}/car.svg`), fs.readFileSync(EXAMPLE));
+  assert.equal((await state(page)).unsaved, true);
+
+  fs.renameSync(away, program.folder);
+  await page.keyboard.press('Control+S');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.match(program.bytes.toString(), /batten:document/);
   await context.close();
 });

@@ -1,7 +1,7 @@
 // Files: opened by drop, picker or server; saved to where they came from, or as a download.
 
 import { want } from '../page/build.js';
-import { Changed } from './server.js';
+import { Changed, Unsaved } from './server.js';
 import { parseSvg } from '../engine/svg.js';
 import { counted, word } from '../page/words.js';
 
@@ -234,7 +234,7 @@ export class Files {
       if (!this.engine.keeps) {
         this.losses = this.engine.losses = {};
       }
-      this.notices.over('kept', 'unkept', 'changed');
+      this.notices.over('kept', 'unkept', 'changed', 'unsaved');
       this.notices.say(word('shell.saved', this.name));
     } catch (error) {
       this.complain(error);
@@ -313,6 +313,8 @@ export class Files {
     const text = error instanceof Error ? error.message : String(error);
     if (error instanceof Changed) {
       void this.#tellChanged(text);
+    } else if (error instanceof Unsaved) {
+      this.notices.ask('unsaved', text, [{ label: word('shell.copy'), run: () => void this.download() }]);
     } else {
       this.notices.say(text);
     }

@@ -5,6 +5,9 @@ import { word } from '../page/words.js';
 /** The file changed on disk after it was opened. */
 export class Changed extends Error {}
 
+/** The drawing could not be saved where it belongs; a copy can. */
+export class Unsaved extends Error {}
+
 /** @typedef {{ name: string, bytes: Uint8Array, tag: string }} FileBytes tag: identifies this version of the file */
 
 const PATIENCE = 10000; // milliseconds: whoever has not answered by then does not answer
@@ -54,7 +57,10 @@ export class Server {
    * @param {string} [over] the tag of the version that they replace
    */
   async save(bytes, type, over = this.tag) {
-    const response = await this.#ask('PUT', { 'Content-Type': type, 'If-Match': over }, bytes);
+    const response = await this.#ask('PUT', { 'Content-Type': type, 'If-Match': over }, bytes)
+      .catch((/** @type {Error} */ error) => {
+        throw error instanceof Changed ? error : new Unsaved(error.message);
+      });
     this.tag = response.headers.get('ETag') ?? '';
   }
 
@@ -76,6 +82,7 @@ export class Server {
    * @param {Record<string, string>} headers
    * @param {Uint8Array | null} bytes
    * @param {AbortSignal} [signal] ends the waiting
+   * @returns {Promise<Response>}
    */
   async #ask(method, headers, bytes, signal) {
     let response = await this.#send(method, headers, bytes, signal);
@@ -84,6 +91,9 @@ export class Server {
     }
     if (response.status === CHANGED) {
       throw new Changed(word('shell.changed'));
+    }
+    if (!response.ok && method === 'HEAD') {
+      return this.#ask('GET', headers, bytes, signal); // for the reason
     }
     if (!response.ok) {
       // The server gives its reason in one line of plain text.

@@ -36,7 +36,8 @@ export function watch(files, notices) {
       }
     } catch (error) {
       if (!pause) {
-        notices.ask('silent', error instanceof Error ? error.message : String(error), []);
+        notices.ask('silent', error instanceof Error ? error.message : String(error),
+          [{ label: word('shell.copy'), run: () => void files.download() }]);
       }
       pause = Math.min(pause ? 2 * pause : SOON, NOW_AND_THEN);
     } finally {
