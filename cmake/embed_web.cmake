@@ -6,10 +6,11 @@
 #
 # All files except those with a fixed address are in a folder named after the digest of all of them, so a page gets the
 # files it was built with, or none. In index.html, the manifest and sw.js that name replaces %BUILD%; sw.js also gets
-# the list of files, index.html the name of the face. index.html is served as "/", with a token inserted, and also under its own name, unchanged.
+# the list of files with their digests, index.html the name of the face and the script that watches its start, which the policy
+# names by its digest. index.html is served as "/", with a token inserted, and also under its own name, unchanged.
 #
 # With FOLDER the same files are written there instead, for a static host (cmake/site.cmake). index.html then gets HEAD,
-# a file with lines for its head. PAGES: further pages, in which %BUILD% is replaced, too; DEMOS: files for
+# a file with lines for its head, in which %POLICY% is replaced. PAGES: further pages, in which %BUILD% is replaced, too; DEMOS: files for
 # the folder demos, which stay at their address; PEERS: for the folder peers of the build, left out of the list of files,
 # so that only the page that uses them fetches them. PART: for a frame of another page (bindings/js/editor), without what is
 # installed and without the front page.
@@ -35,6 +36,8 @@ if(fonts)
   string(PREPEND face "fonts/")
 endif()
 list(REMOVE_ITEM built "")
+set(starting ${ROOT}/page/starting.js) # a part of index.html
+list(REMOVE_ITEM files ${starting})
 list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/engine/types\\.js$")
 if(PART)
   list(FILTER files EXCLUDE REGEX "/web/icons/app[^/]*$|/web/keep/(offline|keeping)\\.js$")
@@ -65,6 +68,43 @@ list(APPEND files ${built} ${fonts} ${peers})
 list(LENGTH files first_demo) # one may be a file of the shell, too
 list(APPEND files ${demos} ${staying})
 
+# SHA-256 of a text in base64, which CMake lacks.
+function(sha256_base64 text out)
+  set(digits ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/)
+  string(SHA256 hex "${text}")
+  set(result "")
+  foreach(group RANGE 10)
+    math(EXPR at "6 * ${group}")
+    string(SUBSTRING "${hex}00" ${at} 6 three)
+    foreach(shift 18 12 6 0)
+      math(EXPR digit "(0x${three} >> ${shift}) & 63")
+      string(SUBSTRING ${digits} ${digit} 1 digit)
+      string(APPEND result ${digit})
+    endforeach()
+  endforeach()
+  string(REGEX REPLACE "A$" "=" result ${result})
+  set(${out} ${result} PARENT_SCOPE)
+endfunction()
+
+set(starting_told ${starting})
+if(MINIFY)
+  set(starting_told ${OUT}.starting)
+  execute_process(COMMAND ${MINIFY} ${starting} --minify --target=es5 --charset=ascii --legal-comments=none --log-level=error
+    --outfile=${starting_told} COMMAND_ERROR_IS_FATAL ANY)
+endif()
+file(READ ${starting_told} starting)
+string(STRIP "${starting}" starting)
+sha256_base64("${starting}" starting_digest)
+set(policy "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${starting_digest}'; style-src 'self'; \
+img-src 'self' blob: data:; font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'")
+if(NOT PART)
+  string(APPEND policy "; worker-src 'self'; manifest-src 'self'")
+endif()
+if(NOT FOLDER)
+  string(APPEND policy "; frame-ancestors 'none'") # which only a header can say
+endif()
+string(REPLACE "%POLICY%" "${policy}" head "${head}")
+
 set(number 0)
 set(digests "")
 foreach(file ${files})
@@ -75,10 +115,11 @@ foreach(file ${files})
       --outfile=${content_${number}} COMMAND_ERROR_IS_FATAL ANY)
   endif()
   file(SHA256 ${content_${number}} digest)
+  set(digest_${number} ${digest})
   string(APPEND digests "${digest}")
   math(EXPR number "${number} + 1")
 endforeach()
-string(SHA256 build "${digests}${head}")
+string(SHA256 build "${digests}${starting}${head}")
 string(SUBSTRING ${build} 0 16 build)
 
 if(FOLDER) # what an earlier build has left
@@ -95,6 +136,7 @@ set(module NULL)
 set(number 0)
 foreach(file ${files})
   set(content ${content_${number}})
+  set(digest ${digest_${number}})
   get_filename_component(path ${file} NAME)
   if(file IN_LIST demos AND number GREATER_EQUAL first_demo)
     string(PREPEND path "demos/")
@@ -109,8 +151,10 @@ foreach(file ${files})
     string(REPLACE "%BUILD%" "${build}" told "${told}")
     string(REPLACE "%FILES%" "${listed}" told "${told}")
     string(REPLACE "%FACE%" "${face}" told "${told}")
+    string(REPLACE "%STARTING%" "${starting}" told "${told}")
     set(content ${OUT}.told)
     file(WRITE ${content} "${told}")
+    file(SHA256 ${content} digest)
   elseif(file IN_LIST built)
     string(PREPEND path "${build}/")
   elseif(file IN_LIST fonts)
@@ -121,7 +165,7 @@ foreach(file ${files})
     string(PREPEND path "${build}/")
   endif()
   if(NOT file IN_LIST peers)
-    list(APPEND names ${path})
+    list(APPEND names ${path}:${digest})
   endif()
   if(FOLDER)
     get_filename_component(place ${FOLDER}/${path} DIRECTORY)
@@ -149,5 +193,6 @@ if(FOLDER)
 endif()
 string(APPEND text "const web_file web_files[] = {\n${table}    {NULL, NULL, NULL, 0}};\n"
   "const size_t web_file_count = sizeof web_files / sizeof web_files[0] - 1;\n"
-  "const char *const web_module = ${module};\n")
+  "const char *const web_module = ${module};\n"
+  "const char web_policy[] = \"${policy}\";\n")
 file(WRITE ${OUT} "${text}")

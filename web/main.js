@@ -107,32 +107,26 @@ export class Shell {
 }
 
 async function start() {
-  try {
-    if (kept('batten-scale')) {
-      void want(import('./page/scale.js'));
-    }
-    const embedded = document.querySelector('meta[name=batten-embedded]');
-    const guest = embedded && await (await want(import('./embed/guest.js'))).meet();
-    const keeper = guest?.keeper ?? new Keeper();
-    const [module] = await Promise.all([Module.load(), loadIcons(), keeper.start()]);
-    if (Settings.any) {
-      await module.complete().catch(() => {}); // offline only this way of fetching reaches what is cached
-    }
-    const engine = new Engine(module);
-    const settings = new Settings(engine);
-    const words = new Words(engine);
-    await words.follow();
-    const shell = new Shell(engine, settings, words, keeper, guest);
-    await (guest ? guest.begin(shell) : shell.server.there ? shell.drawings.openServed() : shell.drawings.openLast());
-    // For the console, and for tests.
-    Object.assign(globalThis, { batten: shell });
-    document.documentElement.dataset.ready = 'yes';
-    void want(import('./page/settle_in.js')).then(({ settleIn }) => settleIn(shell));
-  } catch (error) {
-    console.error(error);
-    part('failed').hidden = false;
-    part('failed').append(error instanceof Error ? error.message : '');
+  if (kept('batten-scale')) {
+    void want(import('./page/scale.js'));
   }
+  const embedded = document.querySelector('meta[name=batten-embedded]');
+  const guest = embedded && await (await import('./embed/guest.js')).meet();
+  const keeper = guest?.keeper ?? new Keeper();
+  const [module] = await Promise.all([Module.load(), loadIcons(), keeper.start()]);
+  if (Settings.any) {
+    await module.complete().catch(() => {}); // offline only this way of fetching reaches what is cached
+  }
+  const engine = new Engine(module);
+  const settings = new Settings(engine);
+  const words = new Words(engine);
+  await words.follow();
+  const shell = new Shell(engine, settings, words, keeper, guest);
+  await (guest ? guest.begin(shell) : shell.server.there ? shell.drawings.openServed() : shell.drawings.openLast());
+  // For the console, and for tests.
+  Object.assign(globalThis, { batten: shell });
+  document.documentElement.dataset.ready = 'yes';
+  void want(import('./page/settle_in.js')).then(({ settleIn }) => settleIn(shell));
 }
 
-void start();
+start().catch((error) => reportError(error)); // page/starting.js says it

@@ -1,7 +1,9 @@
 // The service worker: caches exactly the files of one build, so that Batten opens without a network or a server. A
-// newer build waits until the user accepts it. The build fills in its folder and its list of files.
+// newer build waits until the user accepts it; an older one stays cached as long as a page of it lives. The build fills
+// in its folder and its list of files, each with its digest.
 
-const FILES = '%FILES%'.split(' ');
+/** The SHA-256 of each file. @type {Map<string, string>} */
+const FILES = new Map('%FILES%'.split(' ').map((row) => /** @type {[string, string]} */ (row.split(':'))));
 
 const worker = /** @type {any} */ (self);
 /** @type {string} */
@@ -10,44 +12,86 @@ const OURS = `batten ${scope} `; // several sites may have one origin, and it ha
 const CACHE = `${OURS}%BUILD%`;
 const LOOPBACK = ['127.0.0.1', 'localhost', '[::1]'].includes(location.hostname);
 
+/** Fetches a file of this build; throws when it is not there, or another. @param {string} file @returns {Promise<[string, Response]>} */
+async function take(file) {
+  const response = await fetch(new Request(scope + file, { cache: 'no-store' }));
+  const bytes = await response.arrayBuffer();
+  const digest = Array.from(new Uint8Array(await crypto.subtle.digest('SHA-256', bytes)), (byte) => byte.toString(16).padStart(2, '0'));
+  if (!response.ok || digest.join('') !== FILES.get(file)) {
+    throw new Error(`${file} is not of this build`);
+  }
+  return [scope + file, new Response(bytes, { headers: response.headers })]; // made anew: a page that was redirected would be refused
+}
+
+/** Caches all files or none: what is incomplete would take the room of drawings. */
 async function install() {
-  const cache = await caches.open(CACHE);
-  await cache.addAll(FILES.map((file) => new Request(file, { cache: 'no-store' })));
+  const files = await Promise.all([...FILES.keys()].map(take));
+  try {
+    const cache = await caches.open(CACHE);
+    await Promise.all(files.map(([address, response]) => cache.put(address, response)));
+  } catch (error) {
+    await caches.delete(CACHE);
+    throw error;
+  }
+}
+
+/** Deletes the caches of builds of which no page lives: a page holds the lock of its cache's name (page/build.js). */
+async function sweep() {
+  for (const name of await caches.keys()) {
+    if (name.startsWith(OURS) && name !== CACHE) {
+      await navigator.locks.request(name, { ifAvailable: true }, async (lock) => {
+        const { installing, waiting } = worker.registration; // a newer build may have no page yet
+        return lock && !installing && !waiting && caches.delete(name);
+      });
+    }
+  }
 }
 
 async function activate() {
+  await worker.clients.claim();
+  await sweep();
+}
+
+/** Leaves this address: no worker, nothing cached. */
+async function forget() {
+  await worker.registration.unregister();
   for (const name of await caches.keys()) {
-    if (name.startsWith(OURS) && name !== CACHE) {
+    if (name.startsWith(OURS)) {
       await caches.delete(name);
     }
   }
-  await worker.clients.claim();
 }
 
-/** @param {string} file */
-async function kept(file) {
-  return await (await caches.open(CACHE)).match(scope + file) ?? fetch(scope + file);
-}
+/** @param {string} file @returns {Promise<Response | undefined>} */
+const cached = (file) => caches.match(scope + file, { cacheName: CACHE }).catch(() => undefined);
 
 /** The page of this build. The token of a running `batten edit` is inserted anew each time and never cached. */
 async function page() {
-  const own = await kept('index.html');
-  const live = LOOPBACK ? await fetch(scope, { cache: 'no-store' }).catch(() => null) : null;
+  const own = await cached('index.html');
+  const live = !own || LOOPBACK ? await fetch(scope, { cache: 'no-store' }).catch(() => null) : null;
   if (!live?.ok) {
-    return own;
+    return own ?? live ?? Response.error();
   }
   const text = await live.clone().text();
   const token = /name="batten-token" content="([^"]*)"/.exec(text)?.[1];
-  if (token === undefined) {
-    await worker.registration.unregister(); // another program uses this address now
+  if (!own || token === undefined) {
+    await forget(); // the browser has dropped what was cached, or another program uses this address now
     return live;
   }
   return new Response((await own.text()).replace('%TOKEN%', token), { headers: own.headers });
 }
 
+/** A file of this build or, for an older page, of that page's. @param {Request} request @param {string} file */
+async function fileFor(request, file) {
+  return await (FILES.has(file) ? cached(file) : caches.match(scope + file)) ?? fetch(request);
+}
+
+/** What a page may ask for. @type {Record<string, () => Promise<unknown>>} */
+const ORDERS = { use: () => worker.skipWaiting(), sweep, forget };
+
 worker.oninstall = (/** @type {any} */ event) => event.waitUntil(install());
 worker.onactivate = (/** @type {any} */ event) => event.waitUntil(activate());
-worker.onmessage = (/** @type {MessageEvent} */ event) => event.data === 'use' && worker.skipWaiting();
+worker.onmessage = (/** @type {any} */ event) => event.waitUntil(ORDERS[event.data]?.());
 worker.onfetch = (/** @type {any} */ event) => {
   const [address] = event.request.url.split(/[?#]/);
   if (event.request.method !== 'GET' || !address.startsWith(scope)) {
@@ -56,7 +100,7 @@ worker.onfetch = (/** @type {any} */ event) => {
   const file = address.slice(scope.length);
   if (file === '') {
     event.respondWith(page());
-  } else if (FILES.includes(file)) {
-    event.respondWith(kept(file));
+  } else if (FILES.has(file) || file.includes('/')) {
+    event.respondWith(fileFor(event.request, file));
   }
 };

@@ -15,5 +15,6 @@ typedef struct web_file {
 extern const web_file web_files[];
 extern const size_t web_file_count;
 extern const char *const web_module; /* the path of batten.wasm; NULL without a WASM compiler at build time */
+extern const char web_policy[];      /* what the page may load and run: the content security policy */
 
 #endif

@@ -1,5 +1,7 @@
 """The editor's server: every refusal with its status, and saving that is atomic."""
+import base64
 import concurrent.futures
+import hashlib
 import json
 import os
 import pathlib
@@ -207,16 +209,20 @@ class Refusals(EditTest):
         self.assertEqual(page, kept.replace(b"%TOKEN%", self.editor.token.encode()).replace(b"%ADDRESS%", b"passing"))
         worker = self.editor.get("/sw.js")[2].decode()
         self.assertNotIn("%", re.sub(r"%TOKEN%", "", worker))
-        files = re.search(r'"([^"]* index\.html [^"]*)"|\'([^\']* index\.html [^\']*)\'', worker)
-        names = (files[1] or files[2]).split()
-        self.assertNotIn("sw.js", names)
-        for name in names:
-            self.assertEqual(self.editor.get(f"/{name}")[0], 200, name)
+        files = re.search(r'"([^"]* index\.html:[^"]*)"|\'([^\']* index\.html:[^\']*)\'', worker)
+        rows = dict(row.split(":") for row in (files[1] or files[2]).split())
+        self.assertNotIn("sw.js", rows)
+        for name, digest in rows.items():
+            status, _, content = self.editor.get(f"/{name}")
+            self.assertEqual((status, hashlib.sha256(content).hexdigest()), (200, digest), name)
         icons = f"/{self.editor.build}/icons"
         for path, kind in (("/manifest.webmanifest", "application/manifest+json"), (f"{icons}/app-192.png", "image/png"),
                            (f"{icons}/app.svg", "image/svg+xml"), ("/sw.js", "text/javascript; charset=utf-8")):
             self.assertEqual(self.editor.get(path)[1]["Content-Type"], kind)
-        for part in ("manifest-src 'self'", "worker-src 'self'"):
+        inline = re.findall(rb"<script>(.*?)</script>", page, re.DOTALL)
+        self.assertEqual(len(inline), 1)
+        digest = base64.b64encode(hashlib.sha256(inline[0]).digest()).decode()
+        for part in ("manifest-src 'self'", "worker-src 'self'", f"script-src 'self' 'wasm-unsafe-eval' 'sha256-{digest}';"):
             self.assertIn(part, self.editor.get("/")[1]["Content-Security-Policy"])
 
     def test_token(self):

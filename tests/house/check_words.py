@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The browser shell contains no texts itself: all come from src/editor/tables/strings.def. index.html has no text
-except the name and the message for a failed load; the scripts have no sentence and set no literal text on an element.
+except the name and the messages for a failed load and for a browser without scripts; the scripts have no sentence and set no literal text on an element.
 Every key that the shell uses is in the table. The front page of a static host has a table of its own, web/site/words.json, in
 both languages, too.
 
@@ -29,7 +29,7 @@ class Page(html.parser.HTMLParser):
         if tag in ("meta", "link", "img", "input"):
             self.check(tag, attributes)
             return
-        self.skipped += bool(self.skipped or dict(attributes).get("id") == "failed")
+        self.skipped += bool(self.skipped or dict(attributes).get("id") == "failed" or tag in ("script", "noscript"))
         self.check(tag, attributes)
 
     def check(self, tag, attributes):

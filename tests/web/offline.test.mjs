@@ -126,7 +126,7 @@ test('a newer version is offered, not slipped in; unsaved work goes along', asyn
   t.after(() => server.close());
   const { page, hand, context } = await open(browser, server.address);
   await controlled(page);
-  const version = () => page.evaluate(() => document.querySelector('script').getAttribute('src').split('/')[0]);
+  const version = () => page.evaluate(() => document.querySelector('script[src]').getAttribute('src').split('/')[0]);
   await page.reload();
   await ready(page);
   assert.equal(await version(), '1');
@@ -147,6 +147,7 @@ test('a newer version is offered, not slipped in; unsaved work goes along', asyn
   assert.equal(await version(), '2');
   assert.equal((await state(page)).digest, drawn.digest);
   assert.equal(await page.isVisible('[data-about=update]'), false);
+  await page.waitForFunction(async () => (await caches.keys()).length === 1);
   assert.deepEqual(await page.evaluate(() => caches.keys()), [`batten ${server.address} 2`]);
   await context.close();
 });

@@ -110,7 +110,7 @@ for (const [colorScheme, locale, text] of [['light', 'en', 'Part of Batten'], ['
     await said(page, text);
     await page.screenshot({ path: path.join(SCREENSHOTS, `missing-${colorScheme}.png`) });
     await reloaded(page);
-    assert.match(await page.evaluate(() => document.querySelector('script').src), /\/2\/main\.js$/);
+    assert.match(await page.evaluate(() => document.querySelector('script[src]').src), /\/2\/main\.js$/);
     assert.equal((await state(page)).digest, drawn.digest);
     await page.click('[data-name=menu]');
     await page.waitForSelector('#menu .search');

@@ -25,7 +25,10 @@ const TYPES = {
   '.png': 'image/png',
   '.webmanifest': 'application/manifest+json',
 };
-const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; font-src 'self'; " +
+const digestOf = (bytes, how = 'hex') => crypto.createHash('sha256').update(bytes).digest(how);
+/** The script that is a part of the page: it is there whatever else is missing. */
+const STARTING = fs.readFileSync(path.join(WEB, 'page/starting.js'), 'utf8').trim();
+const POLICY = `default-src 'none'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${digestOf(STARTING, 'base64')}'; ` + "style-src 'self'; img-src 'self' blob: data:; font-src 'self'; " +
   "connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /** Files with a fixed address; all others are in the folder of their build. */
@@ -35,21 +38,40 @@ const BUILT = ['words.en.json', 'words.ko.json', 'batten.wasm', 'batten-later.wa
 /** The files as the program would embed them. @param {string} build */
 function shellFiles(build) {
   const files = fs.readdirSync(WEB, { recursive: true }).filter((file) => /\.(html|js|css|svg|png|webmanifest)$/.test(file));
-  return [...files.filter((file) => file !== 'engine/types.js' && !STAYING.includes(file)), ...BUILT, SHOWN].map((file) => `${build}/${file}`)
-    .concat(STAYING.slice(0, 2));
+  return [...files.filter((file) => !['engine/types.js', 'page/starting.js'].includes(file) && !STAYING.includes(file)), ...BUILT, SHOWN]
+    .map((file) => `${build}/${file}`).concat(STAYING.slice(0, 2));
 }
 
-const tagOf = (bytes) => `"${crypto.createHash('sha256').update(bytes).digest('hex').slice(0, 16)}"`;
+/** A file as it is built: the bytes at its address, which needs no server. @param {string} build @param {string} address */
+function built(build, address) {
+  const [folder, ...rest] = address.split('/');
+  const name = STAYING.includes(folder) ? folder : rest.join('/');
+  const file = BUILT.includes(name) ? path.join(path.dirname(MODULE), name) : path.join(name === SHOWN ? ROOT : WEB, name);
+  if (name === '' || (name !== folder && folder !== build) || !/^(web|build|examples)/.test(path.relative(ROOT, file)) || !fs.existsSync(file)) {
+    return null;
+  }
+  let body = fs.readFileSync(file);
+  if (name === folder) {
+    body = Buffer.from(body.toString().replaceAll('%BUILD%', build).replace('%FACE%', '').replace('%STARTING%', () => STARTING)
+      .replace('%FILES%', () => shellFiles(build).map((one) => `${one}:${digestOf(built(build, one).body)}`).join(' ')));
+  }
+  return { name, body, type: TYPES[path.extname(file)] };
+}
+
+const tagOf = (bytes) => `"${digestOf(bytes).slice(0, 16)}"`;
 
 /**
- * `version` names the build, `without` the files that it lacks, `beside` a new file beside the document ('': none can
+ * `version` names the build, `without` the files that it lacks, `stale` files that are still of another build, `spoil` the bytes that
+ * a file is answered with; `beside` a new file beside the document ('': none can
  * be made); `heard` counts the requests for the version alone.
  * @param {{ name?: string, bytes?: Buffer }} [document] omitted: the page is served without a token
  * @param {boolean} [lasting] the address stays, so that the browser may keep the shell
+ * @param {string} host
  */
-export async function serve(document, lasting = false) {
+export async function serve(document, lasting = false, host = '127.0.0.1') {
   const token = crypto.randomBytes(16).toString('hex');
-  const state = { bytes: document?.bytes, version: '1', stranger: '', without: /^$/, saves: 0, heard: 0, beside: '', address: '', close: () => {} };
+  const state = { bytes: document?.bytes, version: '1', stranger: '', without: /^$/, stale: {}, spoil: (name, body) => body, saves: 0, heard: 0,
+    beside: '', address: '', close: () => {} };
   const server = http.createServer((request, response) => {
     const where = new URL(request.url, 'http://localhost').pathname;
     if (state.stranger) {
@@ -60,25 +82,18 @@ export async function serve(document, lasting = false) {
       answerDocument(request, response);
       return;
     }
-    const [build, ...rest] = where.slice(1).split('/');
-    const staying = STAYING.includes(build || 'index.html');
-    const name = staying ? build || 'index.html' : rest.join('/');
-    const file = BUILT.includes(name) ? path.join(path.dirname(MODULE), name) : path.join(name === SHOWN ? ROOT : WEB, name);
-    if ((!staying && build !== state.version) || state.without.test(name) || !/^(web|build|examples)/.test(path.relative(ROOT, file)) ||
-      !fs.existsSync(file)) {
+    const address = where.slice(1) || 'index.html';
+    const file = built(state.stale[address] ?? state.version, address);
+    if (!file || state.without.test(file.name)) {
       response.writeHead(404).end();
       return;
     }
-    let body = fs.readFileSync(file);
-    if (staying) {
-      body = Buffer.from(body.toString().replaceAll('%BUILD%', state.version).replace('%FACE%', '')
-        .replace('%FILES%', shellFiles(state.version).join(' ')));
-    }
+    let body = state.spoil(file.name, file.body);
     if (where === '/') {
       body = Buffer.from(body.toString().replace('%TOKEN%', document ? token : '%TOKEN%')
         .replace('%ADDRESS%', lasting ? 'lasting' : 'passing'));
     }
-    response.writeHead(200, { 'Content-Type': TYPES[path.extname(file)], 'Content-Security-Policy': POLICY,
+    response.writeHead(200, { 'Content-Type': file.type, 'Content-Security-Policy': POLICY,
       'Cache-Control': 'no-store' });
     response.end(body);
   });
@@ -111,9 +126,9 @@ export async function serve(document, lasting = false) {
     }
   }
 
-  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  await new Promise((done) => server.listen(0, host, done));
   server.unref(); // a test that fails before closing it must not hang
-  state.address = `http://127.0.0.1:${server.address().port}/`;
+  state.address = `http://${host}:${server.address().port}/`;
   state.close = () => {
     server.closeAllConnections();
     server.close();

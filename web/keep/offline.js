@@ -38,6 +38,7 @@ export async function settle(notices, pack) {
   if (!registration) {
     return; // the browser does not allow service workers here
   }
+  registration.active?.postMessage('sweep'); // the page that was here before is gone
   const watch = () => {
     const next = registration.installing;
     next?.addEventListener('statechange', () => {

@@ -6,6 +6,13 @@ export class Missing extends Error {}
 /** @param {string} name a path in this folder @returns {string} */
 export const addressOf = (name) => new URL(`../${name}`, import.meta.url).href;
 
+const [, scope, build] = /^(.*\/)([^/]*)\/$/.exec(addressOf('')) ?? [];
+/** Held as long as this page lives: so long the service worker keeps the files of its build, whatever comes after it. */
+async function hold() {
+  await navigator.locks?.request(`batten ${scope} ${build}`, { mode: 'shared' }, () => new Promise(() => {}));
+}
+hold().catch(() => {}); // the browser may not allow it; then it keeps no files either
+
 /** @param {string} name @returns {Promise<Response>} */
 export async function get(name) {
   const response = await fetch(addressOf(name)).catch((error) => {

@@ -1,6 +1,6 @@
 // Completeness of the build: fetches the module's second part, and reports what is missing with one way out.
 
-import { miss, whenMissing } from './build.js';
+import { miss, Missing, whenMissing } from './build.js';
 import { word } from './words.js';
 
 export class Whole {
@@ -16,6 +16,7 @@ export class Whole {
     /** Called when the second part is not available. */
     this.onpartial = () => {};
     whenMissing(() => this.#say());
+    document.querySelectorAll('link[rel=stylesheet][data-missing]').forEach((link) => miss(new Missing(link.getAttribute('href') ?? '')));
   }
 
   /**

@@ -1,0 +1,59 @@
+// What the tests of a start share: what the page says of it, its build, and what the browser has cached.
+import assert from 'node:assert/strict';
+import { bezier, expectFaults, GONE, open, place, ready, state } from './page.mjs';
+import { serve } from './server.mjs';
+
+const SKY = bezier([60, 60], [140, 20], [220, 100], [320, 60]);
+
+export const exactly = (file) => new RegExp(`^${file.replaceAll('.', '\\.')}$`);
+export const controlled = (page) => page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
+export const version = (page) => page.evaluate(() => document.querySelector('script[src]').getAttribute('src').split('/')[0]);
+export const caches = (page) => page.evaluate(async () => (await globalThis.caches.keys()).map((name) => name.split(' ').at(-1)).sort());
+
+/** What the page says of its start. */
+export async function said(page) {
+  await page.waitForSelector('#failed', { state: 'visible' });
+  return page.evaluate(() => document.getElementById('failed').innerText);
+}
+
+/** Waits until the page's worker has looked for a newer one, and what came of it. */
+export const updated = (page) => page.evaluate(async () => {
+  const registration = await navigator.serviceWorker.getRegistration();
+  await registration.update();
+  const next = registration.installing;
+  if (next) {
+    await new Promise((done) => next.addEventListener('statechange', done, { once: true }));
+  }
+  return next?.state ?? '';
+});
+
+export async function tryAgain(page) {
+  await Promise.all([page.waitForEvent('load'), page.click('#failed-again')]);
+  await ready(page);
+  assert.equal(await page.isVisible('#failed'), false);
+}
+
+/** A server and a context of a browser that knows nothing of it. */
+export async function begun(t, browser, options = {}) {
+  const server = await serve(undefined, true);
+  t.after(() => server.close());
+  expectFaults(/status of 404/, ...GONE);
+  return { server, context: await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options }) };
+}
+
+/** A page with a drawing and its worker. */
+export async function kept(t, browser) {
+  const { server, context } = await begun(t, browser);
+  const { page, hand } = await open(context, server.address);
+  await controlled(page);
+  await hand.stroke(await Promise.all(SKY.map(([x, y]) => place(page, x, y))));
+  await page.evaluate(() => batten.keeper.settled());
+  return { server, context, page, hand, drawn: (await state(page)).digest };
+}
+
+/** Makes the page one of a new visitor again, once its worker is there. */
+export async function forgotten(page) {
+  await controlled(page);
+  await page.evaluate(() => navigator.serviceWorker.controller.postMessage('forget'));
+  await page.waitForFunction(async () => !await navigator.serviceWorker.getRegistration() && (await globalThis.caches.keys()).length === 0);
+}
