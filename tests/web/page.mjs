@@ -117,8 +117,13 @@ async function watch(context) {
   contexts.push(context);
   context.setDefaultTimeout(HANG);
   await context.addInitScript(countTimers);
-  await context.addInitScript((name) => /^http/.test(location.protocol) && localStorage.getItem(name) === null &&
-    localStorage.setItem(name, 'seen'), 'batten-hands'); // pages are those of one who has been here; start.test.mjs looks at the first
+  await context.addInitScript((name) => { // pages are those of one who has been here; start.test.mjs looks at the first
+    try {
+      localStorage[name] ??= 'seen';
+    } catch {
+      // It is not a page that the browser keeps anything of.
+    }
+  }, 'batten-hands');
   context.on('weberror', (error) => faults.push(`uncaught: ${error.error().stack}`));
   context.on('console', (message) => {
     if (message.type() === 'error') {

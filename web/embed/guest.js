@@ -16,7 +16,7 @@ import { word } from '../page/words.js';
 class Alone extends Tabs {
   constructor() {
     super();
-    this.channel.close();
+    this.channel?.close();
   }
 
   /** @param {string} name */

@@ -7,6 +7,9 @@ import { word } from '../page/words.js';
  * @param {() => Promise<void>} pack prepares the page to be closed
  */
 export async function settle(notices, pack) {
+  if (!isSecureContext) {
+    notices.ask('insecure', word('shell.insecure'), []);
+  }
   const link = document.createElement('link');
   link.rel = 'manifest';
   link.href = 'manifest.webmanifest';

@@ -1,4 +1,5 @@
-// Tabs: of all pages that show a drawing, only the one that holds its lock may edit it. Another can ask for the lock.
+// Tabs: of all pages that show a drawing, only the one that holds its lock may edit it. Another can ask for the lock. Where the
+// browser allows no locks, a page holds its drawing without one.
 
 const PATIENCE = 2000; // milliseconds that the holder has to write its journal
 
@@ -15,8 +16,14 @@ export class Tabs {
     /** @type {Promise<unknown>} */
     this.over = Promise.resolve();
     this.left = () => {};
-    this.channel = new BroadcastChannel('batten');
-    this.channel.onmessage = ({ data }) => void this.#hear(data);
+    /** @type {BroadcastChannel | null} null: this browser has none */
+    this.channel = null;
+    try {
+      this.channel = new BroadcastChannel('batten');
+      this.channel.onmessage = ({ data }) => void this.#hear(data);
+    } catch {
+      // A page that is to leave a drawing learns it from the lock.
+    }
   }
 
   /**
@@ -31,27 +38,36 @@ export class Tabs {
     await this.over;
     this.name = name;
     return new Promise((resolve) => {
-      this.over = navigator.locks.request(`batten ${name}`, how, (lock) => {
-        this.held = lock !== null;
-        resolve(this.held);
+      const hold = (/** @type {boolean} */ held) => {
+        this.held = held;
+        resolve(held);
+      };
+      this.over = this.#lock(name, how, (lock) => {
+        hold(lock !== null);
         return lock && new Promise((done) => {
           this.release = () => done(null);
         });
-      }).catch(() => {
-        if (this.held && this.name === name) { // the lock was stolen
-          this.held = false;
+      }).catch((error) => {
+        const left = this.held && this.name === name;
+        hold(error.name !== 'AbortError'); // else the lock was stolen; any other error: the browser allows none
+        if (left && !this.held) {
           void this.onleave();
         }
       });
     });
   }
 
+  /** @param {string} name @param {LockOptions} how @param {(lock: Lock | null) => Promise<unknown> | null} run */
+  async #lock(name, how, run) {
+    await navigator.locks.request(`batten ${name}`, how, run);
+  }
+
   /** Asks the page that holds this drawing to leave it, and takes it in any case. */
   async take() {
     await new Promise((resolve) => {
       this.left = () => resolve(null);
-      setTimeout(resolve, PATIENCE);
-      this.channel.postMessage({ leave: this.name });
+      setTimeout(resolve, this.channel ? PATIENCE : 0);
+      this.channel?.postMessage({ leave: this.name });
     });
     await this.claim(this.name, { steal: true });
   }
@@ -63,7 +79,7 @@ export class Tabs {
       await this.onleave();
       this.release();
       await this.over;
-      this.channel.postMessage({ left: leave });
+      this.channel?.postMessage({ left: leave });
     } else if (left === this.name) {
       this.left();
     }
