@@ -25,6 +25,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     status = bat_editor_replay(again, text, length, true, &problem);
     if (status != BAT_OK) fprintf(stderr, "%s: %s\n", problem.place, problem.message);
     demand(status == BAT_OK, "its own journal does not replay");
+    int left_out = 0;
+    status = bat_editor_salvage(again, (const char *)data, size, &left_out);
+    wrong = bat_editor_check(again);
+    demand(!wrong, wrong);
+    demand(status == BAT_OK || left_out == 0, "lines were left out of nothing");
     bat_editor_free(again);
     bat_editor_free(editor);
     return 0;

@@ -82,6 +82,10 @@ export class Shell {
       this.requests.commands?.fill();
     };
     this.whole.onpartial = () => this.drawings.showOwner();
+    const keep = () => this.drawings.keepNow();
+    this.input.onlift = keep;
+    addEventListener('pagehide', keep);
+    document.addEventListener('visibilitychange', keep);
     this.stage.addEventListener('pointerdown', () => {
       this.notices.pass();
       this.notices.over('left');
@@ -101,6 +105,7 @@ export class Shell {
 
   /** Prepares the page to be closed; unsaved work is kept, or else the browser asks. */
   async pack() {
+    this.drawings.keepNow();
     await this.keeper.settled();
     this.files.leaving = !this.keeper.fault;
   }

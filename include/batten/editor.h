@@ -113,6 +113,11 @@ BAT_API bat_status bat_editor_compact(bat_editor *editor);
  * checks the document's invariants after every entry. */
 BAT_API bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
                                      bat_problem *problem);
+/* Runs what can be run of a journal that is damaged, and leaves out each line that cannot be; an undo that would take
+ * back a step that was left out does nothing. When the first line is damaged, begins with an empty document.
+ * *left_out (may be NULL): the number of lines left out. BAT_UNSUPPORTED: it is of a newer version, and nothing was
+ * done; BAT_SYNTAX: it is empty. Cost: that of replaying it. */
+BAT_API bat_status bat_editor_salvage(bat_editor *editor, const char *text, size_t size, int *left_out);
 /* Checks the invariants of the editor and of the document: NULL when all hold. */
 BAT_API const char *bat_editor_check(const bat_editor *editor);
 

@@ -8,6 +8,7 @@
 #include "editor/edit/surface_line.h"
 #include "editor/editor.h"
 #include "editor/invariants.h"
+#include "editor/replay.h"
 #include "format/native/native.h"
 #include <batten/bezier.h>
 #include <math.h>
@@ -230,22 +231,23 @@ static bat_status compare(playing *p, const bat_json *json, bat_problem *problem
                : BAT_OK;
 }
 
+bat_status bat_replay_line(bat_editor *editor, bool first, const bat_json *json, bat_problem *problem) {
+    if (first) return open_snapshot(editor, json, problem);
+    return bat_json_member(json, 1, "do") ? perform(editor, json, problem) : raw(editor, json, problem);
+}
+
 static bat_status line(playing *p, const char *text, size_t size, bat_problem *problem) {
     bat_json json;
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
-    if (p->lines++ == 0)
-        status = open_snapshot(p->editor, &json, problem);
-    else if (bat_json_member(&json, 1, "do"))
-        status = perform(p->editor, &json, problem);
-    else
-        status = raw(p->editor, &json, problem);
+    status = bat_replay_line(p->editor, p->lines++ == 0, &json, problem);
     if (status == BAT_OK && p->check) status = compare(p, &json, problem);
     bat_json_free(&json);
     return status;
 }
 
-static bool blank(const char *text, size_t size) {
+bool bat_replay_skips(const char *text, size_t size) {
+    if (size && text[0] == '#') return true;
     for (size_t i = 0; i < size; i++)
         if (text[i] != ' ' && text[i] != '\t' && text[i] != '\r') return false;
     return true;
@@ -257,7 +259,7 @@ static bat_status run(playing *p, const char *text, size_t size, int *number, ba
         const char *end = memchr(text + at, '\n', size - at);
         size_t length = end ? (size_t)(end - text) - at : size - at;
         ++*number;
-        bat_status status = blank(text + at, length) ? BAT_OK : line(p, text + at, length, problem);
+        bat_status status = bat_replay_skips(text + at, length) ? BAT_OK : line(p, text + at, length, problem);
         if (status != BAT_OK) return status;
         at += length + 1;
     }

@@ -117,13 +117,14 @@ async function watch(context) {
   contexts.push(context);
   context.setDefaultTimeout(HANG);
   await context.addInitScript(countTimers);
-  await context.addInitScript((name) => { // pages are those of one who has been here; start.test.mjs looks at the first
+  // Pages are those of one who has been here; start.test.mjs and lost.test.mjs look at the first.
+  await context.addInitScript((names) => {
     try {
-      localStorage[name] ??= 'seen';
+      names.forEach((name) => (localStorage[name] ??= 'seen'));
     } catch {
       // It is not a page that the browser keeps anything of.
     }
-  }, 'batten-hands');
+  }, ['batten-hands', 'batten-told-lasting']);
   context.on('weberror', (error) => faults.push(`uncaught: ${error.error().stack}`));
   context.on('console', (message) => {
     if (message.type() === 'error') {

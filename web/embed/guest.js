@@ -68,6 +68,7 @@ export class Guest {
   begin(shell) {
     this.shell = shell;
     this.keeper.svg = () => shell.engine.save(false);
+    this.keeper.isUnsaved = () => shell.files.unsaved;
     addEventListener('pagehide', () => {
       this.#note();
       this.keeper.tell(true);
@@ -135,7 +136,6 @@ export class Guest {
     if (first) {
       await shell.drawings.openNew();
     } else {
-      await files.find(files.name);
       files.unsaved = told;
     }
     return { opened: false, why: reason };
@@ -162,25 +162,23 @@ export class Guest {
         label: word('shell.journal', name), run: () => files.downloadJournal(journal) }]);
       return false;
     }
-    await drawings.admit(name);
     files.bind(null);
     [files.name, files.opened, files.unsaved] = [name, bytes, unsaved === true];
     if (!unsaved) {
       engine.saved();
     }
-    drawings.showOwner();
+    await drawings.settle();
     return true;
   }
 
   /** @param {Shell} shell @param {Uint8Array} bytes @param {string} name @returns {Promise<boolean>} */
   async #replace({ drawings, files }, bytes, name) {
-    files.unsaved = false; // or else it would be given up here, before the other can be read
-    await drawings.admit(name);
+    files.unsaved = false;
     if (!files.open(bytes, name)) {
       return false;
     }
     files.bind(null);
-    drawings.showOwner();
+    await drawings.settle();
     return true;
   }
 
@@ -190,7 +188,7 @@ export class Guest {
     if (drawings.ours && !engine.dead) {
       engine.guard(() => engine.keepJournal(), undefined);
       files.unsaved ||= this.keeper.isNew(engine.session, engine.journal.length);
-      this.keeper.note(files.name, engine.session, engine.journal, files.unsaved);
+      drawings.keep(true);
     }
     return files.unsaved;
   }

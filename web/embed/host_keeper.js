@@ -14,6 +14,11 @@ export class HostKeeper extends Keeper {
     this.send = send;
     /** The drawing as SVG. @type {() => Uint8Array} */
     this.svg = () => new Uint8Array(0);
+    /** Whether it is unsaved. @type {() => boolean} */
+    this.isUnsaved = () => false;
+    this.unsaved = false;
+    /** The name of the drawing that is kept. */
+    this.name = '';
     this.timer = 0;
     this.pause = SOON;
     /** What the page was last told. */
@@ -24,11 +29,13 @@ export class HostKeeper extends Keeper {
   /** @returns {Worker} the page, which takes all that is sent */
   hire() {
     const worker = /** @type {any} */ ({
-      postMessage: (/** @type {{ name: string, bytes?: Uint8Array, more?: boolean }} */ { name, bytes, more }) => {
-        if (bytes) {
-          this.send({ keep: bytes, more, name });
-        } // a drawing given up is there until the next begins
-        queueMicrotask(() => worker.onmessage({ data: '' }));
+      /** @param {import('../keep/keeping.js').Job} job */
+      postMessage: ({ call, with: [about, bytes] }) => {
+        this.name = about.name ?? this.name;
+        if (call === 'begin' || call === 'append') {
+          this.send({ keep: bytes, more: call === 'append', name: this.name });
+        }
+        queueMicrotask(() => worker.onmessage({ data: { value: call === 'list' ? [] : null, fault: '' } }));
       },
       terminate() {},
     });
@@ -41,10 +48,19 @@ export class HostKeeper extends Keeper {
     return session === this.session && length !== this.length;
   }
 
-  /** @param {string} name @param {number} session @param {Uint8Array} journal @param {boolean} unsaved */
-  note(name, session, journal, unsaved) {
-    const same = session === this.session && journal.length === this.length && unsaved === this.unsaved;
-    super.note(name, session, journal, unsaved, true);
+  /** All is kept, whether it is saved or not. @returns {boolean} */
+  get begun() {
+    return true;
+  }
+
+  /** A saved drawing is there until the next begins. */
+  letGo() {}
+
+  /** @param {string} name @param {string} place @param {number} session @param {Uint8Array} journal */
+  note(name, place, session, journal) {
+    const same = session === this.session && journal.length === this.length && this.isUnsaved() === this.unsaved;
+    this.unsaved = this.isUnsaved();
+    super.note(name, place, session, journal);
     if (!same) {
       this.timer ||= setTimeout(() => this.tell(true), this.pause);
     }
@@ -66,15 +82,5 @@ export class HostKeeper extends Keeper {
       [this.text, this.saved] = [text, !this.unsaved];
       this.send({ told: text, unsaved: this.unsaved, byUser });
     }
-  }
-
-  /** @returns {Promise<null>} */
-  async find() {
-    return null;
-  }
-
-  /** @returns {Promise<import('../keep/keep.js').Kept[]>} */
-  async list() {
-    return [];
   }
 }

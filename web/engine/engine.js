@@ -372,6 +372,19 @@ export class Engine extends Instance {
     return status === OK;
   }
 
+  /**
+   * The same with a journal that is damaged: what can be run is.
+   * @param {Uint8Array} journal
+   * @returns {number} how many lines could not; -1: nothing could be run, and the document is as it was
+   */
+  salvage(journal) {
+    const lost = this.guard(() => this.lend(journal, (text, size) => this.wasm.editor_salvage(this.editor, text, size)), -1);
+    if (lost >= 0) {
+      this.begun(new Uint8Array(0));
+    }
+    return lost;
+  }
+
   // ---- output ----
 
   /**

@@ -33,6 +33,8 @@ export class Instance {
     this.journal = new Uint8Array(0);
     /** Counts the journals so far: each new journal begins a session. */
     this.session = 0;
+    /** Counts the drawings so far: a session that does not go on with the one before begins one. */
+    this.drawing = 0;
     /** The length at which the journal is compacted. */
     this.long = LONG;
     /** The journal at the last trap, for a bug report. @type {Uint8Array} */
@@ -191,7 +193,7 @@ export class Instance {
         const status = this.lend(part, (text, size) =>
           this.wasm.editor_replay(this.editor, text, size, 0, this.scratch));
         if (status === OK) {
-          this.begun(part);
+          this.begun(part, lost === 0);
           this.onrecovery(lost === 0, error);
           return;
         }
@@ -205,7 +207,7 @@ export class Instance {
       part = part.subarray(0, part.lastIndexOf(10, part.length - 2) + 1);
     }
     this.#start();
-    this.begun(new Uint8Array(0));
+    this.begun(new Uint8Array(0), whole.length === 0);
     this.onrecovery(whole.length === 0, error);
   }
 
@@ -219,10 +221,14 @@ export class Instance {
     return copy;
   }
 
-  /** Begins another journal. @param {Uint8Array} journal as far as it is known */
-  begun(journal) {
+  /**
+   * Begins another journal.
+   * @param {Uint8Array} journal as far as it is known @param {boolean} [same] of the same drawing
+   */
+  begun(journal, same = false) {
     this.journal = journal;
     this.session++;
+    this.drawing += same ? 0 : 1;
   }
 
   /** Copies what has been added to the journal. */
@@ -236,7 +242,7 @@ export class Instance {
       const done = this.wasm.editor_compact(this.editor) === OK;
       this.long = 2 * size;
       if (done) {
-        this.begun(new Uint8Array(0));
+        this.begun(new Uint8Array(0), true);
         this.keepJournal();
         this.long = Math.max(LONG, 2 * this.journal.length);
         return;

@@ -38,12 +38,11 @@ async function fetched(asked) {
 async function openFile(drawings, asked) {
   const { bytes, name } = await fetched(asked);
   const file = name || 'drawing.svg';
-  const kept = await drawings.admit(file);
   if (!drawings.files.open(bytes, file)) {
     return false;
   }
   drawings.files.given = true;
-  drawings.resume(kept);
+  await drawings.arrived();
   return true;
 }
 

@@ -44,13 +44,11 @@ async function openOne(files, arrival) {
   if (answer !== 'open') {
     return;
   }
-  const kept = await files.find(file.name);
   if (!files.open(bytes, file.name)) {
-    await files.find(files.name);
     return;
   }
   files.bind(place);
-  files.onopen(kept);
+  await files.onopen();
   if (place && !files.server.passing) {
     await remember(place.handle);
   }

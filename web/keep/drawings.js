@@ -1,15 +1,21 @@
 // The page's drawing and what the browser has kept of it: opening it with what a closed or crashed page left, leaving
-// it for another, taking it over from another page.
+// it for another, taking it over from another page. Whatever the engine begins anew is a drawing of its own, with an id that no
+// other has, so that nothing takes the place of what is kept.
 
 import { want } from '../page/build.js';
+import { keep as remember, kept } from '../page/kept.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 /** @typedef {import('./keep.js').Fault} Fault */
 /** @typedef {import('./keep.js').Kept} Kept */
+/** @typedef {import('./keep.js').Listed} Listed */
 
 /** Notices about a drawing: they disappear with it. */
 const OF_DRAWING = ['left', 'kept', 'other', 'unkept', 'changed', 'trap'];
+const TOLD = 'batten-told-lasting'; // whether the user knows that the browser may clear it away
+const TRIES = 3; // to read what is kept
+const PAUSE = 100; // milliseconds between them
 
 export class Drawings {
   /** @param {Shell} shell */
@@ -22,19 +28,35 @@ export class Drawings {
     this.tabs = tabs;
     this.whole = whole;
     this.wake = wake;
+    /** What this page claims of all pages, and whether it is being decided. */
+    this.claimed = '';
+    /** @type {Promise<unknown>} */
+    this.claiming = Promise.resolve();
+    /** Another drawing is being opened: nothing is noted until it is there. */
+    this.moving = false;
+    /** The file has all of it, unless something was drawn meanwhile. */
+    this.justSaved = false;
     engine.onrecovery = (all, error) => this.#recovered(all, error);
     keeper.onfault = (fault) => this.#notKept(fault);
-    files.find = (name) => this.admit(name);
-    files.onopen = (kept) => this.resume(kept);
+    keeper.onfirst = () => void this.#askToStay();
+    files.onopen = () => this.arrived();
+    files.onsaved = () => {
+      this.justSaved = true;
+    };
     tabs.onleave = async () => {
       await keeper.yield();
       this.showOwner();
     };
   }
 
+  /** What only one page may have: the file that it saves to, else the drawing. */
+  get key() {
+    return this.files.served ? `file ${this.files.name}` : this.keeper.id;
+  }
+
   /** Whether this page may edit the drawing, and keeps it. */
   get ours() {
-    return this.tabs.held && this.tabs.name === this.files.name && !this.engine.partial;
+    return this.tabs.held && this.tabs.name === this.key && !this.engine.partial;
   }
 
   /** A text of the shell about this drawing. @param {string} key @returns {string} */
@@ -42,26 +64,90 @@ export class Drawings {
     return word(`shell.${key}`, this.files.name);
   }
 
-  /**
-   * Leaves this drawing for another.
-   * @param {string} name
-   * @returns {Promise<Kept | null>} what was kept of it; also null when another page has it
-   */
-  async admit(name) {
-    if (this.files.unsaved) {
-      this.keeper.drop(this.files.name); // the user was asked
-      await this.keeper.settled();
+  /** Claims a drawing, in place of the one held. @param {string} [key] @returns {Promise<boolean>} whether this page may edit it */
+  async #claim(key = this.key) {
+    if (this.claimed !== key || !this.tabs.held) {
+      this.claimed = key;
+      this.claiming = this.claiming.then(() => this.tabs.claim(key));
     }
-    return await this.tabs.claim(name) ? this.#kept(name) : null;
+    await this.claiming;
+    return this.tabs.held;
   }
 
-  /**
-   * What was kept of a drawing; completes the module first, because a call during the replay cannot wait for it.
-   * @param {string} name
-   */
-  async #kept(name) {
-    const kept = await this.keeper.find(name);
-    return kept && await this.whole.complete() ? kept : null;
+  // ---- keeping ----
+
+  /** Notes what is new. @param {boolean} due whether there is anything worth keeping; once begun, all is */
+  keep(due) {
+    const { engine, files, keeper } = this;
+    if (this.moving) {
+      return;
+    }
+    if (engine.drawing !== keeper.drawing) {
+      keeper.begin(engine.drawing);
+    }
+    if (this.claimed !== this.key) {
+      void this.#claim().then(this.wake);
+    }
+    if (this.ours && (due || keeper.begun)) {
+      keeper.note(files.name, files.served ? files.name : '', engine.session, engine.journal);
+    }
+  }
+
+  /** Notes what a frame says. @param {boolean} unsaved @param {boolean} empty */
+  keepFrame(unsaved, empty) {
+    const { files, keeper } = this;
+    if (this.justSaved) {
+      this.justSaved = false;
+      if (!unsaved && files.bound) {
+        keeper.letGo();
+      }
+    }
+    this.keep(unsaved || (!files.bound && !files.given && !empty));
+  }
+
+  /** Notes what has been done since the last frame, without waiting for one: a page may be gone before it. */
+  keepNow() {
+    const { engine } = this;
+    const { session, journal: { length } } = engine;
+    engine.guard(() => engine.keepJournal(), undefined);
+    const fresh = engine.journal.subarray(session === engine.session ? length : 0);
+    this.keep(new TextDecoder().decode(fresh).includes('{"do":'));
+  }
+
+  /** Asks the browser once not to clear away what it keeps. */
+  async #askToStay() {
+    this.keeper.onfirst = () => {};
+    const lasting = await navigator.storage?.persist?.().catch(() => false) ?? false;
+    if (!lasting && !kept(TOLD)) {
+      remember(TOLD, 'yes');
+      this.notices.say(word('shell.not-lasting'));
+    }
+  }
+
+  // ---- opening ----
+
+  /** All drawings kept that the user has not deleted; tries again before it says that they cannot be read. @returns {Promise<Listed[] | null>} */
+  async list() {
+    for (let tries = 0; tries < TRIES; tries++) {
+      try {
+        const all = (await this.keeper.list()).filter(({ gone }) => !gone);
+        this.notices.over('unread');
+        return all;
+      } catch (error) {
+        console.warn(error);
+        await new Promise((resolve) => setTimeout(resolve, PAUSE));
+      }
+    }
+    this.notices.ask('unread', word('shell.kept-unread'), [{ label: word('shell.again'), run: () => void this.#openAgain() }]);
+    return null;
+  }
+
+  /** What could not be read before is opened, unless something has been drawn meanwhile. */
+  async #openAgain() {
+    await this.list();
+    if (!this.files.edited) {
+      await this.openLast();
+    }
   }
 
   /** Says so when another page has the drawing, and offers to take it over. */
@@ -76,16 +162,33 @@ export class Drawings {
   }
 
   async #takeOver() {
-    await this.tabs.take();
-    const kept = await this.#kept(this.files.name);
-    await this.files.reopen();
-    this.resume(kept);
+    const { files, keeper, tabs } = this;
+    await tabs.take();
+    const found = files.served ? await this.#ofFile() : await keeper.take(keeper.id).catch(() => null);
+    await files.reopen();
+    keeper.begin(this.engine.drawing);
+    await this.resume(found);
+  }
+
+  /** The unsaved work on the file that is open. @returns {Promise<Kept | null>} */
+  async #ofFile() {
+    const all = (await this.list() ?? []).filter(({ aside }) => !aside);
+    const found = all.find(({ place }) => place === this.files.name) ?? all.find(({ name }) => name === this.files.name);
+    return found ? this.keeper.take(found.id).catch(() => null) : null;
   }
 
   /** Opens the server's file, with what was kept of it. */
   async openServed() {
     await this.files.openServed();
-    this.resume(await this.admit(this.files.name));
+    await this.arrived();
+  }
+
+  /** A file has been opened: shows who has it, and what is kept of it. */
+  async arrived() {
+    const { engine, files, keeper } = this;
+    keeper.begin(engine.drawing);
+    const held = await this.#claim();
+    await this.resume(!files.served ? await keeper.find(files.name) : held ? await this.#ofFile() : null);
   }
 
   /** What an address asks for. @param {string} asked @returns {Promise<boolean>} whether it is open now */
@@ -101,15 +204,13 @@ export class Drawings {
     if (await this.#openAsked(location.search + location.hash)) {
       return;
     }
-    for (const { name } of await this.keeper.list()) {
-      const kept = await this.admit(name);
-      if (kept) {
-        this.files.name = name;
-        if (this.engine.replay(kept.journal)) {
-          this.wake();
+    for (const { id, aside, name } of await this.list() ?? []) {
+      if (!aside && await this.#claim(id) && await this.#openKept(id, name)) {
+        if (this.keeper.id === id) {
           this.notices.ask('left', this.#text('as-left'), [{ label: this.#text('new'), run: () => void this.openNew() }]);
-          return;
         }
+        this.wake();
+        return;
       }
     }
     const first = document.querySelector('meta[name=batten-first]')?.getAttribute('content') ?? '';
@@ -120,90 +221,147 @@ export class Drawings {
 
   /** Opens an empty drawing; the previous one stays kept. @param {string} [stem] of its name */
   async openNew(stem = 'drawing') {
-    const taken = (await this.keeper.list()).map((kept) => kept.name);
-    this.#leave();
+    this.keepNow();
+    const taken = (await this.list() ?? []).map(({ name }) => name);
     let name = `${stem}.svg`;
-    for (let number = 2; taken.includes(name) || !(await this.tabs.claim(name)); number++) {
+    for (let number = 2; taken.includes(name); number++) {
       name = `${stem} ${number}.svg`;
     }
     this.#become(name);
     await this.files.reopen();
+    await this.settle();
+  }
+
+  /** What is open now is a drawing of its own. */
+  async settle() {
+    if (this.engine.drawing !== this.keeper.drawing) {
+      this.keeper.begin(this.engine.drawing);
+    }
+    await this.#claim();
     this.showOwner();
   }
 
-  /** Opens a kept drawing in place of this one, which stays kept. @param {string} name */
-  async openKept(name) {
+  /** Opens a kept drawing in place of this one, which stays kept. @param {string} id @param {string} name */
+  async openKept(id, name) {
+    this.keepNow();
     await this.keeper.settled();
-    this.#leave();
-    const kept = await this.admit(name);
-    if (!kept) {
-      await this.tabs.claim(this.files.name);
+    this.moving = true;
+    if (!await this.#claim(id)) {
       this.notices.say(word('shell.kept-not.help', name));
     } else {
-      this.#become(name);
-      if (!this.engine.replay(kept.journal)) {
-        this.#lost(kept);
-      }
+      await this.#openKept(id, name);
     }
+    this.moving = false;
+    await this.#claim();
     this.showOwner();
   }
 
-  /** Removes the drawing from the page, but not from what is kept. */
-  #leave() {
-    this.notices.over(...OF_DRAWING);
-    this.keeper.session = -1;
-    this.keeper.unsaved = this.files.unsaved = false;
+  /**
+   * Shows what is kept of a drawing that this page has claimed.
+   * @param {string} id @param {string} name @returns {Promise<boolean>} whether anything of it is shown
+   */
+  async #openKept(id, name) {
+    const found = await this.keeper.take(id).catch(() => null);
+    if (!found) {
+      this.notices.say(word('shell.kept-missing.help', name));
+      return false;
+    }
+    if (!await this.whole.complete()) {
+      return false;
+    }
+    const before = { name: this.files.name, given: this.files.given, place: this.files.place, bound: this.files.bound, opened: this.files.opened };
+    this.#become(found.name || this.files.name);
+    if (this.#bring(found)) {
+      return true;
+    }
+    Object.assign(this.files, before);
+    return false;
   }
 
   /** Makes it a drawing without a file. @param {string} name */
   #become(name) {
+    this.notices.over(...OF_DRAWING);
+    this.files.unsaved = false;
     this.files.name = name;
     this.files.given = false;
     this.files.bind(null);
     this.files.opened = new Uint8Array(0);
   }
 
-  /** Restores what a closed or crashed page had not saved. @param {Kept | null} kept */
-  resume(kept) {
+  // ---- what is kept ----
+
+  /**
+   * Puts what is kept of a drawing in place of what is shown. What cannot be read of it stays as it is, and is said.
+   * @param {Kept} found @returns {boolean} whether anything of it is shown
+   */
+  #bring(found) {
+    const { engine, files, keeper } = this;
+    const whole = found.whole && engine.replay(found.journal);
+    const shown = whole || engine.salvage(found.journal) >= 0;
+    if (shown) {
+      engine.guard(() => engine.keepJournal(), undefined);
+      keeper.begin(engine.drawing);
+    }
+    if (whole && found.place === (files.served ? files.name : '')) {
+      keeper.goOn(found.id, engine.drawing, engine.session, engine.journal.length);
+    } else if (!whole) {
+      const run = () => files.deliver(found.raw, 'journal', 'application/x-ndjson');
+      this.notices.ask('other', word(shown ? 'shell.kept-part' : 'shell.lost', found.name || files.name), [{ label: word('shell.journal'), run }]);
+      if (shown) {
+        keeper.putAside(found.id);
+      }
+    }
+    return shown;
+  }
+
+  /** Restores what a closed or crashed page had not saved. @param {Kept | null} found */
+  async resume(found) {
     this.notices.over(...OF_DRAWING);
     this.showOwner();
-    if (!kept) {
+    if (!found || !await this.whole.complete()) {
       return;
     }
     // Either its steps pass through the file as it is now, or the file has changed since and the user must decide.
-    if (new TextDecoder().decode(kept.journal).includes(`"digest":"${this.engine.digest()}"`)) {
-      this.#bringBack(kept);
+    if (new TextDecoder().decode(found.journal).includes(`"digest":"${this.engine.digest()}"`)) {
+      await this.#bringBack(found);
     } else {
       this.notices.ask('other', this.#text('kept-other'), [{
-        label: this.#text('bring-back'), run: () => this.#bringBack(kept) }]);
+        label: this.#text('bring-back'), run: () => void this.#bringBack(found) }]);
     }
   }
 
-  /** @param {Kept} kept */
-  #bringBack(kept) {
-    if (this.engine.replay(kept.journal)) {
-      this.engine.losses = this.files.losses; // of the file as it is now, not as it was
-      this.notices.ask('kept', this.#text('brought-back'), [{
-        label: this.#text('without'), run: () => void this.files.reopen() }]);
-    } else {
-      this.#lost(kept);
+  /** @param {Kept} found */
+  async #bringBack(found) {
+    const { engine, files, keeper } = this;
+    const digest = engine.digest();
+    this.moving = true;
+    const mine = (files.served && found.place) || await this.#claim(found.id);
+    if (!mine) {
+      this.notices.say(word('shell.kept-not.help', found.name));
+    } else if (!this.#bring(found)) {
+      await files.reopen();
+    } else if (found.whole && engine.digest() !== digest) {
+      engine.losses = files.losses; // of the file as it is now, not as it was
+      this.notices.ask('kept', this.#text('brought-back'), [{ label: this.#text('without'), run: () => void this.#without() }]);
     }
+    this.moving = false;
+    await this.#claim();
     this.wake();
   }
 
-  /** What was kept cannot be restored. @param {Kept} kept */
-  #lost(kept) {
-    void this.files.reopen();
-    this.notices.ask('other', this.#text('lost'), [{
-      label: this.#text('journal'), run: () => this.files.downloadJournal(kept.journal) }]);
+  /** The file as it is, without what was brought back, which is put aside. */
+  async #without() {
+    this.keepNow();
+    this.keeper.putAside(this.keeper.id);
+    await this.files.reopen();
   }
 
   /** The module trapped, and its journal was replayed. @param {boolean} whole @param {unknown} error */
   #recovered(whole, error) {
     console.error(error);
     this.settings.restore();
-    if (!whole) {
-      this.keeper.session = -1; // what is kept stays, although the drawing shown has no unsaved steps
+    if (!whole && this.keeper.begun) {
+      this.keeper.putAside(this.keeper.id); // what is shown now is kept as another
     }
     const run = () => this.files.downloadJournal(this.engine.broken);
     this.notices.ask('trap', word(whole ? 'shell.trapped' : 'shell.trapped-part'), [{ label: word('shell.journal'), run }]);

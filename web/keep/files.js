@@ -6,7 +6,6 @@ import { parseSvg } from '../engine/svg.js';
 import { counted, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
-/** @typedef {import('./keep.js').Kept} Kept */
 /** @typedef {import('../page/notice.js').Notices} Notices */
 /** @typedef {import('./server.js').Server} Server */
 /** @typedef {import('./disk.js').Disk} Disk */
@@ -75,13 +74,10 @@ export class Files {
     this.name = 'drawing.svg';
     /** The bytes that were opened, unchanged. @type {Uint8Array} */
     this.opened = new Uint8Array(0);
-    /**
-     * Called before a drawing replaces this one: gives what was kept of it.
-     * @type {(name: string) => Promise<Kept | null>}
-     */
-    this.find = async () => null;
-    /** Called as soon as it is open. @type {(kept: Kept | null) => void} */
-    this.onopen = () => {};
+    /** Called as soon as a file is open that the user chose. @type {() => Promise<void>} */
+    this.onopen = async () => {};
+    /** Called when its place has all of it. */
+    this.onsaved = () => {};
     /** What was in the opened file and is not in the drawing. @type {import('../engine/losses.js').Losses} */
     this.losses = {};
     /** Whether the user was asked about what is not shown as it is in the file. */
@@ -144,6 +140,11 @@ export class Files {
     const { server } = this;
     this.bound = place !== null || server.sole;
     this.place = server.sole ? server : place ?? server;
+  }
+
+  /** Whether it is the file that the server of this page has. */
+  get served() {
+    return this.bound && this.place === this.server && this.server.there;
   }
 
   /** Opens the server's file, if there is a server. */
@@ -231,6 +232,7 @@ export class Files {
       // The engine remembers the state that it asked to have saved: anything drawn meanwhile stays unsaved.
       await this.place.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
       this.engine.saved();
+      this.onsaved();
       if (!this.engine.keeps) {
         this.losses = this.engine.losses = {};
       }

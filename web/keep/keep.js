@@ -1,39 +1,19 @@
-// Keeping: each step of a drawing's journal is written to the browser's private file system (OPFS), so that a closed or
-// crashed page loses at most the stroke under the pen. A drawing has a folder of numbered journals; the newest complete
-// one counts. A page begins a new journal beside the old one, which is then removed, and appends to it; a journal whose
-// first byte is not yet written is incomplete. keeping.js, a worker, does the writing.
+// Keeping: each step of a drawing's journal is on the disk as soon as it is done, in the browser's own storage, so that a closed
+// or crashed page loses at most the stroke under the pen. What is kept is removed only when its file elsewhere has it, or
+// when the user says so. keeping.js, a worker, does the reading and the writing.
 
 import { addressOf } from '../page/build.js';
-import { folderOf, journals } from './journals.js';
 
-/** @typedef {{ name: string, journal: Uint8Array, time: number }} Kept */
+/** @typedef {import('./store.js').Kept} Kept */
+/** @typedef {import('./store.js').Listed} Listed */
 /** @typedef {'no-room' | 'cleared' | 'not-kept'} Fault why nothing is kept; the page has words for each */
+/** @typedef {import('./keeping.js').Answer} Answer */
 
-const HEAD = 4096; // the name of a drawing is within the first 4,096 bytes of its journal
+/** What there was to read could not be read now. */
+export class Unread extends Error {}
 
-/**
- * The newest complete journal of a folder, up to its last complete line.
- * @param {FileSystemDirectoryHandle} folder
- * @param {number} [size] read no more bytes than this
- * @returns {Promise<Kept | null>}
- */
-async function newest(folder, size) {
-  /** @type {number[]} */
-  const numbers = [];
-  for await (const name of folder.keys()) {
-    numbers.push(Number(name));
-  }
-  for (const number of numbers.sort((a, b) => b - a)) {
-    const file = await (await folder.getFileHandle(String(number))).getFile();
-    const bytes = new Uint8Array(await file.slice(0, size).arrayBuffer());
-    if (bytes[0]) {
-      const head = /"name":("(?:[^"\\]|\\.)*")/.exec(new TextDecoder().decode(bytes.subarray(0, HEAD)));
-      return { name: head ? JSON.parse(head[1]) : '', journal: bytes.subarray(0, bytes.lastIndexOf(10) + 1),
-        time: file.lastModified };
-    }
-  }
-  return null;
-}
+/** An id that no other drawing has. */
+const newId = () => Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, '0')).join('');
 
 export class Keeper {
   constructor() {
@@ -42,19 +22,25 @@ export class Keeper {
      * @type {(fault: Fault | '') => void}
      */
     this.onfault = () => {};
+    /** Called when the first step of this page is kept. */
+    this.onfirst = () => {};
     /** @type {Worker | null} */
     this.worker = null;
-    /** What this page keeps: the drawing's name, the engine's session (-1: nothing) and how much of its journal. */
-    this.name = '';
+    /** What this page keeps: the drawing, by its id and by the engine's count; the engine's session (-1: nothing yet) and how much of its journal. */
+    this.id = newId();
+    this.drawing = -1;
     this.session = -1;
     this.length = 0;
-    this.unsaved = false;
+    /** Its file is open, and more can be added to it. */
+    this.open = false;
     /** Why the last write failed. @type {Fault | ''} */
     this.fault = '';
     /** Pending writes, and the callers waiting for them. */
     this.writes = 0;
     /** @type {(() => void)[]} */
     this.waiting = [];
+    /** Who hears of each answer, in the order of the jobs. @type {((answer: Answer) => void)[]} */
+    this.asked = [];
   }
 
   /** Starts the worker in advance, so that the first step can be kept even if the server has stopped by then. */
@@ -64,60 +50,85 @@ export class Keeper {
     this.fault = ''; // if the worker does not start, the first step tries again
   }
 
-  /**
-   * Called at every frame.
-   * @param {string} name
-   * @param {number} session the engine's; each session has its own journal
-   * @param {Uint8Array} journal
-   * @param {boolean} unsaved
-   * @param {boolean} local there is no file elsewhere: kept even when saved
-   */
-  note(name, session, journal, unsaved, local) {
-    const due = unsaved || local;
-    const given = this.unsaved && name !== this.name; // given up, after the user was asked
-    if (this.session >= 0 && (given || !due)) {
-      this.drop(this.name);
+  /** From now on the page has another drawing; what was kept stays. @param {number} drawing the engine's count @param {string} [id] of one that is kept */
+  begin(drawing, id = newId()) {
+    if (this.open) {
+      this.#write('release');
     }
-    const same = session === this.session && name === this.name;
-    if (due && !(same && journal.length === this.length)) {
-      const more = same && !this.fault; // after a fault the next step writes all of it
-      this.#write({ name, bytes: journal.slice(more ? this.length : 0), more });
-      [this.name, this.session, this.length] = [name, session, journal.length];
-    }
-    this.unsaved = unsaved;
+    [this.id, this.drawing, this.session, this.length, this.open] = [id, drawing, -1, 0, false];
   }
 
-  /** What was kept of a drawing. @param {string} name @returns {Promise<Kept | null>} */
+  /**
+   * Goes on with a drawing that is kept, as the engine has it now: it is written with its next step.
+   * @param {string} id @param {number} drawing the engine's count @param {number} session @param {number} length of its journal
+   */
+  goOn(id, drawing, session, length) {
+    this.begin(drawing, id);
+    [this.session, this.length] = [session, length];
+  }
+
+  /** Whether anything of this drawing is kept. */
+  get begun() {
+    return this.session >= 0;
+  }
+
+  /**
+   * Called at every frame, and when the pen is lifted.
+   * @param {string} name
+   * @param {string} place of its file, when it is unsaved work on one
+   * @param {number} session the engine's; each session has its own journal
+   * @param {Uint8Array} journal
+   */
+  note(name, place, session, journal) {
+    const same = session === this.session;
+    if (same && journal.length === this.length) {
+      return;
+    }
+    if (same && this.open && !this.fault) {
+      this.#write('append', this.id, journal.slice(this.length));
+    } else { // after a fault the next step writes all of it
+      this.#write('begin', { id: this.id, name, place }, journal.slice());
+      this.open = true;
+    }
+    [this.session, this.length] = [session, journal.length];
+  }
+
+  /** The file of this drawing has all of it now. */
+  letGo() {
+    if (this.begun) {
+      this.#write('remove', this.id);
+    }
+    [this.session, this.length, this.open] = [-1, 0, false];
+  }
+
+  /** What is kept of a drawing. Throws Unread. @param {string} id @returns {Promise<Kept | null>} */
+  async take(id) {
+    return this.#read('take', id);
+  }
+
+  /** All drawings kept, the latest first, and those that the user deleted. Throws Unread. @returns {Promise<Listed[]>} */
+  async list() {
+    return this.#read('list');
+  }
+
+  /** The latest that is kept under a name, unless it was put aside. @param {string} name @returns {Promise<Kept | null>} null also when nothing can be read */
   async find(name) {
     try {
-      return await newest(await (await journals()).getDirectoryHandle(await folderOf(name)));
+      const found = (await this.list()).find((kept) => kept.name === name && !kept.aside && !kept.gone);
+      return found ? await this.take(found.id) : null;
     } catch {
       return null;
     }
   }
 
-  /** All drawings kept, latest first, each with the beginning of its journal. @returns {Promise<Kept[]>} */
-  async list() {
-    /** @type {Kept[]} */
-    const list = [];
-    try {
-      for await (const handle of (await journals()).values()) {
-        const kept = await newest(/** @type {FileSystemDirectoryHandle} */ (handle), HEAD);
-        if (kept?.name) {
-          list.push(kept);
-        }
-      }
-    } catch {
-      // Nothing can be kept here, so nothing is.
-    }
-    return list.sort((a, b) => b.time - a.time);
+  /** Puts a drawing aside: it is opened only when the user asks for it. @param {string} id */
+  putAside(id) {
+    this.#write('mark', id, 'aside', true);
   }
 
-  /** @param {string} name */
-  drop(name) {
-    this.session = -1;
-    this.unsaved = false;
-    this.#write({ name });
+  /** Deletes a drawing, or brings it back. @param {string} id @param {boolean} gone */
+  setGone(id, gone) {
+    this.#write('mark', id, 'gone', gone);
   }
 
   /** Waits until everything noted is on disk, or has failed. @returns {Promise<void>} */
@@ -128,21 +139,35 @@ export class Keeper {
     });
   }
 
-  /** Hands the journal over to another page. */
+  /** Hands the drawing over to another page. */
   async yield() {
-    this.session = -1;
-    this.unsaved = false;
-    this.#write({ name: '' });
+    this.begin(this.drawing, this.id);
     await this.settled();
   }
 
-  /** @param {{ name: string, bytes?: Uint8Array, more?: boolean }} job */
-  #write(job) {
-    this.writes++;
-    this.#work().postMessage(job, job.bytes ? [job.bytes.buffer] : []);
+  /** @param {import('./keeping.js').Job['call']} call @param {...unknown} values @returns {Promise<any>} */
+  async #read(call, ...values) {
+    const answer = await /** @type {Promise<Answer>} */ (new Promise((resolve) => this.#send(call, values, resolve)));
+    if (answer.fault) {
+      throw new Unread(answer.why);
+    }
+    return answer.value;
   }
 
-  /** What does the writing: answers each job with its fault, after a first 'ready'. @returns {Worker} */
+  /** @param {import('./keeping.js').Job['call']} call @param {...unknown} values */
+  #write(call, ...values) {
+    this.#send(call, values, ({ fault }) => this.#wrote(call, fault));
+  }
+
+  /** @param {import('./keeping.js').Job['call']} call @param {unknown[]} values @param {(answer: Answer) => void} then */
+  #send(call, values, then) {
+    this.writes++;
+    const worker = this.#work();
+    this.asked.push(then);
+    worker.postMessage({ call, with: values }, values.flatMap((value) => (value instanceof Uint8Array ? [value.buffer] : [])));
+  }
+
+  /** What does the work: answers each job, after a first 'ready'. @returns {Worker} */
   hire() {
     return new Worker(addressOf('keep/keeping.js'), { type: 'module' });
   }
@@ -155,44 +180,52 @@ export class Keeper {
       this.worker.onmessage = ({ data }) => (data === 'ready' ? this.#done(1) : this.#answered(data));
       this.worker.onerror = (event) => {
         event.preventDefault(); // the page reports it
-        this.#end();
-        this.#answered('not-kept');
+        this.#end('not-kept');
       };
     }
     return this.worker;
   }
 
-  /** Drops the worker: nothing more comes from it. */
-  #end() {
-    this.worker?.terminate();
-    this.worker = null;
-    this.writes = 1;
+  /** @param {Answer} answer */
+  #answered(answer) {
+    this.asked.shift()?.(answer);
+    this.#done(1);
   }
 
-  /** @param {Fault | ''} fault */
-  #answered(fault) {
+  /** Drops the worker: nothing more comes from it. @param {Fault} fault */
+  #end(fault) {
+    this.worker?.terminate();
+    this.worker = null;
+    this.asked.splice(0).forEach((then) => then({ fault }));
+    this.#done(this.writes);
+  }
+
+  /** @param {import('./keeping.js').Job['call']} call @param {Fault | ''} fault */
+  #wrote(call, fault) {
     const before = this.fault;
+    if (call !== 'begin' && call !== 'append') {
+      return; // nothing of this drawing is lost by it
+    }
     this.fault = fault;
-    if (fault === 'cleared') { // while the worker holds a cleared file open, Chromium loses new ones as well
-      this.#end();
-    }
-    this.#done(1);
-    if (fault === before || this.session < 0) {
-      return; // the user was told already, or has nothing to lose
-    }
+    this.open &&= !fault;
     if (fault === 'cleared') {
-      this.length = -1; // there is room again: write all of it at once
+      this.length = -1; // there is room again: all of it is written at once
+      if (this.worker) {
+        this.#end(fault); // while it holds a cleared file open, Chromium loses new ones as well
+      }
     }
-    if (fault || before !== 'cleared') {
+    if (!fault && call === 'begin') {
+      this.onfirst();
+    }
+    if (fault !== before && (fault || before !== 'cleared')) {
       this.onfault(fault);
     }
   }
 
   /** @param {number} count */
   #done(count) {
-    this.writes -= count;
-    if (this.writes <= 0) {
-      this.writes = 0;
+    this.writes = Math.max(0, this.writes - count);
+    if (this.writes === 0) {
       this.waiting.splice(0).forEach((resolve) => resolve());
     }
   }

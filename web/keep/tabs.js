@@ -62,6 +62,12 @@ export class Tabs {
     await navigator.locks.request(`batten ${name}`, how, run);
   }
 
+  /** Whether another page has a drawing. @param {string} name @returns {Promise<boolean>} */
+  async isElsewhere(name) {
+    const all = await navigator.locks?.query().catch(() => null);
+    return name !== this.name && (all?.held ?? []).some((lock) => lock.name === `batten ${name}`);
+  }
+
   /** Asks the page that holds this drawing to leave it, and takes it in any case. */
   async take() {
     await new Promise((resolve) => {

@@ -5,9 +5,9 @@ import { forget, recent } from '../keep/recent.js';
 import { want } from '../page/build.js';
 import { tell, word } from '../page/words.js';
 
-/** @typedef {import('../keep/keep.js').Kept} Kept */
-/** @typedef {{ keeper: import('../keep/keep.js').Keeper, files: import('../keep/files.js').Files, wake: () => void,
- * drawings: import('../keep/drawings.js').Drawings }} Shell */
+/** @typedef {import('../keep/keep.js').Listed} Listed */
+/** @typedef {{ keeper: import('../keep/keep.js').Keeper, files: import('../keep/files.js').Files, notices: import('../page/notice.js').Notices,
+ * tabs: import('../keep/tabs.js').Tabs, drawings: import('../keep/drawings.js').Drawings }} Shell */
 
 /** @param {() => void} act @param {...(Node | string)} content */
 function button(act, ...content) {
@@ -69,7 +69,7 @@ export class KeptSheet {
   async #fill() {
     await this.shell.keeper.settled();
     const format = new Intl.DateTimeFormat(document.documentElement.lang, { dateStyle: 'medium', timeStyle: 'short' });
-    const rows = await this.shell.keeper.list();
+    const rows = await this.shell.drawings.list() ?? [];
     const fresh = tell(button(() => this.#go(this.shell.drawings.openNew())), { text: 'shell.new' });
     this.list.replaceChildren(...rows.map((kept, index) => this.#row(kept, format.format(kept.time), index)), entry(fresh));
     const files = await recent();
@@ -107,34 +107,46 @@ export class KeptSheet {
     return way;
   }
 
-  /** @param {Kept} kept @param {string} date @param {number} index */
-  #row({ name }, date, index) {
-    const own = name === this.shell.files.name;
-    const opener = button(() => (own ? this.sheet.hidePopover() : this.#go(this.shell.drawings.openKept(name))), ...titled(name, date));
+  /** @param {Listed} kept @param {string} date @param {number} index */
+  #row(kept, date, index) {
+    const { shell } = this;
+    const own = kept.id === shell.keeper.id;
+    const name = kept.name || word('shell.nameless');
+    const opener = button(() => (own ? this.sheet.hidePopover() : this.#go(shell.drawings.openKept(kept.id, name))), ...titled(name, date));
+    if (kept.aside || kept.broken) {
+      const note = document.createElement('small');
+      note.textContent = word(kept.broken ? 'shell.kept-broken' : 'shell.kept-aside');
+      opener.append(' ', note);
+    }
     opener.ariaCurrent = String(own);
-    return entry(opener, ...(own ? [] : [this.#remover(name, index)]));
+    return entry(opener, ...(own ? [] : [this.#remover(kept.id, name, index)]));
   }
 
-  /** A button that deletes when pressed twice. @param {string} name @param {number} index */
-  #remover(name, index) {
-    let sure = false;
-    const say = (/** @type {string} */ key) => {
-      one.ariaLabel = one.title = word(`shell.${key}.help`, name).slice(0, -1); // without its full stop
-    };
+  /** A button that deletes; what it deletes can be brought back. @param {string} id @param {string} name @param {number} index */
+  #remover(id, name, index) {
+    const { keeper, notices, tabs } = this.shell;
     const one = button(async () => {
-      if (!sure) {
-        sure = true;
-        say('kept-sure');
-        one.textContent = one.title.split(':')[0];
+      if (await tabs.isElsewhere(id)) {
+        notices.say(word('shell.kept-not.help', name));
         return;
       }
-      this.shell.keeper.drop(name);
-      this.shell.wake(); // the open drawing is kept again
-      await this.#fill();
-      this.#focus(index);
+      keeper.setGone(id, true);
+      notices.say(word('shell.kept-gone', name), { label: word('command.undo'), run: () => {
+        keeper.setGone(id, false);
+        void this.#refill(index);
+      } });
+      await this.#refill(index);
     }, '✕');
     one.className = 'keys';
-    say('kept-delete');
+    one.ariaLabel = one.title = word('shell.kept-delete.help', name).slice(0, -1); // without its full stop
     return one;
+  }
+
+  /** After a change, if it is still open. @param {number} index of the row that has the focus then */
+  async #refill(index) {
+    if (this.sheet.matches(':popover-open')) {
+      await this.#fill();
+      this.#focus(index);
+    }
   }
 }

@@ -65,6 +65,8 @@ export class Input {
     this.press = null;
     /** Asks for the menu of what fits there. @type {(x: number, y: number, there: boolean) => void} */
     this.onpress = () => {};
+    /** Called when a pointer was lifted. */
+    this.onlift = () => {};
     /** @type {Set<string>} */
     this.held = new Set();
     /** Number of samples and time spent in the engine, for measurements. */
@@ -243,6 +245,7 @@ export class Input {
     this.press = null;
     if (this.#drop(event)) {
       this.#tell([this.#sample(event, phase)]);
+      this.onlift();
       if (phase === Phase.UP && press?.event.pointerId === event.pointerId && press.event.button === 2) {
         this.onpress(event.clientX, event.clientY, true);
       }

@@ -144,7 +144,7 @@ export class Loop {
 
   /** Passes on what a frame says besides its picture. @param {Frame} frame */
   #tell(frame) {
-    const { stage, engine, files, keeper, notices, drawings } = this.shell;
+    const { stage, files, notices, drawings } = this.shell;
     stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     const empty = frame.still.length === 0;
     part('welcome').hidden = !frame.still.every(isPage) || frame.live.some((item) => item.role < Role.GRID);
@@ -155,9 +155,7 @@ export class Loop {
     files.edited = files.unsaved || frame.canUndo;
     this.#tellLost(frame.lost);
     files.given &&= !files.edited;
-    if (ours) {
-      keeper.note(files.name, engine.session, engine.journal, frame.unsaved, !files.bound && !files.given && !empty);
-    }
+    drawings.keepFrame(frame.unsaved, empty);
     if (frame.noticeVersion !== this.noticeVersion) {
       if (frame.notice) {
         notices.say(frame.notice, this.#offer(frame.offer));
