@@ -31,7 +31,7 @@ export class HostKeeper extends Keeper {
     const worker = /** @type {any} */ ({
       /** @param {import('../keep/keeping.js').Job} job */
       postMessage: ({ call, with: [about, bytes] }) => {
-        this.name = about.name ?? this.name;
+        this.name = call === 'begin' ? about.name : this.name;
         if (call === 'begin' || call === 'append') {
           this.send({ keep: bytes, more: call === 'append', name: this.name });
         }

@@ -17,6 +17,9 @@ const TOLD = 'batten-told-lasting'; // whether the user knows that the browser m
 const TRIES = 3; // to read what is kept
 const PAUSE = 100; // milliseconds between them
 
+/** @param {string} id @param {string} place */
+export const keyOf = (id, place) => (place ? `file ${place}` : id);
+
 export class Drawings {
   /** @param {Shell} shell */
   constructor({ engine, files, keeper, notices, settings, tabs, whole, wake }) {
@@ -34,6 +37,8 @@ export class Drawings {
     this.claiming = Promise.resolve();
     /** Another drawing is being opened: nothing is noted until it is there. */
     this.moving = false;
+    /** The file that it is unsaved work on, while its server is not there. */
+    this.away = '';
     /** The file has all of it, unless something was drawn meanwhile. */
     this.justSaved = false;
     engine.onrecovery = (all, error) => this.#recovered(all, error);
@@ -49,9 +54,14 @@ export class Drawings {
     };
   }
 
-  /** What only one page may have: the file that it saves to, else the drawing. */
+  /** The file that this is unsaved work on, whether it can be had now or not. */
+  get place() {
+    return this.files.served ? this.files.name : this.away;
+  }
+
+  /** What only one page may have: the file that the drawing belongs to, else the drawing. */
   get key() {
-    return this.files.served ? `file ${this.files.name}` : this.keeper.id;
+    return keyOf(this.keeper.id, this.place);
   }
 
   /** Whether this page may edit the drawing, and keeps it. */
@@ -89,7 +99,7 @@ export class Drawings {
       void this.#claim().then(this.wake);
     }
     if (this.ours && (due || keeper.begun)) {
-      keeper.note(files.name, files.served ? files.name : '', engine.session, engine.journal);
+      keeper.note(files.name, this.place, engine.session, engine.journal);
     }
   }
 
@@ -186,6 +196,7 @@ export class Drawings {
   /** A file has been opened: shows who has it, and what is kept of it. */
   async arrived() {
     const { engine, files, keeper } = this;
+    this.away = '';
     keeper.begin(engine.drawing);
     const held = await this.#claim();
     await this.resume(!files.served ? await keeper.find(files.name) : held ? await this.#ofFile() : null);
@@ -204,8 +215,8 @@ export class Drawings {
     if (await this.#openAsked(location.search + location.hash)) {
       return;
     }
-    for (const { id, aside, name } of await this.list() ?? []) {
-      if (!aside && await this.#claim(id) && await this.#openKept(id, name)) {
+    for (const { id, aside, name, place } of await this.list() ?? []) {
+      if (!aside && await this.#claim(keyOf(id, place)) && await this.#openKept(id, name)) {
         if (this.keeper.id === id) {
           this.notices.ask('left', this.#text('as-left'), [{ label: this.#text('new'), run: () => void this.openNew() }]);
         }
@@ -241,12 +252,12 @@ export class Drawings {
     this.showOwner();
   }
 
-  /** Opens a kept drawing in place of this one, which stays kept. @param {string} id @param {string} name */
-  async openKept(id, name) {
+  /** Opens a kept drawing in place of this one, which stays kept. @param {Listed} kept @param {string} name that it is called by */
+  async openKept({ id, place }, name) {
     this.keepNow();
     await this.keeper.settled();
     this.moving = true;
-    if (!await this.#claim(id)) {
+    if (!await this.#claim(keyOf(id, place))) {
       this.notices.say(word('shell.kept-not.help', name));
     } else {
       await this.#openKept(id, name);
@@ -269,18 +280,20 @@ export class Drawings {
     if (!await this.whole.complete()) {
       return false;
     }
-    const before = { name: this.files.name, given: this.files.given, place: this.files.place, bound: this.files.bound, opened: this.files.opened };
-    this.#become(found.name || this.files.name);
+    const { away, files: { name: before, given, place, bound, opened } } = this;
+    this.#become(found.name || before);
     if (this.#bring(found)) {
       return true;
     }
-    Object.assign(this.files, before);
+    this.away = away;
+    Object.assign(this.files, { name: before, given, place, bound, opened });
     return false;
   }
 
   /** Makes it a drawing without a file. @param {string} name */
   #become(name) {
     this.notices.over(...OF_DRAWING);
+    this.away = '';
     this.files.unsaved = false;
     this.files.name = name;
     this.files.given = false;
@@ -302,11 +315,12 @@ export class Drawings {
       engine.guard(() => engine.keepJournal(), undefined);
       keeper.begin(engine.drawing);
     }
-    if (whole && found.place === (files.served ? files.name : '')) {
+    this.away = shown && whole && !files.served ? found.place : this.away;
+    if (whole && found.place === this.place) {
       keeper.goOn(found.id, engine.drawing, engine.session, engine.journal.length);
     } else if (!whole) {
       const run = () => files.deliver(found.raw, 'journal', 'application/x-ndjson');
-      this.notices.ask('other', word(shown ? 'shell.kept-part' : 'shell.lost', found.name || files.name), [{ label: word('shell.journal'), run }]);
+      this.notices.ask('other', word(shown ? 'shell.kept-part' : 'shell.lost', found.name || files.name), [{ label: word('shell.kept-raw'), run }]);
       if (shown) {
         keeper.putAside(found.id);
       }
@@ -332,10 +346,10 @@ export class Drawings {
 
   /** @param {Kept} found */
   async #bringBack(found) {
-    const { engine, files, keeper } = this;
+    const { engine, files } = this;
     const digest = engine.digest();
     this.moving = true;
-    const mine = (files.served && found.place) || await this.#claim(found.id);
+    const mine = (files.served && found.place) || await this.#claim(keyOf(found.id, found.place));
     if (!mine) {
       this.notices.say(word('shell.kept-not.help', found.name));
     } else if (!this.#bring(found)) {

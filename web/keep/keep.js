@@ -161,8 +161,12 @@ export class Keeper {
 
   /** @param {import('./keeping.js').Job['call']} call @param {unknown[]} values @param {(answer: Answer) => void} then */
   #send(call, values, then) {
-    this.writes++;
     const worker = this.#work();
+    if (!worker) {
+      then({ fault: 'not-kept', why: 'no worker could be started' });
+      return;
+    }
+    this.writes++;
     this.asked.push(then);
     worker.postMessage({ call, with: values }, values.flatMap((value) => (value instanceof Uint8Array ? [value.buffer] : [])));
   }
@@ -172,10 +176,15 @@ export class Keeper {
     return new Worker(addressOf('keep/keeping.js'), { type: 'module' });
   }
 
-  /** The worker; starts one when there is none. */
+  /** The worker; starts one when there is none. @returns {Worker | null} null: none can be started */
   #work() {
     if (!this.worker) {
-      this.worker = this.hire();
+      try {
+        this.worker = this.hire();
+      } catch (error) {
+        console.warn(error);
+        return null;
+      }
       this.writes++; // it reports when it is running
       this.worker.onmessage = ({ data }) => (data === 'ready' ? this.#done(1) : this.#answered(data));
       this.worker.onerror = (event) => {

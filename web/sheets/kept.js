@@ -1,6 +1,7 @@
 // The sheet of the drawings kept in the browser, for opening and deleting them, and of the files that were opened from
 // the disk. Loaded on demand.
 
+import { keyOf } from '../keep/drawings.js';
 import { forget, recent } from '../keep/recent.js';
 import { want } from '../page/build.js';
 import { tell, word } from '../page/words.js';
@@ -112,21 +113,21 @@ export class KeptSheet {
     const { shell } = this;
     const own = kept.id === shell.keeper.id;
     const name = kept.name || word('shell.nameless');
-    const opener = button(() => (own ? this.sheet.hidePopover() : this.#go(shell.drawings.openKept(kept.id, name))), ...titled(name, date));
+    const opener = button(() => (own ? this.sheet.hidePopover() : this.#go(shell.drawings.openKept(kept, name))), ...titled(name, date));
     if (kept.aside || kept.broken) {
       const note = document.createElement('small');
       note.textContent = word(kept.broken ? 'shell.kept-broken' : 'shell.kept-aside');
       opener.append(' ', note);
     }
     opener.ariaCurrent = String(own);
-    return entry(opener, ...(own ? [] : [this.#remover(kept.id, name, index)]));
+    return entry(opener, ...(own ? [] : [this.#remover(kept, name, index)]));
   }
 
-  /** A button that deletes; what it deletes can be brought back. @param {string} id @param {string} name @param {number} index */
-  #remover(id, name, index) {
+  /** A button that deletes; what it deletes can be brought back. @param {Listed} kept @param {string} name @param {number} index */
+  #remover({ id, place }, name, index) {
     const { keeper, notices, tabs } = this.shell;
     const one = button(async () => {
-      if (await tabs.isElsewhere(id)) {
+      if (await tabs.isElsewhere(keyOf(id, place))) {
         notices.say(word('shell.kept-not.help', name));
         return;
       }
