@@ -113,6 +113,10 @@ BAT_API bat_status bat_editor_compact(bat_editor *editor);
  * checks the document's invariants after every entry. */
 BAT_API bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, bool check,
                                      bat_problem *problem);
+/* Runs one more line of a journal, without its line break, after bat_editor_replay has run its first one: for hosts that
+ * leave out a step which cannot be run. An object that does not lie where the line says is found by its id. */
+BAT_API bat_status bat_editor_replay_line(bat_editor *editor, const char *text, size_t size,
+                                          bat_problem *problem);
 /* Checks the invariants of the editor and of the document: NULL when all hold. */
 BAT_API const char *bat_editor_check(const bat_editor *editor);
 

@@ -71,6 +71,8 @@ MODULE_EXPORT(editor_journal) const char *editor_journal(const bat_editor *edito
 MODULE_EXPORT(editor_compact) int editor_compact(bat_editor *editor);
 MODULE_EXPORT(editor_replay)
 int editor_replay(bat_editor *editor, const char *text, size_t size, int check, bat_problem *problem);
+MODULE_EXPORT(editor_replay_line)
+int editor_replay_line(bat_editor *editor, const char *text, size_t size, bat_problem *problem);
 MODULE_EXPORT(editor_check) const char *editor_check(const bat_editor *editor);
 MODULE_EXPORT(editor_open_native)
 int editor_open_native(bat_editor *editor, const char *text, size_t size, const char *name,
@@ -353,6 +355,11 @@ const char *editor_journal(const bat_editor *editor, size_t *size) {
 int editor_replay(bat_editor *editor, const char *text, size_t size, int check, bat_problem *problem) {
     MODULE_CHECK(editor);
     return (int)bat_editor_replay(editor, text, size, check != 0, problem);
+}
+
+int editor_replay_line(bat_editor *editor, const char *text, size_t size, bat_problem *problem) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_replay_line(editor, text, size, problem);
 }
 
 int editor_compact(bat_editor *editor) {

@@ -12,7 +12,7 @@ void bat_notice_value(bat_context *c, bat_string text, const char *value) {
     c->session->freed = BAT_STRING_COUNT;
     c->session->refused = false;
     c->notices->notice = text;
-    c->notices->offer = BAT_COMMAND_COUNT;
+    c->notices->offer = text == BAT_STRING_NOTICE_MEMORY ? BAT_COMMAND_DOWNLOAD_SVG : BAT_COMMAND_COUNT;
     if (text == BAT_STRING_COUNT) return;
     const char *words = bat_word(c, text), *hole = value ? strchr(words, '%') : NULL;
     if (hole)

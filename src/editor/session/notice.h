@@ -17,6 +17,7 @@ typedef struct bat_notices {
 
 /* In the language in force. */
 const char *bat_word(const bat_context *c, bat_string text);
+/* One that says that memory ran out offers a copy of the drawing. */
 void bat_notice(bat_context *c, bat_string text);
 /* Sets the notice to the text with its first "%" replaced by the value. */
 void bat_notice_value(bat_context *c, bat_string text, const char *value);
