@@ -88,54 +88,6 @@ test('Escape cancels the stroke under the pen', async () => {
   assert.equal((await state(page)).unsaved, false);
 });
 
-/** What may come after a pen-up that the system has lost. */
-const ends = {
-  'a move without buttons': () => hand.hover([900, 500]),
-  'the next stroke of the pen': async () => {},
-  'a press of the mouse': () => hand.stroke([[900, 500], [900, 501]], { pointerType: 'mouse' }),
-  'the window loses the focus': () => page.evaluate(() => dispatchEvent(new FocusEvent('blur'))),
-};
-for (const [name, end] of Object.entries(ends)) {
-  test(`a lost pen-up: ${name} ends the stroke where it was last seen, and it is kept`, async () => {
-    const count = await objects();
-    await hand.stroke(await on(wave(60, 60)), { lift: false });
-    await end();
-    await settle(page);
-    await hand.stroke(await on(wave(60, 320)));
-    assert.equal(await objects(), count + 2);
-    const [x0, y0, x1, y1] = await page.evaluate((i) => {
-      const { x0, y0, x1, y1 } = batten.painter.list[i].item;
-      return [x0, y0, x1, y1];
-    }, count);
-    assert.ok(Math.abs(x0 - 60) < 8 && Math.abs(x1 - 320) < 8 && y0 > 30 && y1 < 90, `hovering drew nothing: ${[x0, y0, x1, y1]}`);
-    assert.equal(await page.evaluate(() => batten.input.contacts.size), 0);
-  });
-}
-
-test('a lost pen-up: after Escape the pen draws again', async () => {
-  const count = await objects();
-  await hand.stroke(await on(wave(60, 60)), { lift: false });
-  await page.keyboard.press('Escape');
-  assert.equal(await page.evaluate(() => batten.input.contacts.size), 0);
-  await hand.stroke(await on(wave(60, 320)), { pointerType: 'mouse' });
-  assert.equal(await objects(), count + 1);
-});
-
-test('a lost finger: the next one moves the view alone', async () => {
-  await hand.fingers([[[300, 300]], [[320, 320]]], { lift: false });
-  await page.evaluate(() => { // as if its end had never come
-    const stage = document.getElementById('stage');
-    for (const type of ['pointerup', 'lostpointercapture']) {
-      stage.addEventListener(type, (event) => event.stopImmediatePropagation(), { capture: true, once: true });
-    }
-  });
-  await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-  const { zoom } = await state(page);
-  await hand.fingers([[[500, 300]], [[600, 300]], [[700, 300]]]);
-  assert.equal((await state(page)).zoom, zoom, 'no pinch');
-  assert.equal(await page.evaluate(() => batten.input.contacts.size), 0);
-});
-
 test('every sample of a stroke reaches the engine, several in one frame', async () => {
   await page.evaluate(() => {
     batten.input.cost = { samples: 0, milliseconds: 0 };

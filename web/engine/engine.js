@@ -32,16 +32,16 @@ export class Engine extends Instance {
     this.guard(() => this.wasm.editor_resize(this.editor, width, height, ratio), undefined);
   }
 
-  /** @param {Pointer[]} pointers in chronological order */
+  /** @param {Pointer[]} pointers all at once: the engine puts the moves of a batch in order */
   pointer(pointers) {
     this.guard(() => {
-      for (let first = 0; first < pointers.length; first += EVENTS) {
-        const count = Math.min(EVENTS, pointers.length - first);
-        const view = this.view();
-        for (let i = 0; i < count; i++) {
-          this.#writePointer(view, this.events + i * this.layout['pointer.size'], pointers[first + i]);
-        }
-        this.wasm.editor_pointer(this.editor, this.events, count);
+      const count = pointers.length;
+      const events = count > EVENTS ? this.alloc(count * this.layout['pointer.size']) : this.events;
+      const view = this.view();
+      pointers.forEach((pointer, i) => this.#writePointer(view, events + i * this.layout['pointer.size'], pointer));
+      this.wasm.editor_pointer(this.editor, events, count);
+      if (events !== this.events) {
+        this.wasm.memory_free(events);
       }
     }, undefined, 'pointer');
   }

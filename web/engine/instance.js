@@ -11,7 +11,7 @@ import { Steps } from './steps.js';
 /** @typedef {Record<string, (...args: any[]) => any> & { memory: WebAssembly.Memory }} Exports */
 
 const SCRATCH = 1024; // bytes for a call's results
-export const EVENTS = 64; // pointer events sent in one call
+export const EVENTS = 64; // pointer events for which there is always room
 export const OK = 0;
 export const NO_MEMORY = 1; // as BAT_MEMORY
 const LONG = 8 << 20; // bytes: a longer journal is compacted

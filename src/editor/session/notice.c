@@ -40,6 +40,11 @@ void bat_notice_edge_on(bat_context *c) {
     c->notices->offer = BAT_COMMAND_VIEW_GROUND;
 }
 
+void bat_notice_taken_away(bat_context *c) {
+    bat_notice(c, BAT_STRING_NOTICE_TAKEN_AWAY);
+    c->notices->offer = BAT_COMMAND_STROKE_BACK;
+}
+
 void bat_notice_taken(bat_context *c) {
     c->notices->notice = BAT_STRING_COUNT;
     c->notices->offer = BAT_COMMAND_COUNT;
