@@ -14,7 +14,8 @@ const SCRATCH = 1024; // bytes for a call's results
 export const EVENTS = 64; // pointer events for which there is always room
 export const OK = 0;
 export const NO_MEMORY = 1; // as BAT_MEMORY
-const LONG = 8 << 20; // bytes: a longer journal is compacted
+const SOON = 200; // milliseconds after which a long journal is compacted: not while the pen is lifted
+const SHORT = 1 << 20; // bytes that a journal may always grow by before it is compacted
 const HOPELESS = 8; // after so many traps in a row in calls of a kind the editor is given up
 const LARGE = 64; // share of the module's memory for which there may be no room though there is for others
 const STARTS = 40; // instances that one trap may cost
@@ -55,8 +56,12 @@ export class Instance {
     this.journal = new Uint8Array(0);
     /** Counts the journals so far: each new journal begins a session. */
     this.session = 0;
-    /** The length at which the journal is compacted. */
-    this.long = LONG;
+    /** What the journal is the first part of: room to grow. @type {Uint8Array} */
+    this.room = this.journal;
+    /** The length at which the journal is compacted: half as long again as when it was new. */
+    this.long = SHORT;
+    /** The timer of the compaction that is due. @type {ReturnType<typeof setTimeout> | 0} */
+    this.due = 0;
     /** The journal before the first step was left out, or else at the last trap. @type {Uint8Array} */
     this.broken = new Uint8Array(0);
     /** The steps left out of this drawing, as lines of its journal. @type {Uint8Array[]} */
@@ -288,28 +293,52 @@ export class Instance {
 
   /** Begins another journal. @param {Uint8Array} journal as far as it is known */
   begun(journal) {
-    this.journal = journal;
+    this.journal = this.room = journal;
     this.left = [];
     this.session++;
   }
 
-  /** Copies what has been added to the journal. */
+  /** Copies what has been added to the journal, and compacts it when it has become long. */
   keepJournal() {
     const address = this.wasm.editor_journal(this.editor, this.scratch);
     const size = this.view().getUint32(this.scratch, true);
-    if (size === this.journal.length || !address) {
+    const { length } = this.journal;
+    if (size === length || !address) {
       return;
     }
-    if (size > this.long) {
-      const done = this.wasm.editor_compact(this.editor) === OK;
-      this.long = 2 * size;
-      if (done) {
-        this.begun(new Uint8Array(0));
-        this.keepJournal();
-        this.long = Math.max(LONG, 2 * this.journal.length);
-        return;
+    if (size < length) { // another one: who opened it begins a session
+      this.journal = this.room = new Uint8Array(0);
+      this.keepJournal();
+    } else {
+      this.#append(new Uint8Array(this.wasm.memory.buffer, address + length, size - length));
+      if (length === 0) {
+        this.long = size + Math.max(SHORT, size / 2);
+      } else if (size > 1.5 * this.long) { // the hand never rests
+        this.#compact();
+      } else if (size > this.long) {
+        this.due ||= setTimeout(() => this.guard(() => this.#compact(), undefined), SOON);
       }
     }
-    this.journal = new Uint8Array(this.wasm.memory.buffer).slice(address, address + size);
+  }
+
+  #compact() {
+    clearTimeout(this.due);
+    this.due = 0;
+    if (this.journal.length > this.long && this.wasm.editor_compact(this.editor) === OK) { // not during a stroke
+      this.begun(new Uint8Array(0));
+      this.keepJournal();
+    }
+  }
+
+  /** @param {Uint8Array} more */
+  #append(more) {
+    const { length } = this.journal;
+    const size = length + more.length;
+    if (size > this.room.length) {
+      this.room = new Uint8Array(size + size / 4);
+      this.room.set(this.journal);
+    }
+    this.room.set(more, length); // behind all that was handed out
+    this.journal = this.room.subarray(0, size);
   }
 }
