@@ -16,6 +16,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (bat_editor_create(&editor) != BAT_OK) return 0;
     bat_status status = bat_editor_replay(editor, (const char *)data, size, true, &problem);
     demand(status == BAT_OK || problem.message[0], "a failure without a reason");
+    if (status == BAT_OK) bat_editor_replay_line(editor, (const char *)data, size, &problem);
     const char *wrong = bat_editor_check(editor);
     demand(!wrong, wrong);
     bat_editor_frame(editor);

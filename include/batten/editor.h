@@ -105,8 +105,8 @@ BAT_API bat_status bat_editor_paste(bat_editor *editor, const bat_document *docu
 
 /* The journal so far: JSON lines (docs/journal.md). A snapshot of the document, then every committed command. */
 BAT_API const char *bat_editor_journal(const bat_editor *editor, size_t *size);
-/* Shortens the journal of a long session: it then holds the document as it was 250 steps ago, followed by these
- * steps as changes. When replayed it gives the same document, with those steps to undo. BAT_STATE: a stroke or a
+/* Shortens the journal of a long session: it then holds the document as it was before the first step that can be undone,
+ * followed by all steps as changes. When replayed it gives the same document and history. BAT_STATE: a stroke or a
  * drag is under way. On failure the journal stays as it was. Cost: that of writing the document and these steps. */
 BAT_API bat_status bat_editor_compact(bat_editor *editor);
 /* Runs a journal from its first line (a snapshot, or an empty document). check: compares the digests in it and
@@ -118,6 +118,10 @@ BAT_API bat_status bat_editor_replay(bat_editor *editor, const char *text, size_
  * *left_out (may be NULL): the number of lines left out. BAT_UNSUPPORTED: it is of a newer version, and nothing was
  * done; BAT_SYNTAX: it is empty. Cost: that of replaying it. */
 BAT_API bat_status bat_editor_salvage(bat_editor *editor, const char *text, size_t size, int *left_out);
+/* Runs one more line of a journal, without its line break, after bat_editor_replay has run its first one: for hosts that
+ * leave out a step which cannot be run. An object that does not lie where the line says is found by its id. */
+BAT_API bat_status bat_editor_replay_line(bat_editor *editor, const char *text, size_t size,
+                                          bat_problem *problem);
 /* Checks the invariants of the editor and of the document: NULL when all hold. */
 BAT_API const char *bat_editor_check(const bat_editor *editor);
 

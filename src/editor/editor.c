@@ -69,6 +69,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_scene_free(&editor->scene);
     bat_casters_free(&editor->casters);
     bat_overlay_free(&editor->overlay);
+    bat_taken_free(&editor->input.taken);
     bat_choice_free(&editor->choice);
     bat_session_free(&editor->session);
     bat_tuning_free(&editor->tuning);

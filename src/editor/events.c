@@ -7,6 +7,7 @@
 #include "editor/fingers.h"
 #include "editor/show/ruler.h"
 #include "base/real.h"
+#include "editor/input/arrivals.h"
 #include "editor/input/samples.h"
 #include "editor/pick/pivot.h"
 #include "editor/tools/gazes/gazes.h"
@@ -14,6 +15,8 @@
 #include "editor/tools/modes/guides.h"
 #include "editor/tools/modes/reach.h"
 #include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double PINCH_SOON = 250; /* ms within which a second finger turns a stroke into a pinch */
@@ -26,7 +29,7 @@ static double bounded(double value, double low, double high, double otherwise) {
 
 /* Makes the numbers valid. False: the event has no usable position, drop it. */
 static bool clean(const bat_context *c, bat_pointer *event, const bat_contact *contact) {
-    bool placed = isfinite(event->x) && isfinite(event->y);
+    bool placed = fabs(event->x) <= BAT_PIXELS_MAX && fabs(event->y) <= BAT_PIXELS_MAX;
     if (!placed) {
         bool ends = event->phase == BAT_POINTER_UP || event->phase == BAT_POINTER_CANCEL;
         if (event->phase == BAT_POINTER_LEAVE)
@@ -37,15 +40,15 @@ static bool clean(const bat_context *c, bat_pointer *event, const bat_contact *c
         } else
             return false;
     }
-    event->x = bat_samples_round(bounded(event->x, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0), 100);
-    event->y = bat_samples_round(bounded(event->y, -BAT_PIXELS_MAX, BAT_PIXELS_MAX, 0), 100);
+    event->x = bat_samples_round(event->x, 100);
+    event->y = bat_samples_round(event->y, 100);
     event->pressure = bat_samples_round(bounded(event->pressure, 0, 1, 0), 1e4);
     event->tilt_x = bat_samples_round(bounded(event->tilt_x, -90, 90, 0), 100);
     event->tilt_y = bat_samples_round(bounded(event->tilt_y, -90, 90, 0), 100);
     event->twist = bounded(event->twist, 0, 360, 0);
     event->width = bounded(event->width, 0, BAT_PIXELS_MAX, 0);
     event->height = bounded(event->height, 0, BAT_PIXELS_MAX, 0);
-    event->time = bounded(event->time, 0, 1e13, c->time);
+    if (!bat_arrival_timed(event->time)) event->time = c->time;
     return true;
 }
 
@@ -201,6 +204,12 @@ static void down(bat_context *c, const bat_pointer *event) {
     if (duty != BAT_DUTY_TOOL) return;
     c->input->trail.count = 0;
     bat_trail_add(&c->input->trail, c->input->pen, event->time);
+    const ptrdiff_t at =
+        tool - c->toolbox->slots; /* modes, which come after the tools, are left when they are cancelled */
+    if (at < BAT_TOOL_COUNT)
+        bat_taken_begin(&c->input->taken, c->stage, (int)c->choice->tool, c->input->brush, event);
+    else
+        bat_taken_forget(&c->input->taken);
     if (finger) c->input->fingers.before = c->input->fingers.after = c->session->history.state;
     if (tool->is->down) tool->is->down(c, tool->state, event);
 }
@@ -228,6 +237,7 @@ static void move(bat_context *c, const bat_pointer *event, int index) {
     if (contact->duty == BAT_DUTY_TOOL || !finger) point(c, event);
     if (contact->duty == BAT_DUTY_TOOL) {
         bat_trail_add(&c->input->trail, c->input->pen, event->time);
+        bat_taken_add(&c->input->taken, event);
         if (tool->is->move) tool->is->move(c, tool->state, event);
     } else if (contact->duty == BAT_DUTY_NAVIGATE) {
         if (finger && contact->far <= AT_REST) return;
@@ -261,6 +271,14 @@ static void turn_back(bat_context *c) {
     c->input->brush = 0;
 }
 
+/* The system ends a gesture that the user has not ended: it can be brought back, unless it was hardly one. */
+static void take_away(bat_context *c, const bat_contact *contact) {
+    const bool busy = bat_toolbox_busy(c);
+    cancel_tool(c);
+    c->input->taken.offered = busy && c->input->taken.count && contact->far > AT_REST;
+    if (c->input->taken.offered) bat_notice_taken_away(c);
+}
+
 static void end(bat_context *c, const bat_pointer *event, int index) {
     if (event->phase == BAT_POINTER_UP) move(c, event, index);
     const bat_contact contact = c->input->contacts.list[index];
@@ -272,9 +290,10 @@ static void end(bat_context *c, const bat_pointer *event, int index) {
     const bat_slot *tool = bat_toolbox_tool(c);
     if (contact.duty == BAT_DUTY_TOOL) {
         if (event->phase == BAT_POINTER_CANCEL)
-            cancel_tool(c);
+            take_away(c, &contact);
         else if (tool->is->up)
             tool->is->up(c, tool->state, event);
+        if (!c->input->taken.offered) bat_taken_forget(&c->input->taken);
         turn_back(c);
         if (event->device == BAT_DEVICE_TOUCH) bat_fingers_step(c, &contact);
     }
@@ -290,10 +309,24 @@ static void see_pen(bat_context *c, const bat_pointer *event) {
     c->input->taps.spoiled = true; /* rules out a tap */
 }
 
+/* A contact that came down without a usable position comes down with the first move that has one. */
+static void await(bat_context *c, bat_pointer *event, bool dropped) {
+    bat_awaited *awaited = &c->input->awaited;
+    const bool that = awaited->device == event->device && awaited->contact == event->contact;
+    if (dropped && event->phase == BAT_POINTER_DOWN) {
+        *awaited = (bat_awaited){true, event->device, event->contact};
+    } else if (awaited->on && that && !dropped && !event->predicted) {
+        if (event->phase == BAT_POINTER_MOVE) event->phase = BAT_POINTER_DOWN;
+        awaited->on = false;
+    }
+}
+
 static void one(bat_context *c, bat_pointer event) {
     if ((unsigned)event.phase > BAT_POINTER_LEAVE || (unsigned)event.device > BAT_DEVICE_TOUCH) return;
     int index = bat_contacts_find(&c->input->contacts, event.device, event.contact);
-    if (!clean(c, &event, index < 0 ? NULL : &c->input->contacts.list[index])) return;
+    const bool usable = clean(c, &event, index < 0 ? NULL : &c->input->contacts.list[index]);
+    if (index < 0) await(c, &event, !usable);
+    if (!usable) return;
     if (event.predicted) {
         if (index >= 0 && event.phase == BAT_POINTER_MOVE) predict(c, &event, index);
         return;
@@ -341,9 +374,14 @@ static void one(bat_context *c, bat_pointer event) {
 
 void bat_editor_pointer(bat_editor *editor, size_t count, const bat_pointer *events) {
     bat_context *c = &editor->context;
-    for (size_t i = 0; i < count; i++) {
-        one(c, events[i]);
-        bat_toolbox_settle(c);
+    for (size_t i = 0, run; i < count; i += run) {
+        run = bat_arrivals_run(events + i, count - i);
+        bat_arrival *sorted = bat_arrivals_sort(events + i, run);
+        for (size_t k = 0; k < run; k++) {
+            one(c, sorted ? *sorted[k].event : events[i + k]);
+            bat_toolbox_settle(c);
+        }
+        free(sorted);
     }
 }
 

@@ -287,3 +287,17 @@ bat_status bat_editor_replay(bat_editor *editor, const char *text, size_t size, 
     if (problem) *problem = fault;
     return status;
 }
+
+bat_status bat_editor_replay_line(bat_editor *editor, const char *text, size_t size, bat_problem *problem) {
+    if (!editor || (!text && size)) return BAT_ARGUMENT;
+    const bool read_only = editor->session.read_only;
+    editor->session.read_only = false;
+    editor->session.partly = true;
+    playing p = {.editor = editor, .lines = 1};
+    bat_problem fault = {"", ""};
+    bat_status status = bat_replay_skips(text, size) ? BAT_OK : line(&p, text, size, &fault);
+    editor->session.partly = false;
+    editor->session.read_only = read_only;
+    if (status != BAT_OK && problem) *problem = fault;
+    return status;
+}

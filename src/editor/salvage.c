@@ -75,6 +75,7 @@ bat_status bat_editor_salvage(bat_editor *editor, const char *text, size_t size,
     if (!editor || (!text && size)) return BAT_ARGUMENT;
     bool read_only = editor->session.read_only;
     editor->session.read_only = false; /* it restricts the user, not the host */
+    editor->session.partly = true;
     salvaging s = {.editor = editor};
     bat_status status = BAT_OK;
     for (size_t at = 0; at < size && status == BAT_OK;) {
@@ -84,6 +85,7 @@ bat_status bat_editor_salvage(bat_editor *editor, const char *text, size_t size,
         at += length + 1;
     }
     if (s.lines == 0) status = BAT_SYNTAX;
+    editor->session.partly = false;
     editor->session.read_only = read_only;
     free(s.list);
     if (left_out) *left_out = s.left_out;

@@ -567,6 +567,18 @@ static bat_editor *redrawn(int n) {
     return editor;
 }
 
+/* A stroke of n samples over n lines was taken away. */
+static bat_editor *taken_away(int n) {
+    bat_document *made = document();
+    for (int i = 0; i < n; i++) add_small(made, i, n, MIXED, 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-sketch", NULL});
+    pen p = pen_for(editor);
+    pen_begin(&p, pen_arch, (double[]){300, 410, 480, 410, 20}, n);
+    pen_event(&p, BAT_POINTER_CANCEL, 480, 410);
+    bat_editor_frame(editor);
+    return editor;
+}
+
 /* A camera along a curve of n points. */
 static bat_editor *flight(int n) {
     static const char *const commands[] = {"tool-select", "camera-along", "move-next"};
@@ -638,6 +650,7 @@ const growth_scene growth_scenes[] = {
     {"n lines", lines},
     {"n rings, ids from the front, half chosen", reversed},
     {"a group of n", group},
+    {"a stroke of n samples over n lines, taken away", taken_away},
     {"a camera along a curve of n points", flight},
     {"a skeleton of n frames", skeleton},
     {"a camera along a curve of n points, a key chosen", gaze},

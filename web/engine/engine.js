@@ -3,7 +3,7 @@
 
 import { Refusal, word } from '../page/words.js';
 import { readFrame } from './frame.js';
-import { EVENTS, Instance, OK } from './instance.js';
+import { EVENTS, FAILS, Instance, NO_MEMORY, OK } from './instance.js';
 import { readLosses, writeLosses } from './losses.js';
 import { readSvg } from './svg_reader.js';
 
@@ -32,18 +32,18 @@ export class Engine extends Instance {
     this.guard(() => this.wasm.editor_resize(this.editor, width, height, ratio), undefined);
   }
 
-  /** @param {Pointer[]} pointers in chronological order */
+  /** @param {Pointer[]} pointers all at once: the engine puts the moves of a batch in order */
   pointer(pointers) {
     this.guard(() => {
-      for (let first = 0; first < pointers.length; first += EVENTS) {
-        const count = Math.min(EVENTS, pointers.length - first);
-        const view = this.view();
-        for (let i = 0; i < count; i++) {
-          this.#writePointer(view, this.events + i * this.layout['pointer.size'], pointers[first + i]);
-        }
-        this.wasm.editor_pointer(this.editor, this.events, count);
+      const count = pointers.length;
+      const events = count > EVENTS ? this.alloc(count * this.layout['pointer.size']) : this.events;
+      const view = this.view();
+      pointers.forEach((pointer, i) => this.#writePointer(view, events + i * this.layout['pointer.size'], pointer));
+      this.wasm.editor_pointer(this.editor, events, count);
+      if (events !== this.events) {
+        this.wasm.memory_free(events);
       }
-    }, undefined);
+    }, undefined, 'pointer');
   }
 
   /** @param {DataView} view @param {number} at @param {Pointer} pointer */
@@ -315,7 +315,7 @@ export class Engine extends Instance {
       return;
     }
     if (status < 0) {
-      throw new Refusal(word('shell.broke'));
+      throw new Refusal(word(this.scarce ? 'shell.no-memory' : 'shell.broke'));
     }
     const place = this.string(this.scratch + this.layout['problem.place']);
     const message = this.string(this.scratch + this.layout['problem.message']);
@@ -328,19 +328,33 @@ export class Engine extends Instance {
    * @returns {Uint8Array}
    */
   save(native) {
-    /** @type {Uint8Array | null} */
-    const none = null;
-    const bytes = this.guard(() => {
-      const status = this.wasm.editor_save(this.editor, native ? 1 : 0, this.scratch);
-      if (status !== OK) {
-        throw new Refusal(this.string(this.wasm.status_message(status)));
-      }
-      return this.take();
-    }, /** @type {Uint8Array | null} */ (none));
+    const bytes = this.#write(native) ?? this.#salvage(native);
     if (!bytes) {
-      throw new Refusal(word('shell.not-written'));
+      throw new Refusal(word(this.dead ? 'shell.no-copy' : 'shell.not-written'));
     }
     return bytes;
+  }
+
+  /** @param {boolean} native @returns {Uint8Array | null} null: the module broke, or has no memory left */
+  #write(native) {
+    return this.guard(() => {
+      const status = this.wasm.editor_save(this.editor, native ? 1 : 0, this.scratch);
+      if (status !== OK && status !== NO_MEMORY) {
+        throw new Refusal(this.string(this.wasm.status_message(status)));
+      }
+      return status === OK ? this.take() : null;
+    }, /** @type {Uint8Array | null} */ (null));
+  }
+
+  /** The drawing as written by another instance, from the journal. @param {boolean} native */
+  #salvage(native) {
+    try {
+      const other = new Engine(this.module);
+      return other.replay(this.journal) ? other.#write(native) : null;
+    } catch (error) {
+      console.error(error);
+      return null;
+    }
   }
 
   /** The host has saved: the document is clean. */
@@ -365,11 +379,15 @@ export class Engine extends Instance {
    * @returns {boolean} whether every line could be replayed
    */
   replay(journal) {
-    const broken = -1;
+    this.begun(journal); // to be brought back if it traps
     const status = this.guard(() => this.lend(journal, (text, size) =>
-      this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)), broken);
-    this.begun(new Uint8Array(0)); // to be copied afresh
-    return status === OK;
+      this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)), FAILS);
+    if (status !== FAILS) {
+      this.begun(new Uint8Array(0)); // to be copied afresh
+    } else if (this.scarce && !this.dead) { // a new instance has all its memory, and takes a line at a time
+      this.bring(journal, null);
+    }
+    return status === OK || (status === FAILS && !this.dead);
   }
 
   /**
@@ -398,8 +416,7 @@ export class Engine extends Instance {
       const frame = readFrame(this.wasm.memory, this.layout, at, this.stillVersion, this.still);
       this.still = frame.still;
       this.stillVersion = frame.stillVersion;
-      this.traps = 0;
       return frame;
-    }, null);
+    }, null, 'frame');
   }
 }

@@ -5,21 +5,42 @@
 import { miss, Missing } from '../page/build.js';
 import { Refusal, word } from '../page/words.js';
 import { readString } from './frame.js';
+import { Steps } from './steps.js';
 
 /** @typedef {import('./types.js').Item} Item */
 /** @typedef {Record<string, (...args: any[]) => any> & { memory: WebAssembly.Memory }} Exports */
 
 const SCRATCH = 1024; // bytes for a call's results
-export const EVENTS = 64; // pointer events sent in one call
+export const EVENTS = 64; // pointer events for which there is always room
 export const OK = 0;
-const LONG = 8 << 20; // bytes: a longer journal is compacted
-const HOPELESS = 3; // after so many traps in a row the journal is given up
-const DEAD = 6;
+export const NO_MEMORY = 1; // as BAT_MEMORY
+const SOON = 200; // milliseconds after which a long journal is compacted: not while the pen is lifted
+const SHORT = 1 << 20; // bytes that a journal may always grow by before it is compacted
+const HOPELESS = 8; // after so many traps in a row in calls of a kind the editor is given up
+const LARGE = 64; // share of the module's memory for which there may be no room though there is for others
+const STARTS = 40; // instances that one trap may cost
+export const FAILS = -1; // in place of a status: the call broke off
 
 const encoder = new TextEncoder();
 
 /** A check inside the module failed. */
 class Panic extends Error {}
+
+/** There is no memory for what was asked. */
+class NoMemory extends Refusal {}
+
+/** There is none for anything: a new instance has some, since memory is never given back. */
+class Exhausted extends NoMemory {}
+
+/** @param {unknown} error */
+const isTrap = (error) => error instanceof WebAssembly.RuntimeError || error instanceof Panic || error instanceof RangeError ||
+  error instanceof Exhausted;
+
+/**
+ * What came of a call that broke off. left: the steps that could not be repeated, as lines of the journal; more: how many
+ * of them this time. dead: the editor is given up; fresh: it is a new one. scarce: there was no memory for the call.
+ * @typedef {{ left: Uint8Array[], more: number, dead: boolean, fresh: boolean, scarce: boolean }} Outcome
+ */
 
 export class Instance {
   /**
@@ -27,23 +48,31 @@ export class Instance {
    */
   constructor(module) {
     this.module = module;
-    /** Called after a trap. whole: every step was restored. @type {(whole: boolean, error: unknown) => void} */
+    /** Called after a call broke off. @type {(outcome: Outcome, error: unknown) => void} */
     this.onrecovery = () => {};
+    /** There was no memory for the last call that needed some. */
+    this.scarce = false;
     /** The journal up to the last call that returned, outside the module's memory. @type {Uint8Array} */
     this.journal = new Uint8Array(0);
     /** Counts the journals so far: each new journal begins a session. */
     this.session = 0;
     /** Counts the drawings so far: a session that does not go on with the one before begins one. */
     this.drawing = 0;
-    /** The length at which the journal is compacted. */
-    this.long = LONG;
-    /** The journal at the last trap, for a bug report. @type {Uint8Array} */
+    /** What the journal is the first part of: room to grow. @type {Uint8Array} */
+    this.room = this.journal;
+    /** The length at which the journal is compacted: half as long again as when it was new. */
+    this.long = SHORT;
+    /** The timer of the compaction that is due. @type {ReturnType<typeof setTimeout> | 0} */
+    this.due = 0;
+    /** The journal before the first step was left out, or else at the last trap. @type {Uint8Array} */
     this.broken = new Uint8Array(0);
-    /** Traps since the last complete frame. */
-    this.traps = 0;
+    /** The steps left out of this drawing, as lines of its journal. @type {Uint8Array[]} */
+    this.left = [];
+    /** Traps in a row, by the kind of call: in frames nothing is wrong with the last step. */
+    this.traps = { call: 0, pointer: 0, frame: 0 };
     /** The module's second part is missing: keys and commands, which may need it, do nothing. */
     this.partial = false;
-    /** Given up: even an empty editor traps, or part of the module is missing. It answers no further calls. */
+    /** Given up: it traps whatever is tried, or part of the module is missing. It answers no further calls. */
     this.dead = false;
     this.size = [1, 1, 1];
     /** The strings of another language, as fetched. @type {Uint8Array | null} */
@@ -78,7 +107,7 @@ export class Instance {
     this.events = this.alloc(EVENTS * this.layout['pointer.size']);
     this.editor = this.wasm.editor_create();
     if (!this.editor) {
-      throw new Refusal(word('shell.no-memory'));
+      throw new Exhausted(word('shell.no-memory'));
     }
     this.stillVersion = -1;
     this.wasm.editor_resize(this.editor, ...this.size);
@@ -103,8 +132,10 @@ export class Instance {
   /** @param {number} size */
   alloc(size) {
     const address = this.wasm.memory_alloc(size);
+    this.scarce = !address;
     if (!address) {
-      throw new Refusal(word('shell.no-memory'));
+      const large = size > this.wasm.memory.buffer.byteLength / LARGE;
+      throw new (large ? NoMemory : Exhausted)(word('shell.no-memory'));
     }
     return address;
   }
@@ -150,23 +181,28 @@ export class Instance {
    * @template T
    * @param {() => T} work
    * @param {T} fallback
+   * @param {'call' | 'pointer' | 'frame'} [kind] of the call
    * @returns {T}
    */
-  guard(work, fallback) {
+  guard(work, fallback, kind = 'call') {
     if (this.dead) {
       return fallback;
     }
     try {
-      return work();
+      const result = work();
+      this.keepJournal();
+      this.traps[kind] = 0;
+      return result;
     } catch (error) {
       if (error instanceof Missing) {
         this.halt(error);
-        return fallback;
-      }
-      if (!(error instanceof WebAssembly.RuntimeError || error instanceof Panic || error instanceof RangeError)) {
+      } else if (isTrap(error)) {
+        this.#recover(error, kind);
+      } else if (error instanceof NoMemory) {
+        this.#tell(null, error);
+      } else {
         throw error;
       }
-      this.#recover(error);
       return fallback;
     }
   }
@@ -177,38 +213,74 @@ export class Instance {
     miss(error);
   }
 
-  /** @param {unknown} error */
-  #recover(error) {
-    const whole = this.journal;
-    if (this.traps++ === 0) {
-      this.broken = whole;
+  /** @param {unknown} error @param {'call' | 'pointer' | 'frame'} kind */
+  #recover(error, kind) {
+    if (this.left.length === 0) {
+      this.broken = this.journal;
     }
-    this.dead = this.traps > DEAD;
-    // If even painting the replayed journal traps, start with an empty drawing.
-    let part = this.traps > HOPELESS ? whole.subarray(0, 0) : whole;
-    // The step that broke the module may break it again: give up the last steps, one by one.
-    for (let lost = 0; lost < 8 && part.length > 0; lost++) {
+    if (++this.traps[kind] > HOPELESS) {
+      this.dead = true;
+      this.#tell(null, error);
+    } else {
+      this.bring(this.journal, error);
+    }
+  }
+
+  /**
+   * Replays a journal into a new instance, without the steps that trap, and tells what came of it. An empty one leaves
+   * an empty editor.
+   * @param {Uint8Array} journal @param {unknown} error the trap that made it necessary
+   */
+  bring(journal, error) {
+    const before = this.left;
+    const left = this.#rebuild(journal);
+    this.dead ||= left === null;
+    if (left) {
+      this.wasm.editor_journal(this.editor, this.scratch);
+      if (left.length > 0 || this.view().getUint32(this.scratch, true) !== journal.length) {
+        this.begun(new Uint8Array(0), left.length === 0);
+        this.keepJournal();
+      } // else it is the same to the byte, and what is kept of it goes on
+      this.left = [...before, ...left];
+    }
+    this.#tell(left, error);
+  }
+
+  /** @param {Uint8Array[] | null} left what this replay left out; null: there was none @param {unknown} error */
+  #tell(left, error) {
+    this.onrecovery({ left: this.left, more: left?.length ?? 0, dead: this.dead, fresh: left !== null,
+      scarce: error instanceof NoMemory }, error);
+  }
+
+  /** @param {Uint8Array} journal @returns {Uint8Array[] | null} the lines left out; null: nothing helps */
+  #rebuild(journal) {
+    const steps = new Steps(journal);
+    for (let start = 0; start < STARTS; start++) {
       try {
         this.#start();
-        const status = this.lend(part, (text, size) =>
-          this.wasm.editor_replay(this.editor, text, size, 0, this.scratch));
-        if (status === OK) {
-          this.begun(part, lost === 0);
-          this.onrecovery(lost === 0, error);
-          return;
+        return steps.play((line, first) => this.lend(line, (text, size) => (first ?
+          this.wasm.editor_replay(this.editor, text, size, 0, this.scratch) :
+          this.wasm.editor_replay_line(this.editor, text, size, this.scratch))) === OK) ? steps.left : null;
+      } catch (error) {
+        if (error instanceof Missing) {
+          this.halt(error);
+          return null;
         }
-      } catch (again) {
-        if (again instanceof Missing) {
-          this.halt(again);
-          return;
+        if (!isTrap(error) && !(error instanceof NoMemory)) { // a line may be too long for what memory there is
+          throw error;
         }
-        // This instance is broken; the next iteration makes another.
+        steps.trapped();
       }
-      part = part.subarray(0, part.lastIndexOf(10, part.length - 2) + 1);
     }
-    this.#start();
-    this.begun(new Uint8Array(0), whole.length === 0);
-    this.onrecovery(whole.length === 0, error);
+    return null;
+  }
+
+  /** Begins anew with an empty editor after it was given up. @returns {boolean} whether that works */
+  revive() {
+    this.traps = { call: 0, pointer: 0, frame: 0 };
+    this.dead = this.#rebuild(new Uint8Array(0)) === null;
+    this.begun(new Uint8Array(0));
+    return !this.dead;
   }
 
   /** Takes the bytes that a call has left in the scratch area. @returns {Uint8Array<ArrayBuffer>} */
@@ -226,28 +298,53 @@ export class Instance {
    * @param {Uint8Array} journal as far as it is known @param {boolean} [same] of the same drawing
    */
   begun(journal, same = false) {
-    this.journal = journal;
+    this.journal = this.room = journal;
+    this.left = same ? this.left : [];
     this.session++;
     this.drawing += same ? 0 : 1;
   }
 
-  /** Copies what has been added to the journal. */
+  /** Copies what has been added to the journal, and compacts it when it has become long. */
   keepJournal() {
     const address = this.wasm.editor_journal(this.editor, this.scratch);
     const size = this.view().getUint32(this.scratch, true);
-    if (size === this.journal.length || !address) {
+    const { length } = this.journal;
+    if (size === length || !address) {
       return;
     }
-    if (size > this.long) {
-      const done = this.wasm.editor_compact(this.editor) === OK;
-      this.long = 2 * size;
-      if (done) {
-        this.begun(new Uint8Array(0), true);
-        this.keepJournal();
-        this.long = Math.max(LONG, 2 * this.journal.length);
-        return;
+    if (size < length) { // another one: who opened it begins a session
+      this.journal = this.room = new Uint8Array(0);
+      this.keepJournal();
+    } else {
+      this.#append(new Uint8Array(this.wasm.memory.buffer, address + length, size - length));
+      if (length === 0) {
+        this.long = size + Math.max(SHORT, size / 2);
+      } else if (size > 1.5 * this.long) { // the hand never rests
+        this.#compact();
+      } else if (size > this.long) {
+        this.due ||= setTimeout(() => this.guard(() => this.#compact(), undefined), SOON);
       }
     }
-    this.journal = new Uint8Array(this.wasm.memory.buffer).slice(address, address + size);
+  }
+
+  #compact() {
+    clearTimeout(this.due);
+    this.due = 0;
+    if (this.journal.length > this.long && this.wasm.editor_compact(this.editor) === OK) { // not during a stroke
+      this.begun(new Uint8Array(0), true);
+      this.keepJournal();
+    }
+  }
+
+  /** @param {Uint8Array} more */
+  #append(more) {
+    const { length } = this.journal;
+    const size = length + more.length;
+    if (size > this.room.length) {
+      this.room = new Uint8Array(size + size / 4);
+      this.room.set(this.journal);
+    }
+    this.room.set(more, length); // behind all that was handed out
+    this.journal = this.room.subarray(0, size);
   }
 }

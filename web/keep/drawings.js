@@ -4,7 +4,7 @@
 
 import { want } from '../page/build.js';
 import { keep as remember, kept } from '../page/kept.js';
-import { word } from '../page/words.js';
+import { counted, word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 /** @typedef {import('./keep.js').Fault} Fault */
@@ -309,8 +309,12 @@ export class Drawings {
    */
   #bring(found) {
     const { engine, files, keeper } = this;
-    const whole = found.whole && engine.replay(found.journal);
-    const shown = whole || engine.salvage(found.journal) >= 0;
+    const { moving } = this;
+    this.moving = true;
+    const replayed = found.whole && engine.replay(found.journal);
+    const whole = replayed && engine.left.length === 0;
+    const shown = replayed || engine.salvage(found.journal) >= 0;
+    this.moving = moving;
     if (shown) {
       engine.guard(() => engine.keepJournal(), undefined);
       keeper.begin(engine.drawing);
@@ -370,15 +374,40 @@ export class Drawings {
     await this.files.reopen();
   }
 
-  /** The module trapped, and its journal was replayed. @param {boolean} whole @param {unknown} error */
-  #recovered(whole, error) {
+  /**
+   * A call into the module broke off: says what came of it, and offers what is left.
+   * @param {import('../engine/instance.js').Outcome} outcome @param {unknown} error
+   */
+  #recovered(outcome, error) {
     console.error(error);
-    this.settings.restore();
-    if (!whole && this.keeper.begun) {
-      this.keeper.putAside(this.keeper.id); // what is shown now is kept as another
+    const { engine, files, notices, whole } = this;
+    const { left, more, dead, fresh, scarce } = outcome;
+    if (more > 0 && this.keeper.begun && !this.moving) {
+      this.keeper.putAside(this.keeper.id); // it stays as it is; what is shown now is kept as another drawing
     }
-    const run = () => this.files.downloadJournal(this.engine.broken);
-    this.notices.ask('trap', word(whole ? 'shell.trapped' : 'shell.trapped-part'), [{ label: word('shell.journal'), run }]);
+    if (fresh) {
+      this.settings.restore();
+    }
+    const again = () => this.#recovered({ ...outcome, more: 0, fresh: false }, error);
+    const copy = { label: word('shell.copy'), run: () => void files.download() };
+    const journal = { label: word('shell.journal'), run: () => files.downloadJournal(engine.broken) };
+    const reload = { label: word('shell.reload'), run: () => void whole.reload(again) };
+    if (dead) {
+      const stay = [copy, journal].map(({ label, run }) => ({ label, run: () => {
+        run();
+        again(); // the other ways out are still needed
+      } }));
+      const anew = { label: word('shell.new'), run: () => void (engine.revive() && this.openNew()) };
+      notices.ask('trap', word('shell.dead'), [...stay, reload, ...(files.server.sole ? [] : [anew])], true);
+    } else if (left.length > 0) {
+      const aside = { label: word('shell.left-out'), run: async () =>
+        files.deliver(new Uint8Array(await new Blob(/** @type {BlobPart[]} */ (left)).arrayBuffer()), 'left.journal', 'application/x-ndjson') };
+      notices.ask('trap', counted('shell.trapped-part', left.length), [aside, journal]);
+    } else if (scarce) {
+      notices.ask('trap', word(fresh ? 'shell.freed' : 'shell.scarce'), [copy, fresh ? journal : reload]);
+    } else {
+      notices.ask('trap', word('shell.trapped'), [journal]);
+    }
     this.wake();
   }
 

@@ -72,6 +72,8 @@ MODULE_EXPORT(editor_compact) int editor_compact(bat_editor *editor);
 MODULE_EXPORT(editor_replay)
 int editor_replay(bat_editor *editor, const char *text, size_t size, int check, bat_problem *problem);
 MODULE_EXPORT(editor_salvage) int editor_salvage(bat_editor *editor, const char *text, size_t size);
+MODULE_EXPORT(editor_replay_line)
+int editor_replay_line(bat_editor *editor, const char *text, size_t size, bat_problem *problem);
 MODULE_EXPORT(editor_check) const char *editor_check(const bat_editor *editor);
 MODULE_EXPORT(editor_open_native)
 int editor_open_native(bat_editor *editor, const char *text, size_t size, const char *name,
@@ -361,6 +363,11 @@ int editor_salvage(bat_editor *editor, const char *text, size_t size) {
     MODULE_CHECK(editor);
     int left_out = 0;
     return bat_editor_salvage(editor, text, size, &left_out) == BAT_OK ? left_out : -1;
+}
+
+int editor_replay_line(bat_editor *editor, const char *text, size_t size, bat_problem *problem) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_replay_line(editor, text, size, problem);
 }
 
 int editor_compact(bat_editor *editor) {

@@ -35,16 +35,17 @@ export class Whole {
 
   #say() {
     const text = this.engine.partial || this.engine.dead ? 'shell.partial' : 'shell.missing';
-    this.notices.ask('missing', word(text), [{ label: word('shell.reload'), run: () => void this.#reload() }], true);
+    this.notices.ask('missing', word(text), [{ label: word('shell.reload'), run: () => void this.reload(() => this.#say()) }], true);
   }
 
-  async #reload() {
+  /** Loads the page anew, with what is kept. @param {() => void} otherwise called when the server does not answer */
+  async reload(otherwise) {
     const answer = await fetch(location.href, { cache: 'no-store' }).catch(() => null);
     if (answer?.ok) {
       await this.pack();
       location.reload();
     } else { // the server does not answer: this page is better than none
-      this.#say();
+      otherwise();
       this.notices.say(word('shell.no-answer'));
     }
   }

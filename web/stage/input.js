@@ -21,6 +21,21 @@ function modifiersOf(event) {
     (event.altKey ? Modifier.ALT : 0) | (event.metaKey ? Modifier.META : 0);
 }
 
+/**
+ * Whether a contact that counts as down can not be, because another comes down. A palm beside the pen ends nothing.
+ * @param {PointerEvent} held its last event @param {PointerEvent} event
+ */
+function isLost(held, event) {
+  const finger = event.pointerType === 'touch';
+  if (held.pointerId === event.pointerId) {
+    return true;
+  }
+  if (held.pointerType === 'touch') {
+    return finger && event.isPrimary; // no other finger is down
+  }
+  return !finger || event.timeStamp - held.timeStamp > SILENT;
+}
+
 /** Whether a key belongs to the control that has the focus. @param {KeyboardEvent} event */
 function belongsToControl(event) {
   const target = event.target instanceof Element ? event.target : null;
@@ -83,7 +98,7 @@ export class Input {
     stage.addEventListener('pointermove', (event) => this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#end(event, Phase.UP));
     stage.addEventListener('pointercancel', (event) => this.#end(event, Phase.CANCEL));
-    stage.addEventListener('lostpointercapture', (event) => this.#end(event, Phase.CANCEL));
+    stage.addEventListener('lostpointercapture', (event) => this.#liftThat(event)); // alone: neither an end nor a cancel came
     stage.addEventListener('pointerleave', (event) => {
       if (!this.contacts.has(event.pointerId)) {
         this.#tell([this.#sample(event, Phase.LEAVE)]);
@@ -95,7 +110,10 @@ export class Input {
     stage.addEventListener('touchstart', (event) => event.preventDefault(), { passive: false });
     addEventListener('keydown', (event) => this.#key(event, true));
     addEventListener('keyup', (event) => this.#key(event, false));
-    addEventListener('blur', () => this.#releaseKeys());
+    addEventListener('blur', () => {
+      this.#releaseKeys();
+      this.#lift();
+    });
   }
 
   /**
@@ -158,6 +176,30 @@ export class Input {
     return was;
   }
 
+  /**
+   * Ends contacts whose end the system has lost: as if they had been lifted where they were last seen down.
+   * @param {(event: PointerEvent) => boolean} [lost] tells which, by their last events
+   */
+  #lift(lost = () => true) {
+    for (const { event } of [...this.contacts.values()].filter((contact) => lost(contact.event))) {
+      this.#drop(event);
+      if (this.press?.event.pointerId === event.pointerId) {
+        clearTimeout(this.press.timer);
+        this.press = null;
+      }
+      this.#tell([{ ...this.#sample(event, Phase.UP), buttons: 0, modifiers: this.modifiers,
+        time: Math.max(this.told, event.timeStamp) }]);
+      if (this.stage.hasPointerCapture(event.pointerId)) {
+        this.stage.releasePointerCapture(event.pointerId);
+      }
+    }
+  }
+
+  /** @param {PointerEvent} event of the contact */
+  #liftThat(event) {
+    this.#lift(({ pointerId }) => pointerId === event.pointerId);
+  }
+
   /** The menu key; a right click is seen when it ends: it may become a drag. @param {MouseEvent} event */
   #menu(event) {
     event.preventDefault();
@@ -205,6 +247,7 @@ export class Input {
 
   /** @param {PointerEvent} event */
   #down(event) {
+    this.#lift((held) => isLost(held, event));
     // Drawing takes the focus back from a field or a button, without showing a focus ring.
     const focused = document.activeElement;
     if (focused instanceof HTMLElement && focused !== this.stage) {
@@ -222,6 +265,9 @@ export class Input {
 
   /** @param {PointerEvent} event */
   #move(event) {
+    if (event.buttons === 0) {
+      this.#liftThat(event);
+    }
     const phase = this.contacts.has(event.pointerId) ? Phase.MOVE : Phase.HOVER;
     const whole = event.getCoalescedEvents?.() ?? [];
     const samples = (whole.length > 0 ? whole : [event]).map((part) => this.#sample(part, phase));
@@ -282,6 +328,9 @@ export class Input {
       modifiersOf(event);
     this.modifiers = modifiers;
     const used = this.engine.key(key, down, modifiers, event.timeStamp);
+    if (down && key === 'Escape') {
+      this.#lift(); // the engine has dropped the stroke
+    }
     // Alt alone would open the browser's menu. The release of a key is left alone: Space presses a button with it.
     if ((used && down) || key === 'Alt') {
       event.preventDefault();

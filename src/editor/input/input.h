@@ -4,6 +4,7 @@
 
 #include "editor/input/contacts.h"
 #include "editor/input/orbit.h"
+#include "editor/input/taken.h"
 #include "editor/input/taps.h"
 #include "editor/input/trail.h"
 
@@ -14,11 +15,20 @@ typedef struct bat_three {
     double at[3][3];
 } bat_three;
 
+/* A contact that is down and has not said where. */
+typedef struct bat_awaited {
+    bool on;
+    bat_device device;
+    uint32_t contact;
+} bat_awaited;
+
 typedef struct bat_input {
     bat_contacts contacts;
+    bat_awaited awaited;
     bat_fingers fingers;
     bat_orbit orbit;
     bat_taps taps;
+    bat_taken taken; /* the stroke under way, or that was taken away */
     bat_trail trail; /* of the pointer that drives the tool */
     bool holding_pan, pen_seen;
     double pan_time;   /* when the key that pans went down; below 0: a pointer was used meanwhile */

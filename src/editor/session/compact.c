@@ -1,8 +1,6 @@
-/* Compacts the journal: a snapshot of a later document, then the steps that can still be undone. */
+/* Compacts the journal: the document before the first step that can still be undone, then all steps. */
 #include "editor/session/record.h"
 #include "editor/session/session.h"
-
-enum { STEPS = 250 }; /* steps that stay undoable */
 
 static bat_status write_step(bat_session *session, const bat_step *step, bat_document *document) {
     bat_text line = {0};
@@ -33,16 +31,15 @@ static bat_status write_losses(bat_session *session) {
 /* Writes the whole journal into the empty one. document: a copy, which ends up in the present state. */
 static bat_status write_all(bat_session *session, bat_document *document) {
     const bat_history *history = &session->history;
-    int first = history->done > STEPS ? history->done - STEPS : 0;
     bat_status status = BAT_OK;
-    for (int i = history->done - 1; i >= first && status == BAT_OK; i--) {
+    for (int i = history->done - 1; i >= 0 && status == BAT_OK; i--) {
         status = bat_deltas_apply(history->steps[i].deltas, history->steps[i].count, document, false);
     }
     if (status == BAT_OK)
         status = bat_session_begin_journal(document, session->name, &session->journal, &session->pictures);
     if (status == BAT_OK) status = write_losses(session);
     if (status == BAT_OK && session->axis.on) status = bat_session_set_axis(session, &session->axis);
-    for (int i = first; i < history->count && status == BAT_OK; i++) {
+    for (int i = 0; i < history->count && status == BAT_OK; i++) {
         status = write_step(session, &history->steps[i], document);
     }
     for (int i = history->count - 1; i >= history->done && status == BAT_OK; i--) {

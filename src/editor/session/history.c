@@ -70,8 +70,10 @@ void bat_deltas_free(bat_delta *deltas, int count) {
 }
 
 static void drop_steps(bat_history *history, int first, int count) {
-    for (int i = first; i < first + count; i++)
+    for (int i = first; i < first + count; i++) {
         bat_deltas_free(history->steps[i].deltas, history->steps[i].count);
+        history->bytes -= history->steps[i].bytes;
+    }
     memmove(history->steps + first, history->steps + first + count,
             (size_t)(history->count - first - count) * sizeof *history->steps);
     history->count -= count;
@@ -94,15 +96,24 @@ bat_status bat_history_reserve(bat_history *history) {
     return BAT_OK;
 }
 
-void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas) {
+/* How many of the oldest steps to drop before one of so many bytes is added: many at once, for every drop moves all that
+ * stay. */
+static int excess(const bat_history *history, size_t bytes) {
+    int drop = history->count == BAT_HISTORY_ROOM ? BAT_HISTORY_ROOM - BAT_HISTORY_STEPS + 1 : 0;
+    if (history->bytes + bytes <= BAT_HISTORY_BYTES) return drop;
+    size_t left = history->bytes + bytes;
+    for (int i = 0; i < drop; i++) left -= history->steps[i].bytes;
+    while (left > BAT_HISTORY_BYTES / 4 * 3 && history->count - drop >= BAT_HISTORY_FEWEST)
+        left -= history->steps[drop++].bytes;
+    return drop;
+}
+
+void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas, size_t bytes) {
     if (history->count > history->done) drop_steps(history, history->done, history->count - history->done);
-    if (history->count == BAT_HISTORY_ROOM) { /* many at once: every drop moves all that stay */
-        int more = BAT_HISTORY_ROOM - BAT_HISTORY_STEPS + 1;
-        drop_steps(history, 0, more);
-        history->done -= more;
-    }
+    drop_steps(history, 0, excess(history, bytes));
     uint64_t after = ++history->states;
-    history->steps[history->count++] = (bat_step){label, count, deltas, history->state, after};
+    history->steps[history->count++] = (bat_step){label, count, deltas, bytes, history->state, after};
+    history->bytes += bytes;
     history->done = history->count;
     history->state = after;
 }

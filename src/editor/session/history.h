@@ -7,8 +7,10 @@
 
 #include <batten/document.h>
 
-/* The least number of steps kept, and the most; the oldest are dropped when there is no more room. */
-enum { BAT_HISTORY_STEPS = 1000, BAT_HISTORY_ROOM = 1250 };
+/* The least number of steps kept, and the most; the oldest are dropped when there is no more room. They are dropped
+ * earlier where the steps are large: above so many bytes, of which a quarter is then freed; but some are always kept. */
+enum { BAT_HISTORY_STEPS = 1000, BAT_HISTORY_ROOM = 1250, BAT_HISTORY_FEWEST = 8 };
+enum { BAT_HISTORY_BYTES = 8 << 20 };
 
 /* At `index`. before NULL: after was inserted; after NULL: before was removed; otherwise it was replaced. */
 typedef struct bat_delta {
@@ -20,12 +22,14 @@ typedef struct bat_step {
     int label; /* what the step did: a number of the string table */
     int count;
     bat_delta *deltas;      /* owned */
+    size_t bytes;           /* of its change as a line of a compacted journal: what it costs to keep it */
     uint64_t before, after; /* serial numbers of the states before and after it */
 } bat_step;
 
 typedef struct bat_history {
     bat_step *steps;
     int count, done, room; /* steps[0..done) can be undone, steps[done..count) redone */
+    size_t bytes;          /* of all steps */
     uint64_t state;        /* serial number of the present state; equal numbers mean equal documents */
     uint64_t states;       /* serial numbers given out so far */
 } bat_history;
@@ -35,7 +39,7 @@ void bat_history_clear(bat_history *history);
 /* Makes room for one more step, so that the push that follows cannot fail. */
 bat_status bat_history_reserve(bat_history *history);
 /* Takes ownership of the deltas; drops the steps that could have been redone. Call reserve first. */
-void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas);
+void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas, size_t bytes);
 /* BAT_STATE: nothing to undo. BAT_MEMORY: nothing changed. */
 bat_status bat_history_undo(bat_history *history, bat_document *document);
 bat_status bat_history_redo(bat_history *history, bat_document *document);

@@ -2,11 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Makes room for `more` bytes and a final zero. */
+/* Makes room for `more` bytes and a final zero: a quarter more each time, since a journal is what takes most memory. */
 static char *grow(char **text, size_t size, size_t *room, size_t more) {
     if (*room - size <= more || !*text) {
-        size_t wanted = *room ? 2 * *room : 256;
-        while (wanted - size <= more) wanted *= 2;
+        size_t wanted = *room + *room / 4 + 256;
+        if (wanted - size <= more) wanted = size + more + 1;
         char *moved = realloc(*text, wanted);
         if (!moved) return NULL;
         *text = moved;

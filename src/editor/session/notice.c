@@ -12,7 +12,7 @@ void bat_notice_value(bat_context *c, bat_string text, const char *value) {
     c->session->freed = BAT_STRING_COUNT;
     c->session->refused = false;
     c->notices->notice = text;
-    c->notices->offer = BAT_COMMAND_COUNT;
+    c->notices->offer = text == BAT_STRING_NOTICE_MEMORY ? BAT_COMMAND_DOWNLOAD_SVG : BAT_COMMAND_COUNT;
     if (text == BAT_STRING_COUNT) return;
     const char *words = bat_word(c, text), *hole = value ? strchr(words, '%') : NULL;
     if (hole)
@@ -38,6 +38,11 @@ void bat_notice_saved_view(bat_context *c) {
 void bat_notice_edge_on(bat_context *c) {
     bat_notice(c, BAT_STRING_NOTICE_EDGE_ON);
     c->notices->offer = BAT_COMMAND_VIEW_GROUND;
+}
+
+void bat_notice_taken_away(bat_context *c) {
+    bat_notice(c, BAT_STRING_NOTICE_TAKEN_AWAY);
+    c->notices->offer = BAT_COMMAND_STROKE_BACK;
 }
 
 void bat_notice_taken(bat_context *c) {

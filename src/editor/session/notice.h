@@ -17,6 +17,7 @@ typedef struct bat_notices {
 
 /* In the language in force. */
 const char *bat_word(const bat_context *c, bat_string text);
+/* One that says that memory ran out offers a copy of the drawing. */
 void bat_notice(bat_context *c, bat_string text);
 /* Sets the notice to the text with its first "%" replaced by the value. */
 void bat_notice_value(bat_context *c, bat_string text, const char *value);
@@ -26,6 +27,8 @@ void bat_notice_tilted(bat_context *c);
 void bat_notice_edge_on(bat_context *c);
 /* Tells that the drawing holds a view, and offers to turn to it. */
 void bat_notice_saved_view(bat_context *c);
+/* Tells that the system took a stroke away, and offers to bring it back. */
+void bat_notice_taken_away(bat_context *c);
 /* What the notice offered has been taken up: nothing is said any more. */
 void bat_notice_taken(bat_context *c);
 /* Says why a command did nothing: `why`, or where that is BAT_STRING_COUNT that it failed. Returns the status, BAT_STATE

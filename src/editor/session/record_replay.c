@@ -22,6 +22,18 @@ static double whole(const bat_json *json, uint32_t node, double limit) {
     return value >= 0 && value <= limit && value == floor(value) ? value : -1;
 }
 
+/* Where the object with this id lies, or, with id 0, one is inserted: at index `at`. Once steps were left out, indices
+ * may differ from the journal's: an object is then found by its id, and what lies beyond the end is put at the end. */
+static int place(const bat_session *session, double at, double id) {
+    const bat_document *document = session->document;
+    if (session->partly && id > 0 && id <= (double)BAT_ID_MAX) {
+        int found = bat_document_find(document, (bat_id)id);
+        if (found >= 0) return found;
+    }
+    if (session->partly && id == 0) return (int)fmin(at, bat_document_count(document));
+    return (int)at;
+}
+
 static bat_status perform(bat_context *c, const bat_json *json, uint32_t node, bat_problem *problem) {
     double at = whole(json, bat_json_member(json, node, "at"), 2147483647);
     if (at < 0) return bat_json_complain(json, node, BAT_SYNTAX, "at", "an index", problem);
@@ -29,6 +41,7 @@ static bat_status perform(bat_context *c, const bat_json *json, uint32_t node, b
     uint32_t removed = bat_json_member(json, node, "remove");
     bat_status status;
     if (removed) {
+        at = place(c->session, at, whole(json, removed, (double)BAT_ID_MAX));
         const bat_object *before = bat_document_at(c->session->document, (int)at);
         if (!before || whole(json, removed, (double)BAT_ID_MAX) != (double)bat_object_id(before))
             return bat_json_complain(json, node, BAT_ARGUMENT, "remove", "the id of the object there",
@@ -39,6 +52,7 @@ static bat_status perform(bat_context *c, const bat_json *json, uint32_t node, b
         status = bat_object_from_json(json, insert ? insert : replace, &c->session->pictures, &object,
                                       problem);
         if (status != BAT_OK) return status;
+        at = place(c->session, at, insert ? 0 : (double)bat_object_id(object));
         status = insert ? bat_transaction_insert(c, (int)at, object)
                         : bat_transaction_replace(c, (int)at, object);
         bat_object_release(object);

@@ -28,6 +28,7 @@ typedef struct bat_session {
     void (*stepped)(bat_context *c); /* called after each step that was made or undone */
     bat_status (*mirror)(bat_context *c,
                          bat_string step); /* called before a tool's step is made, while symmetry is on */
+    bool partly; /* a journal is replayed of which steps may have been left out (record_replay.c) */
     bool read_only;
     bool refused;      /* this event would have changed a read-only document; the user is notified */
     uint64_t followed; /* the revision for which bat_transaction_follow was called last */

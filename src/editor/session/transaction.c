@@ -156,7 +156,9 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
         return refused ? BAT_STATE : BAT_ARGUMENT;
     }
     bat_text own = {0};
-    if (!line) bat_change_write(transaction->deltas, transaction->count, label, line = &own);
+    bat_change_write(transaction->deltas, transaction->count, label, &own);
+    const size_t bytes = own.size;
+    if (!line) line = &own;
     bat_text_string(line, ",\"digest\":");
     bat_line_digest(line, bat_document_digest(c->session->document));
     bat_text_string(line, "}");
@@ -176,7 +178,7 @@ bat_status bat_transaction_commit(bat_context *c, bat_string label, bat_text *li
         bat_notice(c, told);
         c->session->freed = told;
     }
-    bat_history_push(&c->session->history, (int)label, transaction->count, transaction->deltas);
+    bat_history_push(&c->session->history, (int)label, transaction->count, transaction->deltas, bytes);
     bat_replaced_clear(&transaction->replaced);
     *transaction = (bat_transaction){0};
     c->session->stepped(c);

@@ -158,5 +158,6 @@ void bat_toolbox_interrupt(bat_context *c) {
     c->input->brush = 0;
     c->input->calming = false;
     c->input->contacts.count = 0;
+    bat_taken_forget(&c->input->taken);
     c->input->holding_pan = false;
 }

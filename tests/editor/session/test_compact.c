@@ -57,7 +57,7 @@ static void long_sessions_become_short(void **state) {
     bat_editor *editor = pen_editor();
     bat_editor_command(editor, "tool-select");
     bat_editor_command(editor, "select-all");
-    for (int i = 0; i < 600; i++) assert_int_equal(bat_editor_command(editor, "nudge-right"), BAT_OK);
+    for (int i = 0; i < 3000; i++) assert_int_equal(bat_editor_command(editor, "nudge-right"), BAT_OK);
     for (int i = 0; i < 10; i++) assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
     size_t size = 0, after = 0;
     bat_editor_journal(editor, &size);
@@ -66,8 +66,8 @@ static void long_sessions_become_short(void **state) {
     assert_true(after < size / 2);
     bat_editor *again = replay_of(editor, 0);
     assert_int_equal(walk(editor, again, "redo", 1000), 10);
-    assert_int_equal(walk(editor, again, "undo", 1000), 260);
-    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK); /* the living editor knows more */
+    assert_true(walk(editor, again, "undo", 3000) >= 990);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_STATE); /* the living editor knows no more */
     bat_editor_free(again);
     bat_editor_free(editor);
 }

@@ -65,6 +65,28 @@ static void broken_groups(void **state) {
     bat_editor_free(editor);
 }
 
+/* Large steps are kept up to so many bytes, the last few always; what was dropped is counted no more. */
+static void large_steps(void **state) {
+    (void)state;
+    static const size_t sizes[] = {BAT_HISTORY_BYTES / 100, BAT_HISTORY_BYTES / 20, 1, 2 * BAT_HISTORY_BYTES,
+                                   10};
+    bat_history history = {0};
+    for (int k = 0; k < 5; k++)
+        for (int i = 1; i <= 2000; i++) {
+            assert_int_equal(bat_history_reserve(&history), BAT_OK);
+            bat_history_push(&history, i, 0, NULL, sizes[k]);
+            size_t bytes = 0;
+            for (int j = 0; j < history.count; j++) bytes += history.steps[j].bytes;
+            assert_true(bytes == history.bytes && history.steps[history.count - 1].label == i);
+            assert_true(bytes <= BAT_HISTORY_BYTES || history.count <= BAT_HISTORY_FEWEST);
+            if (bytes < BAT_HISTORY_BYTES / 4 * 3 && i > 1300 && sizes[k] < BAT_HISTORY_BYTES / 1000)
+                assert_true(history.count >= BAT_HISTORY_STEPS);
+            if (k < 2 && i > 1300) assert_true(bytes > BAT_HISTORY_BYTES / 3 * 2);
+        }
+    bat_history_clear(&history);
+    assert_int_equal(history.bytes, 0);
+}
+
 /* The last thousand steps at least are kept, the oldest go, and undo still finds its state. */
 static void long_histories(void **state) {
     (void)state;
@@ -73,7 +95,7 @@ static void long_histories(void **state) {
     assert_int_equal(bat_document_create(&document), BAT_OK);
     for (int i = 1; i <= 3 * BAT_HISTORY_ROOM; i++) {
         assert_int_equal(bat_history_reserve(&history), BAT_OK);
-        bat_history_push(&history, i, 0, NULL);
+        bat_history_push(&history, i, 0, NULL, 0);
         assert_true(history.count == history.done && history.count <= BAT_HISTORY_ROOM);
         assert_true(history.count >= (i < BAT_HISTORY_STEPS ? i : BAT_HISTORY_STEPS));
         assert_int_equal(history.steps[history.count - 1].label, i); /* the last is there */
@@ -94,6 +116,6 @@ static void long_histories(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(out_of_order), cmocka_unit_test(broken_groups),
-                                       cmocka_unit_test(long_histories)};
+                                       cmocka_unit_test(long_histories), cmocka_unit_test(large_steps)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
