@@ -14,7 +14,9 @@
 #include <string.h>
 
 static const double LONG = 4, CORNER = 4; /* rows of points; radians: more than any corner */
-static const double STRAY = 2;   /* tolerances beyond a chord: a curve that far from the row has left it */
+static const double STRAY = 2; /* tolerances beyond a chord: a curve that far from the row has left it */
+static const double SCRIBBLE =
+    64; /* diagonals of its box: a longer row is everywhere, and nobody can leave it */
 static const double TURN = 0.05; /* radians: what is a corner between two pieces */
 enum { PLACES = 16 };            /* of a span, where it is seen whether the curve has left */
 enum { PLAIN_POWER = 60 };       /* of two: what is larger, or smaller, is fitted in other units */
@@ -27,6 +29,19 @@ static double row_length(int m, size_t count, const double *points, bool closed)
         sum += m == 3 ? bat_hypot(plane, b[2] - a[2]) : plane;
     }
     return sum;
+}
+
+/* Whether boxes around parts of the row mostly overlap, so that no tree of them finds the nearest place. */
+static bool is_scribble(int m, size_t count, const double *points, bool closed) {
+    double sides = 0;
+    for (int c = 0; c < m; c++) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < count; i++)
+            low = fmin(low, points[i * (size_t)m + (size_t)c]),
+            high = fmax(high, points[i * (size_t)m + (size_t)c]);
+        sides = bat_hypot(sides, high - low);
+    }
+    return row_length(m, count, points, closed) > SCRIBBLE * sides;
 }
 
 static double length_of(const bat_curve *curve) {
@@ -155,11 +170,14 @@ static bat_status through(int m, size_t count, const double *points, const bat_f
     const bool corners = options->corner_count > 0;
     bat_status status = corners ? between_corners(m, count, points, options, &whole)
                                 : bat_interpolate(m, options->closed, count, points, NULL, &whole);
-    if (status == BAT_OK)
-        status = bat_curve_simplify(whole, 0.99 * options->tolerance, corners ? TURN : CORNER, &few, NULL);
-    bat_curve_free(whole);
     double error = 0;
-    if (status == BAT_OK) status = furthest(few, m, count, points, &error);
+    if (status == BAT_OK)
+        status = bat_curve_simplify(whole, 0.99 * options->tolerance, corners ? TURN : CORNER, &few, &error);
+    bat_curve_free(whole);
+    if (status == BAT_OK && is_scribble(m, count, points, options->closed))
+        error += 16 * DBL_EPSILON * bat_curve_size(few); /* of the interpolation */
+    else if (status == BAT_OK)
+        status = furthest(few, m, count, points, &error);
     if (status != BAT_OK) {
         bat_curve_free(few);
         return status;
@@ -178,7 +196,7 @@ static bat_status fit_near(int dimension, size_t count, const double *points, co
     const bool met = status == BAT_OK && own.max_error <= asked->tolerance;
     const bool made = status == BAT_OK || status == BAT_TOLERANCE;
     bool wild = made && length_of(curve) > LONG * row_length(dimension, count, points, asked->closed);
-    if (made && !wild && met && asked->degree == 3) {
+    if (made && !wild && met && asked->degree == 3 && !is_scribble(dimension, count, points, asked->closed)) {
         bat_curve *row = NULL;
         bat_status seen = polyline_of(dimension, count, points, asked->closed, &row);
         if (seen == BAT_OK) seen = strays(curve, row, asked->tolerance, &wild);
