@@ -169,6 +169,7 @@ static int edit(const cli_arguments *arguments, const serve_file *file, int port
     io_remark_copy(file->path);
     const int failed = look_at(file->path, file->format);
     if (failed) return failed;
+    remarks_show();
     tidy_up(file->path);
     return serve(arguments, file, port);
 }

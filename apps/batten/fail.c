@@ -1,7 +1,9 @@
-/* Failures and remarks: always exactly one line on standard error. */
+/* Failures and remarks: a failure is always exactly one line on standard error, so that remarks wait until there is none. */
 #include "clean.h"
 #include "program.h"
 #include "progress.h"
+
+#include "text/text.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -14,7 +16,8 @@ enum {
     CLEANED_ROOM = 8 * LINE_ROOM
 }; /* a line has room for any path, but not for more than two */
 
-static char *kept; /* where lines go instead */
+static bat_text waiting; /* remarks, each ended by a zero */
+static char *kept;       /* where lines go instead */
 static size_t kept_room;
 
 void fail_into(char *line, size_t room) { kept = line, kept_room = room; }
@@ -33,6 +36,11 @@ static void put_line(const char *line) {
     fputs(cleaned, stderr);
 }
 
+static void put_failure(const char *line) {
+    waiting.size = 0;
+    put_line(line);
+}
+
 int fail_usage(const cli_command *command, const char *format, ...) {
     char message[LINE_ROOM], line[LINE_ROOM + 128];
     va_list list;
@@ -42,7 +50,7 @@ int fail_usage(const cli_command *command, const char *format, ...) {
     const char *name = command ? command->name : "";
     const char *space = command ? " " : "";
     snprintf(line, sizeof line, "batten%s%s: %s (see: batten%s%s --help)", space, name, message, space, name);
-    put_line(line);
+    put_failure(line);
     return EXIT_USAGE;
 }
 
@@ -55,7 +63,7 @@ int fail_data(const char *file, const char *place, const char *format, ...) {
     const char *name = strcmp(file, "-") == 0 ? "standard input" : file;
     bool placed = place && *place;
     snprintf(line, sizeof line, "%s: %s%s%s", name, placed ? place : "", placed ? ": " : "", message);
-    put_line(line);
+    put_failure(line);
     return EXIT_DATA;
 }
 
@@ -65,7 +73,7 @@ int fail_problem(const char *file, bat_status status, const bat_problem *problem
 }
 
 int fail_memory(void) {
-    put_line("batten: out of memory");
+    put_failure("batten: out of memory");
     return EXIT_DATA;
 }
 
@@ -83,5 +91,10 @@ void remark(const char *format, ...) {
     va_start(list, format);
     vsnprintf(line, sizeof line, format, list);
     va_end(list);
-    put_line(line);
+    if (!kept) bat_text_add(&waiting, line, strlen(line) + 1);
+}
+
+void remarks_show(void) {
+    for (size_t at = 0; at < waiting.size; at += strlen(waiting.data + at) + 1) put_line(waiting.data + at);
+    bat_text_free(&waiting);
 }

@@ -99,6 +99,7 @@ static int each(const cli_arguments *arguments, const char *in, const char *out,
         cli_arguments these = *arguments;
         these.operands[0] = from, these.operands[1] = to;
         const int failed = one(&these);
+        remarks_show();
         if (result == EXIT_DONE) result = failed;
     }
     return result;

@@ -192,5 +192,7 @@ int main(int count, char **words) {
     status = arguments_value(&arguments, OPTION_LINES) ? run_lines(&arguments) : command->run(&arguments);
     progress_end();
     address_release();
-    return finish(status);
+    status = finish(status);
+    remarks_show();
+    return status;
 }

@@ -62,7 +62,7 @@ BAT_API bat_status bat_dxf_write(const bat_document *document, double arcs, char
 /* A glyph of a font (GLIF 2 of UFO 3): visible curves of the plane as contours of lines and cubics, in the drawing's order and
  * each from its own start, so that glyphs stay compatible; with extremes, cubics are cut where they are furthest left, right,
  * up and down. y = 0 is the baseline, the page's width the advance. Such files are read like SVG: bat_svg_reader takes their
- * elements. BAT_DIMENSION: a curve lies in space. O(points). */
+ * elements. BAT_DIMENSION: a curve lies in space; BAT_NUMBER: a point lies further out than 1e9, or the page is wider. O(points). */
 BAT_API bat_status bat_glif_write(const bat_document *document, bool extremes, char **text, size_t *size);
 /* The same, in a file that is a glyph already (glyph, of glyph_size bytes of UTF-8): only its contours give way to those of the
  * drawing; its name, advance, code points, components, anchors and all else stay, to the byte. BAT_SYNTAX: the file is not a

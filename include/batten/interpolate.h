@@ -21,8 +21,9 @@ BAT_API bat_status bat_interpolate(int dimension, bool closed, size_t count, con
 
 /*
  * As bat_fit, for points that have to be met whatever they are: where bat_fit does not reach the tolerance, or only by a
- * curve over four times as long as the row of points, the result is the curve of bat_interpolate with as few knots as keep
- * it within tolerance. That holds for cubics without corners; others end as bat_fit does. options may be NULL.
+ * curve over four times as long as the row of points or by one that leaves the row between them, the result is the curve of
+ * bat_interpolate, from corner to corner where there are some, with as few knots as keep it within tolerance. That holds for
+ * cubics; others end as bat_fit does. options may be NULL.
  */
 BAT_API bat_status bat_fit_within(int dimension, size_t count, const double *points,
                                   const bat_fit_options *options, bat_curve **out, bat_fit_report *report);

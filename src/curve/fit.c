@@ -105,8 +105,9 @@ static int slot_of(const fitting *f, const mesh *m, int k) {
  * decides only what nothing else does. */
 static void add_ridge(fitting *f, double strength) {
     const double length = f->knots[f->space.spread] - f->knots[f->degree];
-    bat_lsq_penalty(&f->space, 1, strength * length, NULL, f->a);
-    if (f->degree > 1) bat_lsq_penalty(&f->space, 2, strength * length * length * length, NULL, f->a);
+    bat_lsq_penalty(&f->space, 1, strength * length * length, NULL, f->a);
+    if (f->degree > 1)
+        bat_lsq_penalty(&f->space, 2, strength * length * length * length * length, NULL, f->a);
 }
 
 /* Solves on f->trial; f->b then holds control points, f->local the local polynomials. */

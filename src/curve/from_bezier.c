@@ -58,6 +58,13 @@ static void choose_spans(int degree, int size, int count, const double *points, 
     }
 }
 
+/* Spans so short that a period later their knots would be one: they are as long as doubles can tell. */
+static void keep_apart(int count, double *spans) {
+    double period = 0;
+    for (int i = 0; i < count; i++) period += spans[i];
+    for (int i = 0; i < count; i++) spans[i] = fmax(spans[i], 8 * DBL_EPSILON * period);
+}
+
 /* Segments whose points all coincide (to 1e-12 of the mean) are left out; returns how many are left. */
 static int drop_points(int degree, int size, int count, double *points, double *moved) {
     size_t step = (size_t)(degree * size);
@@ -153,6 +160,7 @@ static bat_status from_chain(int dimension, int degree, bool closed, int segment
     bat_curve *exact, *simple;
     if (status == BAT_OK) {
         choose_spans(degree, dimension, kept, copy, closed, corner, range, spans);
+        if (closed) keep_apart(kept, spans);
         status = assemble(degree, dimension, kept, copy, closed, spans, &exact);
     }
     if (status != BAT_OK) {

@@ -21,6 +21,13 @@ bat_status bat_offset_around(const bat_curve *curve, double distance, double tol
                              bat_brim *brim, bat_chain *out);
 bat_status bat_chain_add(bat_chain *chain, const double cubic[8]);
 
+/* Sizes below this are brought to about 1 before anything is squared. */
+#define BAT_OFFSET_LEAST 0x1p-300
+/* The power of 2 that does so. */
+double bat_offset_factor(double size);
+/* Curves in the plane times a factor, each in its place. */
+bat_status bat_curves_scale(size_t count, bat_curve **curves, double factor);
+
 /* ---- trim.c ---- */
 /* Shares of the tolerance that the raw parallel may take, and the removal of its knots. */
 extern const double bat_offset_fit, bat_offset_removal;

@@ -6,7 +6,9 @@
 #include <batten/relate.h>
 
 #include "curve/curve.h"
+#include "relate/disks.h"
 #include "relate/offset.h"
+#include "relate/segment.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -206,6 +208,45 @@ static bat_status opened(outline *o, const bat_nib *nib, int attempt) {
 /* Stretches too short for a curve do not fit together either. */
 static bat_status unfit(bat_status status) { return status == BAT_KNOTS ? BAT_SINGULAR : status; }
 
+static bat_status spot(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
+                       size_t *count, bat_curve ***out, double *max_error) {
+    bat_curve **all = calloc(1, sizeof *all);
+    double error;
+    if (!all) return BAT_MEMORY;
+    const bat_status status = bat_spot_outline(curve, 0.5 * nib->width, tolerance, corner, all, &error);
+    if (status != BAT_OK) {
+        free(all);
+        return status;
+    }
+    if (max_error) *max_error = error;
+    *count = 1, *out = all;
+    return BAT_OK;
+}
+
+static bat_status outline_small(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
+                                size_t *count, bat_curve ***out, double *max_error) {
+    const double factor = bat_offset_factor(bat_segments_reach_of(curve) + nib->width);
+    bat_nib wide = *nib;
+    wide.width *= factor;
+    bat_curve *large = NULL, **all = NULL;
+    size_t made = 0;
+    double error = 0;
+    bat_status status = bat_curve_copy(curve, &large);
+    if (status == BAT_OK) status = bat_curves_scale(1, &large, factor);
+    if (status == BAT_OK)
+        status = bat_curve_outline(large, &wide, tolerance * factor, corner, &made, &all,
+                                   max_error ? &error : NULL);
+    if (status == BAT_OK) status = bat_curves_scale(made, all, 1 / factor);
+    bat_curve_free(large);
+    if (status != BAT_OK) {
+        bat_curves_free(made, all);
+        return status;
+    }
+    if (max_error) *max_error = error / factor;
+    *count = made, *out = all;
+    return BAT_OK;
+}
+
 bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
                              size_t *count, bat_curve ***out, double *max_error) {
     if (!curve || !nib || !count || !out || !(tolerance > 0) || !(corner >= 0) || !(nib->width > 0) ||
@@ -219,6 +260,9 @@ bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double 
                  .tolerance = tolerance,
                  .corner = corner,
                  .measured = max_error};
+    if (bat_segments_reach_of(curve) + nib->width < BAT_OFFSET_LEAST)
+        return outline_small(curve, nib, tolerance, corner, count, out, max_error);
+    if (bat_is_spot(curve, nib, corner)) return spot(curve, nib, tolerance, corner, count, out, max_error);
     bat_status status = bat_finder_create(curve, &o.finder), made = BAT_SINGULAR;
     for (int i = 0; i < TRIES && status == BAT_OK && made == BAT_SINGULAR; i++) {
         forget(&o);

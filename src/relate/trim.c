@@ -453,6 +453,47 @@ static bat_status parallels(const bat_curve *curve, double distance, double tole
     return status;
 }
 
+double bat_offset_factor(double size) {
+    int exponent;
+    frexp(size, &exponent);
+    return ldexp(1, exponent < -1000 ? 1000 : -exponent);
+}
+
+bat_status bat_curves_scale(size_t count, bat_curve **curves, double factor) {
+    const double rows[6] = {factor, 0, 0, 0, factor, 0};
+    bat_status status = BAT_OK;
+    for (size_t i = 0; i < count && status == BAT_OK; i++) {
+        bat_curve *made = NULL;
+        status = bat_curve_transform(curves[i], rows, &made);
+        if (status != BAT_OK) break;
+        bat_curve_free(curves[i]);
+        curves[i] = made;
+    }
+    return status;
+}
+
+static bat_status offset_small(const bat_curve *curve, double distance, double tolerance, double corner,
+                               size_t *count, bat_curve ***out, double *max_error) {
+    const double factor = bat_offset_factor(bat_segments_reach_of(curve) + fabs(distance));
+    bat_curve *large = NULL, **all = NULL;
+    size_t made = 0;
+    double error = 0;
+    bat_status status = bat_curve_copy(curve, &large);
+    if (status == BAT_OK) status = bat_curves_scale(1, &large, factor);
+    if (status == BAT_OK)
+        status = bat_curve_offset(large, distance * factor, tolerance * factor, corner, &made, &all,
+                                  max_error ? &error : NULL);
+    if (status == BAT_OK) status = bat_curves_scale(made, all, 1 / factor);
+    bat_curve_free(large);
+    if (status != BAT_OK) {
+        bat_curves_free(made, all);
+        return status;
+    }
+    if (max_error) *max_error = error / factor;
+    *count = made, *out = all;
+    return BAT_OK;
+}
+
 bat_status bat_curve_offset(const bat_curve *curve, double distance, double tolerance, double corner,
                             size_t *count, bat_curve ***out, double *max_error) {
     if (!curve || !count || !out || !(tolerance > 0) || !(corner >= 0)) return BAT_ARGUMENT;
@@ -460,6 +501,8 @@ bat_status bat_curve_offset(const bat_curve *curve, double distance, double tole
     if (!(fabs(distance) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     if (distance != 0 && !(tolerance >= ROUNDING * (bat_segments_reach_of(curve) + fabs(distance))))
         return BAT_TOLERANCE;
+    if (distance != 0 && bat_segments_reach_of(curve) + fabs(distance) < BAT_OFFSET_LEAST)
+        return offset_small(curve, distance, tolerance, corner, count, out, max_error);
     size_t made = 0;
     bat_curve **all = NULL;
     double error = 0;

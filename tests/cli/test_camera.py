@@ -273,6 +273,10 @@ class LookAt(Camera):
         result = self.run_program("camera", self.file("move.json", move), "--at", "0,0.5,1,1.5,2")
         self.assertEqual(result.returncode, 0)
         self.assertIn(b"passes its target", result.stderr)
+        far = self.file("far.json", {"path": {"degree": 1, "knots": [0, 0, 1, 1], "points": [[-5, 0, 0], [5, 1e75, 0]]},
+                                     "orientation": {"mode": "look-at", "target": [-5, 0, 0]}})
+        for words in (("--out", "x.glb"), ("--out", "no/folder/x.csv"), ("--out", "x.glb", "--scene", "none.batten")):
+            self.refused(1, "camera", far, "--fps", "5", *words)  # one line: the remark waits for a result
         made = self.camera(move, "--at", "0,0.5,1,1.5,2")
         numpy.testing.assert_allclose(angles(made["rotations"][[0, 0, 4]], made["rotations"][[1, 2, 3]]), 0, atol=1e-12)
         self.assertAlmostEqual(angles(made["rotations"][:1], made["rotations"][4:])[0], numpy.pi, delta=1e-9)

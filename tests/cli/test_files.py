@@ -3,6 +3,7 @@ import json
 import math
 import os
 import pathlib
+import random
 import re
 import resource
 import stat
@@ -217,6 +218,26 @@ class Lossy(ProgramTest):
         self.assertEqual(open_text(name), MIXED)
         self.assertIs(self.json("info", name, "--json")["keeps_all"], True)
         self.assertRegex(self.done("info", name).decode(), r"shows +all but (1 thing|\d+ things); saving keeps them all\n +1 image\n")
+
+    def test_a_kept_file_that_is_not_xml(self):
+        self.done("convert", self.file("m.svg", MIXED), self.folder / "m.batten")
+        native, chance = json.loads(open_text(self.folder / "m.batten")), random.Random(5)
+        whole = native["source"]["text"]
+        texts = [whole.replace("</svg>", end) for end in ("", "</g>", "</svg></svg>", "</svg>x", "&x;</svg>", "]]></svg>")]
+        for _ in range(60):
+            at = chance.randrange(len(whole))
+            texts.append(whole[:at] + chance.choice(["", "<", ">", "&", '"', "/", "<!--", "\x01", " x", "</g>"]) +
+                         whole[at + chance.randrange(3):])
+        for text in texts:
+            native["source"]["text"] = text
+            result = self.run_program("convert", "-", "o.svg", stdin=json.dumps(native))
+            self.assertEqual(result.returncode, 0, result.stderr.decode())
+            xml.etree.ElementTree.parse(self.folder / "o.svg")
+            try:
+                xml.etree.ElementTree.fromstring(text)
+                self.assertEqual(result.stderr, b"", text)
+            except xml.etree.ElementTree.ParseError:
+                self.assertEqual(result.stderr, b"standard input: Left out: 1 broken part.\n", text)
 
     def test_a_tolerance_changes_the_path_data_alone(self):
         name = self.file("m.svg", MIXED.replace('d="M0 0C10 10 20 10 30 0"', 'd="M0 0C1 0 2 0 3 0C4 0 5 0 6 0"'))

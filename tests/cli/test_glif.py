@@ -85,6 +85,20 @@ class Glif(ProgramTest):
                 self.assertIn(wrong, line)
                 self.assertRegex(line, r"line \d+, column \d+")
 
+    def test_what_it_writes_it_reads(self):
+        drawing = '<svg xmlns="http://www.w3.org/2000/svg"%s><path d="M0 0C%s 9 5 %s 9 70H0Z"/></svg>'
+        far = "a glyph holds places and widths up to 1e9, found one further out"
+        out = self.folder / "far.glif"
+        for box, x, y in (("", "1e9", "-1e9"), (' viewBox="0 0 1e9 9"', "3", "3")):
+            self.done("convert", self.file(drawing % (box, x, y), "in.svg"), out)
+            self.done("info", out)
+        for box, x, y in (("", "1.1e9", "3"), ("", "3", "2e30"), (' viewBox="0 0 2e9 9"', "3", "3")):
+            out.unlink(missing_ok=True)
+            self.assertIn(far, self.refused(1, "convert", self.file(drawing % (box, x, y), "in.svg"), out))
+            self.assertFalse(out.exists())
+        self.assertIn(far, self.refused(1, "convert", self.file(drawing % ("", "2e9", "3"), "in.svg"), self.file(glyph(RING), "far.glif")))
+        self.assertEqual(out.read_text(), glyph(RING))
+
     def test_extremes(self):
         """A quarter turned by 45 degrees has its extreme in the middle; the outline stays where it was."""
         text = glyph(contour((0, 0, "move"), (40, 60), (80, 60), (120, 0, "curve"), (150, -40), (190, -90), (200, 50, "curve")))

@@ -183,9 +183,46 @@ static void degenerate_paths(void **state) {
     }
 }
 
+/* A closed chain whose first handles make its parameter run fast, and a piece that is far shorter than the parameter's digits:
+ * it is there all the same, within the tolerance of its joints. */
+static void a_piece_shorter_than_its_period_allows(void **state) {
+    (void)state;
+    enum { PIECES = 400 };
+    static double points[2 * (3 * PIECES + 1)];
+    const double sizes[] = {1, 1e-6, 1e6};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        for (int i = 0; i <= 3 * PIECES; i++) {
+            const double angle = 6.283185307179586477 * (i / 3) / PIECES,
+                         next = angle + 6.283185307179586477 / PIECES,
+                         share = i == 2 ? 1 - 1e-5 : i % 3 / 3.0;
+            points[2 * i] = sizes[k] * (cos(angle) + share * (cos(next) - cos(angle)));
+            points[2 * i + 1] = sizes[k] * (sin(angle) + share * (sin(next) - sin(angle)));
+        }
+        double *last = points + 2 * (3 * PIECES - 3); /* all but without length, and across */
+        for (int i = 0; i < 3; i++)
+            last[2 * i] = points[0] + sizes[k] * (3 - i) * 1e-13,
+                     last[2 * i + 1] = points[1] + sizes[k] * i * 1e-13;
+        points[2 * 3 * PIECES] = points[0], points[2 * 3 * PIECES + 1] = points[1];
+        bat_curve *curve = NULL;
+        double error = -1;
+        assert_int_equal(
+            bat_curve_from_bezier(2, 3, true, PIECES, points, 0.05, 1e-9 * sizes[k], &curve, &error), BAT_OK);
+        assert_true(error <= 2e-9 * sizes[k]);
+        for (int i = 0; i < PIECES; i += 7) {
+            bat_near near;
+            assert_int_equal(bat_curve_nearest(curve, points + (size_t)6 * (size_t)i, &near), BAT_OK);
+            assert_true(near.distance <= 2e-9 * sizes[k]);
+        }
+        bat_curve_free(curve);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(segments_are_the_curve), cmocka_unit_test(out_and_in),
-                                       cmocka_unit_test(circle), cmocka_unit_test(square_of_lines),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(segments_are_the_curve),
+                                       cmocka_unit_test(out_and_in),
+                                       cmocka_unit_test(circle),
+                                       cmocka_unit_test(square_of_lines),
+                                       cmocka_unit_test(a_piece_shorter_than_its_period_allows),
                                        cmocka_unit_test(degenerate_paths)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

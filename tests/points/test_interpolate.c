@@ -157,6 +157,62 @@ static void fits_keep_their_tolerance_and_stay_near(void **state) {
     }
 }
 
+static double far_from_row(int m, size_t n, const double *x, bool closed, const double *at, double *chord) {
+    double least = INFINITY;
+    for (size_t i = 0; i + !closed < n; i++) {
+        const double *a = x + i * (size_t)m, *b = x + (i + 1) % n * (size_t)m, length = far_from(a, b, m);
+        double along = 0, foot[3];
+        for (int c = 0; c < m; c++) along += (at[c] - a[c]) * (b[c] - a[c]);
+        along = length > 0 ? fmin(fmax(along / length / length, 0), 1) : 0;
+        for (int c = 0; c < m; c++) foot[c] = a[c] + along * (b[c] - a[c]);
+        least = fmin(least, far_from(at, foot, m));
+        *chord = fmax(*chord, length);
+    }
+    return least;
+}
+
+/* With corners, at any size and for few points between them: within the tolerance of the points, and nowhere far from the row. */
+static void fits_with_corners_stay_near(void **state) {
+    (void)state;
+    random_source r = {31};
+    static const double sizes[] = {1, 1e-6, 1e6, 1e-30};
+    for (int round = 0; round < 120; round++) {
+        const int m = random_int(&r, 2, 3), size = round % 4;
+        const size_t n = (size_t)random_int(&r, 4, MOST);
+        double x[MOST * 3], way[3] = {1, 0, 0};
+        int corners[MOST];
+        bat_fit_options options = bat_fit_defaults();
+        options.corners = corners, options.closed = round % 7 == 6;
+        for (size_t i = 0; i < n; i++) {
+            const bool turns = i > 0 && i + 1 < n && random_unit(&r) < 0.2;
+            if (turns) corners[options.corner_count++] = (int)i;
+            for (int c = 0; c < m; c++) {
+                x[i * (size_t)m + (size_t)c] = i ? x[(i - 1) * (size_t)m + (size_t)c] + sizes[size] * way[c]
+                                                 : 0;
+                way[c] = turns ? random_between(&r, -1, 1) : way[c] + random_between(&r, -0.1, 0.1);
+            }
+        }
+        options.tolerance = sizes[size] * pow(10, -random_between(&r, -0.3, 3));
+        bat_curve *curve;
+        bat_fit_report report;
+        assert_int_equal(bat_fit_within(m, n, x, &options, &curve, &report), BAT_OK);
+        assert_true(report.max_error <= options.tolerance);
+        double domain[2], at[3], chord = 0;
+        bat_curve_domain(curve, domain);
+        for (int k = 0; k <= 400; k++) {
+            bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * k / 400, 0, at);
+            const double far = far_from_row(m, n, x, options.closed, at, &chord);
+            assert_true(far <= 3 * options.tolerance + 1.5 * chord);
+        }
+        for (size_t i = 0; i < n; i++) {
+            bat_near near;
+            assert_int_equal(bat_curve_nearest(curve, x + i * (size_t)m, &near), BAT_OK);
+            assert_true(near.distance <= options.tolerance * (1 + 1e-9));
+        }
+        bat_curve_free(curve);
+    }
+}
+
 /* Fits are the same in all units, up to those that a coordinate may have; open ends are the points' to the bit. */
 static void fits_are_as_good_in_any_unit(void **state) {
     (void)state;
@@ -195,13 +251,16 @@ static void every_allocation_may_fail(void **state) {
     for (int i = 0; i < 24; i++) vast[i] = ldexp(x[i], 200);
     bat_fit_options options = bat_fit_defaults();
     options.tolerance = 1e-3;
-    for (int kind = 0; kind < 4; kind++) {
+    static const int corners[] = {3, 7};
+    options.corners = corners;
+    for (int kind = 0; kind < 6; kind++) { /* the last two with corners, open and closed */
+        options.corner_count = kind > 3 ? 2 : 0, options.closed = kind == 5;
         options.tolerance = kind == 3 ? ldexp(1e-3, 200) : 1e-3;
         for (int n = 1;; n++) {
             const long live = alloc_live();
             bat_curve *curve = NULL;
             alloc_fail_at(n);
-            const bat_status status = kind >= 2 ? bat_fit_within(2, 12, kind == 2 ? x : vast, &options,
+            const bat_status status = kind >= 2 ? bat_fit_within(2, 12, kind != 3 ? x : vast, &options,
                                                                  &curve, NULL)
                                                 : bat_interpolate(2, kind, 12, x, NULL, &curve);
             const bool reached = alloc_fail_reached();
@@ -222,6 +281,7 @@ int main(void) {
         cmocka_unit_test(few_points_and_many),
         cmocka_unit_test(circles_are_met_to_the_fourth_order),
         cmocka_unit_test(fits_keep_their_tolerance_and_stay_near),
+        cmocka_unit_test(fits_with_corners_stay_near),
         cmocka_unit_test(fits_are_as_good_in_any_unit),
         cmocka_unit_test(every_allocation_may_fail),
     };

@@ -254,6 +254,42 @@ static void bad_arguments(void **state) {
     bat_curve_free(space), bat_curve_free(curve);
 }
 
+/* A curve times a power of two has the offset and the outline times it, down to sizes whose squares vanish. */
+static void sizes_do_not_matter(void **state) {
+    (void)state;
+    random_source r = {300};
+    static const int powers[] = {-20, 20, -500, -1000};
+    for (int round = 0; round < 6; round++) {
+        bat_curve *curve = random_curve(&r, 3, 2, round % 3, 6), **plain[2];
+        size_t count[2];
+        const bat_nib nib = {2, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
+        assert_int_equal(bat_curve_offset(curve, 0.5, 1e-3, 0.05, &count[0], &plain[0], NULL), BAT_OK);
+        assert_int_equal(bat_curve_outline(curve, &nib, 1e-3, 0.05, &count[1], &plain[1], NULL), BAT_OK);
+        for (size_t k = 0; k < sizeof powers / sizeof *powers; k++) {
+            const double f = ldexp(1, powers[k]), rows[6] = {f, 0, 0, 0, f, 0};
+            const bat_nib same = {2 * f, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
+            bat_curve *scaled, **out[2];
+            size_t n[2];
+            assert_int_equal(bat_curve_transform(curve, rows, &scaled), BAT_OK);
+            assert_int_equal(bat_curve_offset(scaled, 0.5 * f, 1e-3 * f, 0.05, &n[0], &out[0], NULL), BAT_OK);
+            assert_int_equal(bat_curve_outline(scaled, &same, 1e-3 * f, 0.05, &n[1], &out[1], NULL), BAT_OK);
+            for (int w = 0; w < 2; w++) {
+                assert_int_equal(n[w], count[w]);
+                for (size_t i = 0; i < n[w]; i++) {
+                    assert_int_equal(bat_curve_count(out[w][i]), bat_curve_count(plain[w][i]));
+                    for (size_t j = 0; j < 2 * bat_curve_count(out[w][i]); j++)
+                        assert_true(fabs(bat_curve_points(out[w][i])[j] / f -
+                                         bat_curve_points(plain[w][i])[j]) < 1e-6);
+                }
+                bat_curves_free(n[w], out[w]);
+            }
+            bat_curve_free(scaled);
+        }
+        for (int w = 0; w < 2; w++) bat_curves_free(count[w], plain[w]);
+        bat_curve_free(curve);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(offsets_are_at_the_distance),
@@ -263,6 +299,7 @@ int main(void) {
         cmocka_unit_test(cusps_end),
         cmocka_unit_test(turns_between_samples_are_seen),
         cmocka_unit_test(bad_arguments),
+        cmocka_unit_test(sizes_do_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

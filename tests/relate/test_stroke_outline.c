@@ -11,6 +11,7 @@
 #include <batten/nearest.h>
 #include <batten/region.h>
 #include "base/real.h"
+#include "support/alloc_fail.h"
 #include "support/random_curve.h"
 
 enum { REGIONS = 20 };
@@ -218,11 +219,77 @@ static void bad_data(void **state) {
     bat_curve_free(dot);
 }
 
+static void spots_without_memory(void **state) {
+    (void)state;
+    bat_curve *bent = polyline(3, (const double[]){0, 0, 1, 0, 1, 1}, false);
+    const bat_nib nib = {1000, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
+    const long live = alloc_live();
+    for (int n = 1;; n++) {
+        size_t count = 7;
+        bat_curve **out = NULL;
+        alloc_fail_at(n);
+        const bat_status status = bat_curve_outline(bent, &nib, 1e-3, CORNER, &count, &out, NULL);
+        if (!alloc_fail_reached()) {
+            assert_int_equal(status, BAT_OK);
+            bat_curves_free(count, out);
+            break;
+        }
+        assert_true(status == BAT_MEMORY && count == 7 && !out && alloc_live() == live);
+    }
+    bat_curve_free(bent);
+}
+
+/* Strokes far wider than their curves are large, at any size: one outline, the half width from the curve everywhere, which has all
+ * directions once; it takes few allocations, and turning the curve round or moving it changes nothing. */
+static void spots(void **state) {
+    (void)state;
+    enum { FEW = 1000, PLACES = 60 };
+    random_source r = {64};
+    static const double sizes[] = {1, 1e-6, 1e6, 1e30, 1e-120};
+    for (int round = 0; round < 60; round++) {
+        bat_curve *plain = random_curve(&r, random_int(&r, 1, 5), 2, round % 3, random_int(&r, 0, 60)),
+                  *curve;
+        const double scale = sizes[round % 5], size = bat_curve_size(plain) * scale,
+                     half = size * bat_exp(random_between(&r, 1.9, 7) * LN_10), tolerance = 1e-4 * size;
+        const double rows[6] = {scale, 0, 0, 0, scale, 0};
+        assert_int_equal(bat_curve_transform(plain, rows, &curve), BAT_OK);
+        const bat_nib nib = {2 * half, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
+        size_t count = 0;
+        bat_curve **out;
+        double error, u[PLACES], turned = 0, before = 0;
+        alloc_fail_at(FEW);
+        assert_int_equal(bat_curve_outline(curve, &nib, tolerance, CORNER, &count, &out, &error), BAT_OK);
+        assert_false(alloc_fail_reached());
+        assert_int_equal(count, 1);
+        assert_true(bat_curve_is_closed(out[0]) && error <= tolerance);
+        assert_true(bat_curve_count(out[0]) < 1000);
+        bat_curve_spread(out[0], PLACES, u);
+        for (int i = 0; i < PLACES; i++) {
+            double x[4];
+            bat_near near;
+            bat_curve_eval(out[0], u[i], 1, x);
+            assert_int_equal(bat_curve_nearest(curve, x, &near), BAT_OK);
+            assert_true(fabs(near.distance - half) <= error + 1e-12 * half);
+            const double angle = bat_atan2(x[3], x[2]);
+            double turn = i ? angle - before : 0;
+            turned += turn - 2 * BAT_PI * rint(turn / (2 * BAT_PI)), before = angle;
+        }
+        assert_true(turned > 2 * BAT_PI * (PLACES - 2) / PLACES && turned <= 2 * BAT_PI + 1e-9);
+        bat_curves_free(count, out);
+        bat_curve_free(curve), bat_curve_free(plain);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(areas_of_caps),  cmocka_unit_test(areas_of_joins),
-        cmocka_unit_test(inside_is_near), cmocka_unit_test(an_end_upon_the_stem),
-        cmocka_unit_test(bad_data),       cmocka_unit_test(regions_grow_and_shrink),
+        cmocka_unit_test(areas_of_caps),
+        cmocka_unit_test(areas_of_joins),
+        cmocka_unit_test(inside_is_near),
+        cmocka_unit_test(an_end_upon_the_stem),
+        cmocka_unit_test(bad_data),
+        cmocka_unit_test(spots),
+        cmocka_unit_test(spots_without_memory),
+        cmocka_unit_test(regions_grow_and_shrink),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,14 +6,19 @@
 #include "form/sweep/sweep.h"
 
 #include <batten/refine.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROUNDS = 24, SAMPLES = 3, CHECKS = 4 }; /* samples of a span, per degree */
-static const double held = 1e6;                /* weight of the ends of an open surface */
-static const double share = 0.9;               /* of the tolerance, at the places that are looked at */
-static const double whole_turn = 1e-9;         /* radians, or of the scale: what counts as closed */
+enum { ROUNDS = 24, EARLY = 10, IDLE = 3, SAMPLES = 3, CHECKS = 4 }; /* samples of a span, per degree */
+static const double held = 1e6;        /* weight of the ends of an open surface */
+static const double share = 0.9;       /* of the tolerance, at the places that are looked at */
+static const double whole_turn = 1e-9; /* radians, or of the scale: what counts as closed */
+static const double resolved =
+    1e-6; /* of the section's size: once the fit is that near, halving spans makes it nearer */
+static const double gain =
+    0.75; /* of the least error so far: what one of IDLE rounds then must reach (halving all spans gives 1/2 to 1/16) */
 
 /* Distinct knots with their multiplicities, ascending; open: the ends have degree + 1. */
 typedef struct knot_list {
@@ -28,6 +33,8 @@ typedef struct fitting {
     bool closed;
     double reach[2]; /* greatest |x| and |y| of the profile's control points */
     double tolerance, error;
+    double size; /* of what is added up where the error is greatest */
+    bool beyond; /* a span fails where nothing can be nearer */
     size_t most; /* knots */
     knot_list knots;
     bat_curve *space; /* on these knots; its points are those of the path */
@@ -209,7 +216,7 @@ static void fitted(const fitting *f, int span, double u, vec *a, vec *b) {
 }
 
 /* How far the surface may be off in a span: by the vectors' errors at places between the samples. */
-static double error_in(const fitting *f, int span) {
+static double error_in(const fitting *f, int span, double *size) {
     const double low = f->space->knots[span], high = f->space->knots[span + 1];
     const int count = CHECKS * f->degree;
     double worst = 0;
@@ -221,20 +228,34 @@ static double error_in(const fitting *f, int span) {
         fitted(f, span, u, &a, &b);
         worst = fmax(worst,
                      vec_norm(vec_sub(a, j.a)) * f->reach[0] + vec_norm(vec_sub(b, j.b)) * f->reach[1]);
+        *size = fmax(*size, vec_norm(j.c) + vec_norm(j.a) * f->reach[0] + vec_norm(j.b) * f->reach[1]);
     }
     return worst;
 }
 
+/* Whether no knot helps in a span that fails: its tolerance is finer than rounding, or the path goes on there by no more than
+ * its own rounding, which leaves no direction to follow. */
+static bool is_rounding(const fitting *f, double low, double high, double size, int round) {
+    if (f->tolerance < DBL_EPSILON * size) return true;
+    if (round < EARLY) return false;
+    bat_sweep_jet a, b;
+    bat_sweep_jet_at(f->sweep, low, &a), bat_sweep_jet_at(f->sweep, high, &b);
+    const double least = fmax(DBL_EPSILON * vec_norm(a.c), DBL_MIN * DBL_EPSILON);
+    return vec_norm(vec_sub(b.c, a.c)) <= 4 * least;
+}
+
 /* Halves every span that fails; false: none does. */
-static bool refine(fitting *f, bat_status *status) {
+static bool refine(fitting *f, int round, bat_status *status) {
     knot_list more = {0};
     bool kept = true;
     f->error = 0;
     for (int i = f->degree; i < f->space->spread && kept; i++) {
         const double low = f->space->knots[i], high = f->space->knots[i + 1];
         if (!(low < high)) continue;
-        const double error = error_in(f, i);
-        f->error = fmax(f->error, error);
+        double size = 0;
+        const double error = error_in(f, i, &size);
+        if (error > f->error) f->error = error, f->size = size;
+        if (error > f->tolerance && !f->beyond) f->beyond = is_rounding(f, low, high, size, round);
         const double middle = low + 0.5 * (high - low);
         if (!(error <= share * f->tolerance) && low < middle && middle < high)
             kept = append(&more, middle, 1);
@@ -287,11 +308,15 @@ static bat_status approximate(fitting *f, bat_surface **out) {
     bat_curve *path = NULL;
     bat_status status = prepare_path(f, &path);
     if (status == BAT_OK && !begin_knots(f)) status = BAT_MEMORY;
-    for (int round = 0; status == BAT_OK; round++) {
+    double least = INFINITY;
+    for (int round = 0, idle = 0; status == BAT_OK; round++) {
         status = make_space(f, path);
         if (status == BAT_OK) status = fit(f);
-        if (status != BAT_OK || !refine(f, &status)) break;
-        if (round == ROUNDS) status = BAT_TOLERANCE;
+        if (status != BAT_OK || !refine(f, round, &status)) break;
+        const bool gained = !(f->error <= resolved * f->size && f->error > gain * least);
+        idle = gained ? 0 : idle + 1;
+        least = fmin(least, f->error);
+        if (round == ROUNDS || f->beyond || idle == IDLE) status = BAT_TOLERANCE;
     }
     bat_curve_free(path);
     return status == BAT_OK ? assemble(f, out) : status;
@@ -309,7 +334,8 @@ static bool meets(const bat_sweep *sweep) {
 
 bat_status bat_sweep_surface(const bat_sweep *sweep, double tolerance, bat_surface **out,
                              bat_sweep_report *report) {
-    return bat_sweep_surface_within(sweep, tolerance, BAT_POINTS_MAX, out, report);
+    const size_t most = sweep ? (size_t)(BAT_POINTS_MAX / sweep->profile->count) : 0;
+    return bat_sweep_surface_within(sweep, tolerance, most, out, report);
 }
 
 bat_status bat_sweep_surface_within(const bat_sweep *sweep, double tolerance, size_t most, bat_surface **out,

@@ -8,6 +8,7 @@
 #include "document/nesting.h"
 #include "text/text.h"
 
+#include <batten/measure.h>
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/relate.h>
@@ -163,6 +164,11 @@ static bat_status cut_curve(writer *w, const bat_curve *curve) {
         cut_polyline(w, curve);
         return BAT_OK;
     }
+    double low[2],
+        high[2]; /* looked at before the arcs are made, which would be as many as the curve is far too large */
+    bat_curve_bounds(curve, low, high);
+    place_of(w, low), place_of(w, high);
+    if (w->far) return BAT_NUMBER;
     const bat_status status = bat_curve_arcs(curve, w->options->tolerance, CORNER, &count, &arcs, NULL);
     if (status != BAT_OK) return status;
     for (size_t i = 0; i < count; i++) {

@@ -3,6 +3,7 @@
 
 #include "curve/roots.h"
 #include "document/nesting.h"
+#include "format/glyph/glyph.h"
 
 #include <batten/bezier.h>
 #include <math.h>
@@ -143,6 +144,8 @@ static bat_status put_curve(bat_text *text, const bat_curve *curve, bool extreme
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
     o.points = points;
     status = extremes ? cut_at_extremes(&o, &points) : BAT_OK;
+    for (int i = 0; i < 8 * o.count && status == BAT_OK; i++)
+        if (!(fabs(o.points[i]) <= BAT_GLYPH_FARTHEST)) status = BAT_NUMBER;
     if (status == BAT_OK) put_contour(&o);
     bat_free(points);
     return status;

@@ -32,11 +32,14 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
 
 static bat_status write(const bat_document *document, char **text, size_t *size, bat_problem *problem) {
     const bat_status status = bat_glif_write(document, false, text, size);
-    return status == BAT_OK ? status
-                            : bat_problem_set(problem, status, "",
-                                              status == BAT_DIMENSION
-                                                  ? "a glyph has curves of the page, found one in space"
-                                                  : bat_status_message(status));
+    return status == BAT_OK
+               ? status
+               : bat_problem_set(problem, status, "",
+                                 status == BAT_DIMENSION
+                                     ? "a glyph has curves of the page, found one in space"
+                                 : status == BAT_NUMBER
+                                     ? "a glyph holds places and widths up to 1e9, found one further out"
+                                     : bat_status_message(status));
 }
 
 const bat_format bat_format_of_glif = {"glif", "application/xml", false, sniff, read, write};

@@ -1,5 +1,6 @@
 /* The outlines of a drawing as a glyph: GLIF 2. y = 0 of the document is the baseline, the page's width the advance. */
 #include "format/glif/contours.h"
+#include "format/glyph/glyph.h"
 
 #include <batten/format.h>
 #include <string.h>
@@ -18,6 +19,7 @@ bat_status bat_glif_write(const bat_document *document, bool extremes, char **te
     double page[4];
     if (!document || !text || !size) return BAT_ARGUMENT;
     bat_document_page(document, page);
+    if (page[2] > BAT_GLYPH_FARTHEST) return BAT_NUMBER;
     const char *name = name_of(document);
     bat_text_string(&all, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<glyph name=\"");
     bat_text_xml(&all, name, strlen(name), true);

@@ -13,8 +13,6 @@
 
 enum { OFF_CURVE, MOVE, LINE, CURVE, QUADRATIC };
 
-static const double FARTHEST = 1e9; /* font units */
-
 bool bat_glyph_is_root(const char *name) { return strcmp(name, "glyph") == 0; }
 
 static const char *attribute(const char *const *attributes, const char *name) {
@@ -25,7 +23,7 @@ static const char *attribute(const char *const *attributes, const char *name) {
 
 static bool number(const char *text, double *out) {
     const char *end = text ? text + strlen(text) : NULL;
-    return text && end > text && bat_number_scan(text, end, out) == end && fabs(*out) <= FARTHEST;
+    return text && end > text && bat_number_scan(text, end, out) == end && fabs(*out) <= BAT_GLYPH_FARTHEST;
 }
 
 static bat_status refuse(bat_glyph *glyph, const char *wrong) {

@@ -6,6 +6,8 @@
 
 #include <batten/base.h>
 
+#define BAT_GLYPH_FARTHEST 1e9 /* font units: of all numbers of a glyph */
+
 typedef struct bat_glyph_point {
     double at[2];
     uint8_t type;

@@ -3,6 +3,8 @@
 #include "document/digest.h"
 #include "format/json/style.h"
 
+#include "text/xml.h"
+
 #include <batten/format.h>
 
 #include <stdlib.h>
@@ -81,7 +83,18 @@ static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above,
     return status;
 }
 
-bat_status bat_source_from_json(const bat_fields *f, uint32_t node, bat_document *document) {
+/* A file of that text would be no SVG, so the document goes without. */
+static bat_status keep_sound(const bat_source *source, bat_document *document, bool *left) {
+    size_t size;
+    const char *text = bat_source_text(source, &size);
+    const bat_status status = bat_xml_check(text, size);
+    *left = status == BAT_SYNTAX;
+    if (status == BAT_OK) bat_document_set_origin(document, source);
+    return *left ? BAT_OK : status;
+}
+
+bat_status bat_source_from_json(const bat_fields *f, uint32_t node, bat_document *document, bool *left) {
+    *left = false;
     if (!node) return BAT_OK;
     const uint32_t named = bat_json_member(f->json, node, "text"),
                    list = bat_json_member(f->json, node, "elements");
@@ -106,7 +119,7 @@ bat_status bat_source_from_json(const bat_fields *f, uint32_t node, bat_document
         status = bat_fields_say(f, node,
                                 bat_source_create(text, strlen(text), page, digest, count, entries, &source));
     free(entries);
-    if (status == BAT_OK) bat_document_set_origin(document, source);
+    if (status == BAT_OK) status = bat_fields_say(f, named, keep_sound(source, document, left));
     bat_source_release(source);
     return status;
 }

@@ -1,5 +1,7 @@
 /* The native document as a file. */
 #include "document/format.h"
+#include "document/picture.h"
+#include "format/native/native.h"
 #include "text/json.h"
 
 static int sniff(const char *text, size_t size) {
@@ -13,9 +15,13 @@ static int sniff(const char *text, size_t size) {
 
 static bat_status read(const bat_reading *how, const char *text, size_t size, bat_document **out,
                        bat_svg_report *report, bat_problem *problem) {
+    bat_pictures none = {0};
+    bool left = false;
     (void)how;
-    (void)report;
-    return bat_document_read(text, size, out, problem);
+    const bat_status status = bat_document_read_with(text, size, &none, out, &left, problem);
+    bat_pictures_free(&none);
+    if (left) report->lost.count[BAT_LOSS_BROKEN]++;
+    return status;
 }
 
 static bat_status write(const bat_document *document, char **text, size_t *size, bat_problem *problem) {

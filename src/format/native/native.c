@@ -195,7 +195,7 @@ static bat_status read_pictures(const bat_fields *f, uint32_t list, bat_pictures
     return status;
 }
 
-static bat_status read_document(const bat_fields *f, bat_document *document) {
+static bat_status read_document(const bat_fields *f, bat_document *document, bool *left) {
     uint32_t version = bat_json_member(f->json, 1, "batten");
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
@@ -207,35 +207,38 @@ static bat_status read_document(const bat_fields *f, bat_document *document) {
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
     if (status == BAT_OK) status = read_objects(f, bat_json_member(f->json, 1, "objects"), document);
     if (status == BAT_OK) status = bat_fields_id(f, 1, "next", BAT_ID_MAX + 1, &next);
-    if (status == BAT_OK) status = bat_source_from_json(f, bat_json_member(f->json, 1, "source"), document);
+    if (status == BAT_OK)
+        status = bat_source_from_json(f, bat_json_member(f->json, 1, "source"), document, left);
     if (status == BAT_OK) bat_document_raise_next(document, next);
     return status;
 }
 
 bat_status bat_document_read(const char *text, size_t size, bat_document **out, bat_problem *problem) {
     bat_pictures none = {0};
-    bat_status status = bat_document_read_with(text, size, &none, out, problem);
+    bat_status status = bat_document_read_with(text, size, &none, out, NULL, problem);
     bat_pictures_free(&none);
     return status;
 }
 
 bat_status bat_document_read_with(const char *text, size_t size, bat_pictures *pictures, bat_document **out,
-                                  bat_problem *problem) {
+                                  bool *left, bat_problem *problem) {
     if (!text || !out) return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
     bat_json json;
     bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
     bat_fields f = {&json, pictures, problem};
     bat_document *document = NULL;
+    bool without = false;
     status = read_pictures(&f, bat_json_member(&json, 1, "pictures"), pictures);
     if (status == BAT_OK && (status = bat_document_create(&document)) != BAT_OK)
         bat_problem_set(problem, status, "", bat_status_message(status));
-    if (status == BAT_OK) status = read_document(&f, document);
+    if (status == BAT_OK) status = read_document(&f, document, &without);
     bat_json_free(&json);
     if (status != BAT_OK)
         bat_document_free(document);
     else
         *out = document;
+    if (left) *left = without;
     return status;
 }
 

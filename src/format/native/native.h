@@ -23,8 +23,9 @@ bat_status bat_picture_from_json(const bat_json *json, uint32_t node, bat_pictur
 /* pictures: also writes the bytes of the pictures that images refer to (when these are more than a reader accepts, the
  * text fails), and the file that the document was read from. */
 void bat_document_to_json(const bat_document *document, bool pictures, bat_text *text);
-/* Like bat_document_read, given pictures that are known already; those of the document are added to them. */
+/* Like bat_document_read, given pictures that are known already; those of the document are added to them. *left, unless
+ * NULL: whether the text of an SVG file was left out, since it is not well-formed XML. */
 bat_status bat_document_read_with(const char *text, size_t size, bat_pictures *pictures, bat_document **out,
-                                  bat_problem *problem);
+                                  bool *left, bat_problem *problem);
 
 #endif

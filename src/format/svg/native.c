@@ -20,7 +20,7 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
     report->lost.count[BAT_LOSS_NATIVE] = 1;
     if (!noted || strcmp(noted, own) != 0) return;
     bat_status status = bat_document_read_with(reader->native.data ? reader->native.data : "",
-                                               reader->native.size, pictures, &native, NULL);
+                                               reader->native.size, pictures, &native, NULL, NULL);
     if (status != BAT_OK) return;
     /* The page alone may have been changed; what a saved view shows is not the page. */
     double page[4], written[4];

@@ -145,21 +145,32 @@ uint32_t bat_svg_selector_weigh(const char *selector, size_t size, uint32_t *sub
     return 1 + parts[2] + (parts[1] << 8) + (parts[0] << 16);
 }
 
+static bat_svg_key key_of(const simple *part) {
+    bat_svg_key key = {.mark = part->kind, .text = part->name, .size = (uint32_t)part->size};
+    const bool ends = part->test == '^' || part->test == '$';
+    if (part->kind != '[') return key;
+    if (part->test == '~' && part->size == 5 && memcmp(part->name, "class", 5) == 0)
+        return (bat_svg_key){.mark = '.', .text = part->value, .size = (uint32_t)part->value_size};
+    if (part->test == '=' || (ends && part->value_size > 0 && part->value_size <= BAT_SVG_ENDS_MAX))
+        key.mark = part->test, key.value = part->value, key.value_size = (uint32_t)part->value_size;
+    return key;
+}
+
 bat_svg_key bat_svg_selector_key(const char *s, const char *end) {
-    static const char any[] = "*";
-    bat_svg_key key = {any, 1, 0};
-    int best = 0;
+    static const char any[] = "*", marks[] = "*t[.$^=#"; /* the rarer, the later */
+    bat_svg_key best = {.mark = 't', .text = any, .size = 1};
     const char *from = s;
+    ptrdiff_t most = 0;
     simple part;
     while (s && s < end) {
-        const char *at = s;
         s = read_simple(s, end, s == from, &part);
-        const int rank = part.kind == '#' ? 3 : part.kind == '.' ? 2 : part.kind == 't' ? 1 : 0;
-        if (!s || rank <= best) continue;
-        best = rank;
-        key = (bat_svg_key){at, (uint32_t)(s - at), 0};
+        if (!s) break;
+        const bat_svg_key key = key_of(&part);
+        const char *found = memchr(marks, key.mark, sizeof marks - 1);
+        if (!found || found - marks <= most) continue;
+        most = found - marks, best = key;
     }
-    return key;
+    return best;
 }
 
 /* ---- matching ---- */

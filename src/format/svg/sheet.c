@@ -44,15 +44,21 @@ static int compare_rules(const void *a, const void *b) {
     return (x->selector > y->selector) - (x->selector < y->selector);
 }
 
-static int compare_keys(const void *a, const void *b) {
-    const bat_svg_key *x = a, *y = b;
-    int order = memcmp(x->text, y->text, x->size < y->size ? x->size : y->size);
-    if (order != 0) return order;
-    if (x->size != y->size) return x->size < y->size ? -1 : 1;
-    return (x->rule > y->rule) - (x->rule < y->rule);
+static int compare_texts(const char *a, size_t a_size, const char *b, size_t b_size) {
+    const size_t both = a_size < b_size ? a_size : b_size;
+    const int order = both > 0 ? memcmp(a, b, both) : 0;
+    return order ? order : (a_size > b_size) - (a_size < b_size);
 }
 
-/* The key of a rule: of the last compound of its selector the id, else the first class, else the type. */
+static int compare_keys(const void *a, const void *b) {
+    const bat_svg_key *x = a, *y = b;
+    if (x->mark != y->mark) return x->mark < y->mark ? -1 : 1;
+    int order = compare_texts(x->text, x->size, y->text, y->size);
+    if (order == 0) order = compare_texts(x->value, x->value_size, y->value, y->value_size);
+    return order ? order : (x->rule > y->rule) - (x->rule < y->rule);
+}
+
+/* The key of a rule: of the last compound of its selector the id, else an attribute's value, a class, an attribute, the type. */
 static bat_svg_key key_of(const bat_svg_sheet *sheet, size_t rule) {
     const bat_svg_rule *r = &sheet->rules[rule];
     const char *s = sheet->text + r->selector;
@@ -66,7 +72,11 @@ static bat_status put_in_order(bat_svg_sheet *sheet) {
     qsort(sheet->rules, sheet->count, sizeof *sheet->rules, compare_rules); /* no ties */
     sheet->keys = malloc(sheet->count * sizeof *sheet->keys);
     if (!sheet->keys) return BAT_MEMORY;
-    for (size_t i = 0; i < sheet->count; i++) sheet->keys[i] = key_of(sheet, i);
+    for (size_t i = 0; i < sheet->count; i++) {
+        sheet->keys[i] = key_of(sheet, i);
+        if (strchr("=^$[", sheet->keys[i].mark)) sheet->by_attributes = true;
+        if (strchr("^$", sheet->keys[i].mark)) sheet->by_ends = true;
+    }
     qsort(sheet->keys, sheet->count, sizeof *sheet->keys, compare_keys); /* no ties */
     return BAT_OK;
 }
@@ -190,27 +200,24 @@ void bat_svg_sheet_free(bat_svg_sheet *sheet) {
     *sheet = (bat_svg_sheet){0};
 }
 
-/* The first rule from `from` on whose key has this mark (0: none) and name. */
-static size_t next_of(const bat_svg_sheet *sheet, char mark, const char *name, size_t size, size_t from) {
+/* The first rule from `from` on whose key is like that one. */
+static size_t next_of(const bat_svg_sheet *sheet, bat_svg_key wanted, size_t from) {
     size_t low = 0, high = sheet->count;
+    wanted.rule = (uint32_t)from;
     while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        const bat_svg_key *key = &sheet->keys[middle];
-        const char *text = key->text + (mark != 0);
-        size_t left = key->size - (mark != 0);
-        int order = mark ? (unsigned char)*key->text - (unsigned char)mark : 0;
-        if (order == 0) order = memcmp(text, name, left < size ? left : size);
-        if (order == 0) order = (left > size) - (left < size);
-        if (order < 0 || (order == 0 && key->rule < from))
+        const size_t middle = low + (high - low) / 2;
+        if (compare_keys(&sheet->keys[middle], &wanted) < 0)
             low = middle + 1;
         else
             high = middle;
     }
     if (low == sheet->count) return sheet->count;
-    const bat_svg_key *key = &sheet->keys[low];
-    bool same_name = key->size == size + (mark != 0) && (!mark || *key->text == mark) &&
-                     memcmp(key->text + (mark != 0), name, size) == 0;
-    return same_name ? key->rule : sheet->count;
+    const size_t rule = wanted.rule = sheet->keys[low].rule;
+    return compare_keys(&sheet->keys[low], &wanted) == 0 ? rule : sheet->count;
+}
+
+static bat_svg_key key_like(char mark, const char *name, size_t size) {
+    return (bat_svg_key){.mark = mark, .text = name, .size = (uint32_t)size};
 }
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
@@ -218,15 +225,33 @@ static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 size_t bat_svg_sheet_next(const bat_svg_sheet *sheet, const char *type, const char *id, const char *classes,
                           size_t from) {
     if (from >= sheet->count) return sheet->count;
-    size_t next = next_of(sheet, 0, "*", 1, from);
-    if (type) next = least(next, next_of(sheet, 0, type, strlen(type), from));
-    if (id) next = least(next, next_of(sheet, '#', id, strlen(id), from));
+    size_t next = next_of(sheet, key_like('t', "*", 1), from);
+    if (type) next = least(next, next_of(sheet, key_like('t', type, strlen(type)), from));
+    if (id) next = least(next, next_of(sheet, key_like('#', id, strlen(id)), from));
     while (classes && *classes) {
         while (is_space(*classes)) classes++;
         size_t n = 0;
         while (classes[n] && !is_space(classes[n])) n++;
-        if (n > 0) next = least(next, next_of(sheet, '.', classes, n, from));
+        if (n > 0) next = least(next, next_of(sheet, key_like('.', classes, n), from));
         classes += n;
+    }
+    return next;
+}
+
+size_t bat_svg_sheet_next_by(const bat_svg_sheet *sheet, const char *name, const char *value, size_t from) {
+    if (from >= sheet->count) return sheet->count;
+    bat_svg_key key = key_like('[', name, strlen(name));
+    const size_t size = strlen(value), most = !sheet->by_ends           ? 0
+                                              : size < BAT_SVG_ENDS_MAX ? size
+                                                                        : BAT_SVG_ENDS_MAX;
+    size_t next = next_of(sheet, key, from);
+    key.mark = '=', key.value = value, key.value_size = (uint32_t)size;
+    next = least(next, next_of(sheet, key, from));
+    for (size_t n = 1; n <= most; n++) {
+        key.mark = '^', key.value = value, key.value_size = (uint32_t)n;
+        next = least(next, next_of(sheet, key, from));
+        key.mark = '$', key.value = value + size - n;
+        next = least(next, next_of(sheet, key, from));
     }
     return next;
 }

@@ -91,29 +91,36 @@ typedef struct bat_svg_rule {
     uint32_t weight;                                   /* specificity */
 } bat_svg_rule;
 
-/* What an element must have for a rule to match it: "#id", ".class", "type" or "*". */
+/* What an element must have for a rule to match it. mark: '#' an id, '.' a class, 't' a type or "*", '=' an attribute of that
+ * value, '^' and '$' one that begins or ends so, '[' an attribute of any value. */
 typedef struct bat_svg_key {
-    const char *text;
-    uint32_t size, rule;
+    char mark;
+    const char *text, *value; /* value: of '=', '^' and '$' */
+    uint32_t size, value_size, rule;
 } bat_svg_key;
 
 typedef struct bat_svg_sheet {
     char *text;          /* without comments, zero-terminated; owned */
     bat_svg_rule *rules; /* ascending weight, then order */
-    bat_svg_key *keys;   /* one per rule, sorted by text, then by rule */
+    bat_svg_key *keys;   /* one per rule, sorted by what they ask for, then by rule */
     size_t count;
-    int blocks;     /* number of "{ ... }" blocks and "@" rules */
-    bool variables; /* it may set some */
+    int blocks;                  /* number of "{ ... }" blocks and "@" rules */
+    bool variables;              /* it may set some */
+    bool by_attributes, by_ends; /* keys ask for attributes; for how they begin or end */
 } bat_svg_sheet;
 
-enum { BAT_SVG_RULES_MAX = 20000 };
+enum {
+    BAT_SVG_RULES_MAX = 20000,
+    BAT_SVG_ENDS_MAX = 32 /* bytes of a value that a key says the beginning or end of */
+};
 
 bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *sheet);
 void bat_svg_sheet_free(bat_svg_sheet *sheet);
 /* The first rule from `from` on that may match, judged by its key; `count`: none. type, id, classes: NULL when
- * there is none. */
+ * there is none. Rules whose keys ask for attributes are found by the second function, for each attribute. O(log rules). */
 size_t bat_svg_sheet_next(const bat_svg_sheet *sheet, const char *type, const char *id, const char *classes,
                           size_t from);
+size_t bat_svg_sheet_next_by(const bat_svg_sheet *sheet, const char *name, const char *value, size_t from);
 
 /* ---- select.c ---- */
 bool bat_svg_is_name(char c);

@@ -105,13 +105,27 @@ static void declare(const bat_svg_scope *outer, const char *text, size_t size, t
         bat_svg_style_declarations(style, &outer->style, diagonal(outer), text, size, what == IMPORTANT);
 }
 
+static size_t next_rule(const bat_svg_walk *w, uint32_t element, const char *type, const char *id,
+                        const char *classes, size_t from) {
+    size_t next = bat_svg_sheet_next(w->sheet, type, id, classes, from);
+    if (!w->sheet->by_attributes) return next;
+    const bat_svg_element *e = &w->tree->elements[element];
+    const uint32_t *pair = w->tree->attributes + e->attributes;
+    const char *strings = w->tree->strings.data;
+    for (uint32_t k = 0; k < e->attribute_count; k++, pair += 2) {
+        const size_t other = bat_svg_sheet_next_by(w->sheet, strings + pair[0], strings + pair[1], from);
+        if (other < next) next = other;
+    }
+    return next;
+}
+
 static void match_rules(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, taken what,
                         bat_svg_style *style) {
     const char *id = bat_svg_attribute_of(w, element, "id"),
                *classes = bat_svg_attribute_of(w, element, "class");
     const char *type = bat_svg_tree_name(w->tree, element);
     size_t i = 0;
-    while ((i = bat_svg_sheet_next(w->sheet, type, id, classes, i)) < w->sheet->count) {
+    while ((i = next_rule(w, element, type, id, classes, i)) < w->sheet->count) {
         const bat_svg_rule *rule = &w->sheet->rules[i++];
         if (bat_svg_rule_matches(w->sheet, rule, w->tree, element, &w->tried))
             declare(outer, w->sheet->text + rule->body, rule->body_size, what, style);

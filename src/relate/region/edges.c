@@ -21,18 +21,49 @@ static int by_u(const void *a, const void *b) {
     return (x->spot > y->spot) - (x->spot < y->spot);
 }
 
-bat_status bat_region_piece(const bat_curve *curve, const double u[2], const double *from, const double *to,
-                            bat_curve **out) {
+/* From u[0] on, enough of the curve that its piece up to `end` depends on nothing behind it: some knots more, or the whole. */
+static bat_status open_before(const bat_curve *curve, double from, double end, bat_curve **out) {
+    const double *t = bat_curve_knots(curve);
+    const int count = bat_curve_knot_count(curve) - 1, degree = bat_curve_degree(curve);
+    const double period = t[count] - t[0], lap = end >= t[count] ? period : 0;
+    int low = 0, high = count; /* the last knot that is not behind the end */
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (t[middle] + lap <= end)
+            low = middle;
+        else
+            high = middle;
+    }
+    int after = low, more = 2 * degree + 2;
+    for (; after < count && more > 0; after++) more -= t[after + 1] > t[after];
+    const double last = lap > 0 ? t[count] + (t[after] - t[0])
+                                : t[after]; /* as such a knot is computed elsewhere */
+    return more > 0 || !(last - from < period) || from < t[0] || from > t[count]
+               ? bat_curve_open_at(curve, from, out)
+               : bat_curve_piece(curve, from, last, out);
+}
+
+/* The piece, out of all of the curve or of what is enough. */
+static bat_status piece_of(const bat_curve *curve, const double u[2], bool whole, bat_curve **out) {
     double domain[2];
     bat_curve *round;
-    bat_status status = bat_curve_open_at(curve, u[0], &round);
-    if (status != BAT_OK) return status;
     bat_curve_domain(curve, domain);
-    const double period = domain[1] - domain[0];
+    const double wanted = u[1] > u[0] ? u[1] : u[1] + (domain[1] - domain[0]);
+    bat_status status = whole ? bat_curve_open_at(curve, u[0], &round)
+                              : open_before(curve, u[0], wanted, &round);
+    if (status != BAT_OK) return status;
     bat_curve_domain(round, domain);
-    const double end = bat_nearest_knot(round, u[1] > u[0] ? u[1] : u[1] + period);
+    const double end = bat_nearest_knot(round, wanted);
     status = bat_curve_piece(round, domain[0], fmin(end, domain[1]), out);
     bat_curve_free(round);
+    return status;
+}
+
+bat_status bat_region_piece(const bat_curve *curve, const double u[2], const double *from, const double *to,
+                            bat_curve **out) {
+    bat_status status = piece_of(curve, u, false, out);
+    if (status == BAT_KNOTS)
+        status = piece_of(curve, u, true, out); /* no curve ends there: out of the whole */
     if (status != BAT_OK) return status;
     double *points = bat_curve_own_points(*out);
     memcpy(points, from, 2 * sizeof *points);

@@ -11,6 +11,7 @@
 #include <batten/format.h>
 #include <batten/sweep.h>
 #include <batten/format_space.h>
+#include "support/alloc_fail.h"
 #include "support/random_curve.h"
 
 static const double TURN = 6.283185307179586477;
@@ -311,6 +312,45 @@ static void what_cannot_be_swept(void **state) {
     bat_curve_free(corner), bat_curve_free(point), bat_curve_free(path), bat_curve_free(profile);
 }
 
+/* A tolerance below rounding is refused after a round or two, before the knots are as many as memory holds: each round takes
+ * some twenty allocations. At other sizes the same shape needs the same knots. */
+static void what_rounding_does_not_allow(void **state) {
+    (void)state;
+    enum { FEW = 80 };
+    const double sizes[] = {1, 1e-6, 1e6, 1e30, 1e-290};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        bat_curve *path = line(3, 0, 0, 4 * sizes[i], 0), *bent = NULL;
+        bat_curve *profile = line(2, -sizes[i], 1e30 * sizes[i], sizes[i], 0);
+        const double points[12] = {0,        0,        0, sizes[i], 0,        0,
+                                   sizes[i], sizes[i], 0, sizes[i], sizes[i], sizes[i]};
+        bat_sweep_options options = bat_sweep_defaults();
+        bat_surface *s = NULL;
+        assert_int_equal(bat_curve_create_clamped(3, 3, 4, points, &bent), BAT_OK);
+        options.twist.constant = 1;
+        for (int k = 0; k < 2; k++) {
+            bat_sweep *sweep = sweep_of(k ? bent : path, profile, &options);
+            alloc_fail_at(FEW);
+            assert_int_equal(bat_sweep_surface(sweep, 4e-4 * sizes[i], &s, NULL), BAT_TOLERANCE);
+            assert_false(alloc_fail_reached());
+            bat_sweep_free(sweep);
+        }
+        bat_curve_free(profile);
+        profile = line(2, -sizes[i], 0, sizes[i], 0);
+        bat_sweep *sweep = sweep_of(bent, profile, NULL);
+        alloc_fail_at(10 * FEW);
+        assert_int_equal(bat_sweep_surface(sweep, 1e-18 * sizes[i], &s, NULL), BAT_TOLERANCE);
+        assert_false(alloc_fail_reached());
+        assert_null(s);
+        assert_int_equal(bat_sweep_surface(sweep, 1e-9 * sizes[i], &s, NULL), BAT_OK);
+        static int64_t count;
+        if (i == 0) count = (int64_t)bat_surface_count(s, 0);
+        assert_int_equal(bat_surface_count(s, 0), count);
+        bat_surface_free(s);
+        bat_sweep_free(sweep);
+        bat_curve_free(profile), bat_curve_free(path), bat_curve_free(bent);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_circle_along_a_circle_is_a_torus),
@@ -320,6 +360,7 @@ int main(void) {
         cmocka_unit_test(a_fold_is_found_where_it_is),
         cmocka_unit_test(a_path_shorter_than_the_profile),
         cmocka_unit_test(what_cannot_be_swept),
+        cmocka_unit_test(what_rounding_does_not_allow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

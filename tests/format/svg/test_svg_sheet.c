@@ -145,6 +145,61 @@ static void all_rules_that_match_are_found(void **unused) {
     }
 }
 
+static size_t next_candidate(const bat_svg_sheet *sheet, const bat_svg_tree *tree, uint32_t element,
+                             size_t from) {
+    const bat_svg_element *e = &tree->elements[element];
+    size_t next = bat_svg_sheet_next(sheet, bat_svg_tree_name(tree, element),
+                                     bat_svg_tree_attribute(tree, element, "id"),
+                                     bat_svg_tree_attribute(tree, element, "class"), from);
+    for (uint32_t k = 0; k < e->attribute_count; k++) {
+        const uint32_t *pair = tree->attributes + e->attributes + (size_t)2 * k;
+        const size_t other = bat_svg_sheet_next_by(sheet, tree->strings.data + pair[0],
+                                                   tree->strings.data + pair[1], from);
+        if (other < next) next = other;
+    }
+    return next;
+}
+
+/* Every rule that matches is a candidate, in order; of rules about other values hardly any is. */
+static void rules_about_attributes_are_found(void **unused) {
+    (void)unused;
+    static const char *const tests[] = {"=", "~=", "^=", "$=", "*=", ""};
+    unsigned state = 11;
+    long steps = 0;
+    int matched = 0, candidates = 0;
+    for (int round = 0; round < 300; round++) {
+        char text[6000] = ".z{}";
+        bat_svg_sheet sheet;
+        bat_svg_tree tree;
+        for (unsigned i = next_random(&state) % 40; i > 0; i--) {
+            const char *name = next_random(&state) % 2 ? "class" : "id",
+                       *test = tests[next_random(&state) % 6];
+            const char *word = words[next_random(&state) % WORDS],
+                       *quote = next_random(&state) % 2 ? "'" : "";
+            const size_t at = strlen(text);
+            if (next_random(&state) % 2) add_selector(text, sizeof text, &state);
+            snprintf(text + strlen(text), sizeof text - strlen(text),
+                     *test ? "[%s%s%s%s%s]{fill:red}" : "[%s]{fill:red}", name, test, quote, word, quote);
+            assert_true(strlen(text) > at);
+        }
+        assert_int_equal(bat_svg_sheet_parse(text, strlen(text), &sheet), BAT_OK);
+        make_tree(&tree, &state);
+        for (uint32_t element = 1; element < tree.count; element++) {
+            size_t at = 0;
+            for (size_t i = 0; i < sheet.count; i++) {
+                if (!bat_svg_rule_matches(&sheet, &sheet.rules[i], &tree, element, &steps)) continue;
+                do at = next_candidate(&sheet, &tree, element, at), candidates++;
+                while (at < i && ++at);
+                assert_int_equal(at++, i);
+                matched++;
+            }
+        }
+        bat_svg_tree_free(&tree);
+        bat_svg_sheet_free(&sheet);
+    }
+    assert_true(matched > 1000 && candidates < 3 * matched);
+}
+
 static void elements_are_found_as_by_trying_all(void **unused) {
     (void)unused;
     unsigned state = 9;
@@ -293,9 +348,9 @@ static void memory_may_run_out(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_rules_that_match_are_found),
-                                       cmocka_unit_test(elements_are_found_as_by_trying_all),
-                                       cmocka_unit_test(styles_apply_as_css_says),
-                                       cmocka_unit_test(memory_may_run_out)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_rules_that_match_are_found),
+        cmocka_unit_test(elements_are_found_as_by_trying_all), cmocka_unit_test(styles_apply_as_css_says),
+        cmocka_unit_test(rules_about_attributes_are_found), cmocka_unit_test(memory_may_run_out)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
