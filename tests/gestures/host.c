@@ -13,6 +13,7 @@
  *   add NAME                         ... besides what is selected
  *   state NAME HIDDEN LOCKED
  *   level ACT LEVEL VALUE DONE       as bat_editor_level
+ *   stroke                           prints a line: what changed since the last one, or since "before"
  *   before                           the document as it is now is the one to compare with
  *   mark                             the view is noted
  *   p PHASE DEVICE CONTACT BUTTONS MODIFIERS X Y PRESSURE TIME   phase, device as in input.h; TIME in ms
@@ -209,12 +210,12 @@ static void put_places(const bat_curve *curve, int each) {
         if (!(knots[i + 1] > knots[i])) continue;
         for (int j = 0; j < each; j++) {
             bat_curve_eval(curve, knots[i] + (knots[i + 1] - knots[i]) * j / each, 0, at);
-            printf("%s[%.7g,%.7g]", any ? "," : "", at[0], dimension > 1 ? at[1] : 0);
+            printf("%s[%.13g,%.13g]", any ? "," : "", at[0], dimension > 1 ? at[1] : 0);
             any = true;
         }
     }
     bat_curve_eval(curve, knots[last], 0, at);
-    if (!bat_curve_is_closed(curve)) printf(",[%.7g,%.7g]", at[0], at[1]);
+    if (!bat_curve_is_closed(curve)) printf(",[%.13g,%.13g]", at[0], at[1]);
     putchar(']');
 }
 
@@ -313,6 +314,40 @@ static void report(void) {
     fflush(stdout);
 }
 
+static void remember(void) {
+    bat_document_free(before);
+    before = NULL;
+    if (bat_document_copy(bat_editor_document(editor), &before) != BAT_OK) fail("memory", "");
+}
+
+/* What a stroke changed, as one line; the next is compared with what is there now. */
+static void stroke_report(void) {
+    const bat_document *after = bat_editor_document(editor);
+    const char *readings = bat_editor_readings(editor);
+    if (!before) fail("no", "before");
+    printf("{\"changed\":");
+    put_ids(after, before, true);
+    printf(",\"added\":");
+    put_ids(after, before, false);
+    printf(",\"removed\":");
+    put_ids(before, after, false);
+    printf(",\"readings\":%s,\"pending\":%u,\"after\":", readings && *readings ? readings : "null",
+           bat_editor_frame(editor)->pending);
+    bool any = false;
+    putchar('[');
+    for (int i = 0; i < bat_document_count(after); i++) {
+        const bat_object *object = bat_document_at(after, i), *other = find(before, bat_object_id(object));
+        if (!bat_object_is_drawn(object) || (other && same(object, other))) continue;
+        for (int k = 0; k < bat_object_curve_count(object); k++) {
+            printf(any ? "," : "");
+            put_places(bat_object_curve(object, k), 12);
+            any = true;
+        }
+    }
+    printf("]}\n");
+    remember();
+}
+
 static void order(char *line) {
     char word[32] = "", name[256] = "";
     double a = 0, b = 0, c = 0;
@@ -354,13 +389,13 @@ static void order(char *line) {
         bat_status status = bat_editor_level(editor, (bat_level_act)act, level, a, done != 0);
         if (status != BAT_OK) refuse(line, status);
     } else if (!strcmp(word, "before")) {
-        bat_document_free(before);
-        before = NULL;
-        if (bat_document_copy(bat_editor_document(editor), &before) != BAT_OK) fail("memory", "");
+        remember();
     } else if (!strcmp(word, "mark")) {
         if (mark_count < MARKS) memcpy(marks[mark_count++], view(), sizeof marks[0]);
     } else if (!strcmp(word, "report"))
         report();
+    else if (!strcmp(word, "stroke"))
+        stroke_report();
     else
         fail("bad order", line);
 }

@@ -99,7 +99,11 @@ export async function kills(count, seed) {
       } else {
         await page.close().catch(() => {});
       }
-      const next = await visit(context, server.address);
+      const next = await visit(context, server.address).catch(async () => { // the browser itself did not survive it
+        await context.close().catch(() => {});
+        context = await launchAt(profile);
+        return visit(context, server.address);
+      });
       await next.page.close();
       const missing = drawn + ups.length - next.drawn;
       assert.ok(next.drawn >= kept, `kill ${k} of seed ${seed}: ${next.drawn} strokes, ${kept} were said to be kept`);

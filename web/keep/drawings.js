@@ -16,6 +16,10 @@ const OF_DRAWING = ['left', 'kept', 'other', 'unkept', 'changed', 'trap'];
 const TOLD = 'batten-told-lasting'; // whether the user knows that the browser may clear it away
 const TRIES = 3; // to read what is kept
 const PAUSE = 100; // milliseconds between them
+const PATIENCE = 5000; // milliseconds for each: a store that does not answer must not keep the page from beginning
+
+/** @param {number} time milliseconds @returns {Promise<undefined>} */
+const pause = (time) => new Promise((resolve) => setTimeout(() => resolve(undefined), time));
 
 /** @param {string} id @param {string} place */
 export const keyOf = (id, place) => (place ? `file ${place}` : id);
@@ -140,12 +144,14 @@ export class Drawings {
   async list() {
     for (let tries = 0; tries < TRIES; tries++) {
       try {
-        const all = (await this.keeper.list()).filter(({ gone }) => !gone);
-        this.notices.over('unread');
-        return all;
+        const all = await Promise.race([this.keeper.list(), pause(PATIENCE)]);
+        if (all) {
+          this.notices.over('unread');
+          return all.filter(({ gone }) => !gone);
+        }
       } catch (error) {
         console.warn(error);
-        await new Promise((resolve) => setTimeout(resolve, PAUSE));
+        await pause(PAUSE);
       }
     }
     this.notices.ask('unread', word('shell.kept-unread'), [{ label: word('shell.again'), run: () => void this.#openAgain() }]);

@@ -35,9 +35,10 @@ async function answer(store, job) {
   }
 }
 
-/** Jobs run one after the other; the first reports that the worker runs. */
+/** Jobs run one after the other; before them the worker reports that it runs. */
 const store = start();
-let last = store.then(() => postMessage('ready'), () => postMessage('ready'));
+let last = store.then(() => {}, () => {});
+postMessage('ready');
 onmessage = ({ data }) => {
   last = last.then(() => answer(store, data)).then((told) => postMessage(told));
 };

@@ -19,9 +19,10 @@ export class Opfs {
   /** The browser's, if it can be written; throws if not. */
   static async find() {
     const room = new Opfs(await navigator.storage.getDirectory());
-    const trial = `${crypto.getRandomValues(new Uint32Array(2)).join('')}.trial`;
-    await (await room.open(trial)).close();
-    await room.remove(trial);
+    const trial = `${crypto.getRandomValues(new Uint32Array(2)).join('')}.trial`; // no drawing's: one that is left does no harm
+    const access = await room.open(trial);
+    await access.close();
+    await room.remove(trial).catch(() => {});
     return room;
   }
 

@@ -41,6 +41,8 @@ static bat_status chain(const bat_document *document, const bat_edit *edit, bat_
 static bat_status one_curve(const bat_document *document, const bat_edit *edit, bat_curve **out,
                             bat_sketch_report *report) {
     bat_stroke stroke = bat_samples_stroke(&edit->samples, 0);
+    if (edit->kind == BAT_EDIT_NEW && edit->meaning.mark)
+        return bat_sketch_mark(&stroke, &edit->options, out, report);
     if (edit->kind == BAT_EDIT_NEW)
         return bat_sketch_new_meant(&stroke, &edit->options, &edit->meaning, out, report);
     const bat_curve *target = bat_edit_curve(document, edit, edit->object, edit->curve);

@@ -95,9 +95,12 @@ static void write_redraw(bat_text *line, const bat_sketch_meaning *meaning) {
 static void write_new(bat_text *line, const bat_sketch_meaning *meaning, int dimension) {
     if (meaning->closing)
         bat_text_string(line, meaning->closing == BAT_CLOSING_YES ? ",\"closed\":true" : ",\"closed\":false");
-    if (!meaning->put) return;
-    bat_text_string(line, ",\"start\":");
-    bat_line_numbers(line, meaning->start, (size_t)dimension, 1);
+    if (meaning->mark) bat_text_string(line, ",\"mark\":true");
+    for (int side = 0; side < 2; side++) {
+        if (!meaning->put[side]) continue;
+        bat_text_string(line, side ? ",\"finish\":" : ",\"start\":");
+        bat_line_numbers(line, meaning->tip[side], (size_t)dimension, 1);
+    }
 }
 
 static void write_parts(bat_text *line, const bat_edit *edit) {
@@ -322,7 +325,11 @@ static void read_new(reader *r, bat_sketch_meaning *meaning, int dimension) {
     if (closed)
         meaning->closing = bat_json_type_of(r->json, closed) == BAT_JSON_TRUE ? BAT_CLOSING_YES
                                                                               : BAT_CLOSING_NO;
-    meaning->put = read_numbers(r, "start", dimension, BAT_COORDINATE_MAX, meaning->start);
+    uint32_t mark = bat_json_member(r->json, r->object, "mark");
+    meaning->mark = mark && bat_json_type_of(r->json, mark) == BAT_JSON_TRUE;
+    for (int side = 0; side < 2; side++)
+        meaning->put[side] = read_numbers(r, side ? "finish" : "start", dimension, BAT_COORDINATE_MAX,
+                                          meaning->tip[side]);
 }
 
 static void read_parts(reader *r, bat_edit *edit) {

@@ -42,9 +42,10 @@ bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found) {
         e->corner = false;
         if (plan->closed) continue;
         const double stub = side == 0 ? e->s : e->track->length - e->s;
-        if (e->rule != BAT_END_RULE_HELD && (stub < fmax(e->offset, shortest_stub) || e->offset > far))
-            e->kind = BAT_END_FREE;
+        if (e->rule != BAT_END_RULE_HELD && stub < fmax(e->offset, shortest_stub)) e->kind = BAT_END_FREE;
         if (e->rule == BAT_END_RULE_FREE) e->kind = BAT_END_FREE;
+        /* So much of a curve is not cut off because the stroke ends far away from it; and it can not blend back. */
+        if (e->rule == BAT_END_RULE_AUTO && e->kind == BAT_END_FREE && stub > far) return BAT_FAR;
     }
     return BAT_OK;
 }
@@ -75,8 +76,7 @@ static int corner_in(const bat_end *e, int side, double reach) {
     return best;
 }
 
-/* Cuts exactly at a knot where the curve is only C0 (or at its end). */
-static void stop_at(bat_end *e, int side, double u, bool corner) {
+void bat_end_stop(bat_end *e, int side, double u, bool corner) {
     const double sign = side == 0 ? -1 : 1;
     double s = bat_track_s(e->track, u);
     if (e->curve->closed) { /* the period that lies nearest to the stroke's end */
@@ -116,7 +116,7 @@ static void choose_cut(bat_end *e, int side, double room) {
             best = fabs(beyond), chosen = knot, snapped = near, sharp = corner;
         }
     if (sharp) {
-        stop_at(e, side, chosen, true);
+        bat_end_stop(e, side, chosen, true);
     } else if (best < INFINITY) {
         e->cut = chosen;
         if (!snapped) return;
@@ -156,14 +156,14 @@ void bat_plan_cuts(bat_plan *plan) {
         if (e->kind == BAT_END_FREE) continue;
         const bat_stroke_track *k = e->track;
         if (e->rule == BAT_END_RULE_HELD && !plan->closed) {
-            stop_at(e, side, side == 0 ? k->start : k->end, false);
+            bat_end_stop(e, side, side == 0 ? k->start : k->end, false);
             e->blend = fmin(fmax(12, 3 * e->offset), 0.3 * L);
             continue;
         }
         if (plan->keep_corners) {
             const int corner = corner_in(e, side, e->lead);
             if (corner >= 0) {
-                stop_at(e, side, e->curve->knots[corner], true);
+                bat_end_stop(e, side, e->curve->knots[corner], true);
                 if (e->lead < corner_reach) { /* the stroke is meant to start there */
                     e->lead = 0;
                     e->blend = fmin(fmax(12, 3 * e->offset), 0.3 * L);
@@ -174,7 +174,7 @@ void bat_plan_cuts(bat_plan *plan) {
         if (!e->curve->closed) {
             const double stub = side == 0 ? e->s : k->length - e->s;
             if (stub - e->lead < 6) {
-                stop_at(e, side, side == 0 ? k->start : k->end, false);
+                bat_end_stop(e, side, side == 0 ? k->start : k->end, false);
                 continue;
             }
             room[side] = stub - e->lead - 1;

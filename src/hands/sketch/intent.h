@@ -33,8 +33,9 @@ typedef struct bat_intent_reading {
     int count;
     bat_intent_part part[BAT_INTENT_PARTS]; /* JOIN: two curves; SEVERAL: all; NEW: none; the others: one */
     bool closed;                            /* NEW: it closes */
-    int onto;                               /* NEW: the line that its start is put on; -1: none */
-    double start[2];                        /* there: where the stroke comes from, its hook left out */
+    bool between;                           /* REDRAW: both ends of the stroke lie on the curve */
+    int onto[2];                            /* NEW: the lines that its start and end are put on; -1: none */
+    double tip[2][2];                       /* where it starts and ends, its hooks left out */
     double cost;                            /* in pixels of stroke, margins included; the least is meant */
 } bat_intent_reading;
 

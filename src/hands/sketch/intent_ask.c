@@ -25,12 +25,14 @@ static void bound(const bat_intent *intent, bat_intent_near *near, double reach)
 }
 
 /* Whether the stroke passes both ends, so that it may run all along and extend the line both ways. */
-static bool passes_both(const bat_intent *intent, const bat_polyline *line) {
-    double distance[2];
+static bool passes_both(const bat_intent *intent, const bat_intent_near *near) {
+    const bat_polyline *line = &near->line;
+    const double most = INTENT_PASSING * bat_intent_fine(intent, near);
+    double distance[2] = {most, most};
     if (line->closed) return false;
     for (int end = 0; end < 2; end++)
         bat_intent_nearest(intent, line->x + (end ? 2 * (size_t)(line->count - 1) : 0), 0, &distance[end]);
-    return distance[0] < INTENT_PASSING && distance[1] < INTENT_PASSING;
+    return distance[0] < most && distance[1] < most;
 }
 
 /* The bound up to which as many lines lie as there can be readings. */
@@ -75,7 +77,7 @@ bat_status bat_intent_ask(bat_intent *intent, bool whole) {
     for (int i = 0; i < intent->line_count && status == BAT_OK; i++) {
         bat_intent_near *near = &intent->line[i];
         if (!near->awake) continue;
-        if (near->bound <= least || !hopeless(intent, near->bound) || passes_both(intent, &near->line))
+        if (near->bound <= least || !hopeless(intent, near->bound) || passes_both(intent, near))
             status = ask(intent, i);
         else
             near->asleep = 1.25 * intent->length;

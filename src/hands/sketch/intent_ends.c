@@ -7,7 +7,9 @@
 
 #include <math.h>
 
-static const double straight = 10, ran_least = 8;
+static const double straight = 10, ran_least = 4, least_rest = 10;
+static const double bend = 30,
+                    corner = 12; /* price of a turn at an end, where it extends and where it joins */
 
 typedef struct head {
     double cost;
@@ -72,8 +74,8 @@ static double run_along(bat_intent *intent, const bat_intent_near *near, int end
         if (foot.d < INTENT_BESIDE) ran += foot.c * intent->ds[m];
         intent->d[i] = foot.d, intent->c[i] = foot.c;
     }
-    if (!(ran > ran_least)) return INFINITY;
-    const double reach = bat_intent_reach(intent, ran) * (intent->chosen ? INTENT_CHOSEN : 1);
+    if (!(ran > ran_least * bat_intent_fine(intent, near))) return INFINITY;
+    const double reach = bat_intent_reach(intent, near, ran);
     for (int i = k; i >= 0; i--) {
         const bat_foot kept = {.d = intent->d[i], .c = intent->c[i]};
         sum += (i < since ? INTENT_FREE : bat_intent_e(&kept, 1, reach)) *
@@ -83,25 +85,36 @@ static double run_along(bat_intent *intent, const bat_intent_near *near, int end
     return sum;
 }
 
+/* How near to the point the stroke begins: somewhere in its hook. */
+static double begins_at(const bat_intent *intent, const double point[2], int side) {
+    enum { LOOKS = 4 };
+    const double whole = intent->length + 2 * intent->hook;
+    double least = INFINITY, p[2];
+    for (int i = 0; i <= LOOKS; i++) {
+        const double a = intent->hook * i / LOOKS;
+        bat_polyline_at(&intent->stroke, side ? whole - a : a, p);
+        least = fmin(least, bat_hypot(p[0] - point[0], p[1] - point[1]));
+    }
+    return least;
+}
+
 static bool find_head(bat_intent *intent, int index, int end, int side, head *out) {
     const bat_intent_near *near = &intent->line[index];
-    double point[2], out_way[2], way[2], passed, first[2];
+    const double fine = bat_intent_fine(intent, near), at_end = INTENT_AT_END * fine;
+    double point[2], out_way[2], way[2], passed = INTENT_PASSING * fine;
     outwards(&near->line, end, point, out_way);
-    const double *p = intent->p + 2 * (size_t)bat_intent_mirror(intent, 0, side);
-    first[0] = p[0], first[1] = p[1];
-    const double start = bat_hypot(first[0] - point[0], first[1] - point[1]);
+    const double start = begins_at(intent, point, side);
     const int k = bat_intent_nearest(intent, point, side, &passed);
     *out = (head){.cost = INFINITY};
-    if (start < INTENT_AT_END) {
+    if (start < at_end) {
         going_on(intent, 0, side, way);
-        *out = (head){.cost = (start - INTENT_AT_END) * fmin(1, intent->length / 60),
-                      .turn = 1 - (way[0] * out_way[0] + way[1] * out_way[1])};
+        *out = (head){.cost = start - at_end, .turn = 1 - (way[0] * out_way[0] + way[1] * out_way[1])};
     }
-    if (k > 0 && passed < INTENT_PASSING) {
+    if (k > 0 && passed < INTENT_PASSING * fine) {
         double off = 0;
         const double sum = run_along(intent, near, end, k, side, &off);
         if (sum < INFINITY) {
-            const double cost = sum + bat_intent_off(intent, off) + 2 * fmax(0, passed - 4.5);
+            const double cost = sum + bat_intent_off(intent, near, off) + 2 * fmax(0, passed - 0.75 * at_end);
             going_on(intent, k, side, way);
             const double turn = 1 - (way[0] * out_way[0] + way[1] * out_way[1]);
             if (cost < out->cost) *out = (head){cost, turn, true, k};
@@ -118,18 +131,23 @@ static double rest_of(const bat_intent *intent, const head *h, int side, double 
     return fabs(intent->a[last] - intent->a[i]);
 }
 
+/* What a stroke adds to an end; the price doubles beyond the length of what it adds to, for then it is a thing of its own. */
+static double more_than(double added, double length) { return added + fmax(0, added - length); }
+
 static void offer_extend(bat_intent *intent, bat_intent_list *list, int index, int end, int side,
                          const head *h) {
     double chord;
     const double rest = rest_of(intent, h, side, &chord);
+    const bat_intent_near *near = &intent->line[index];
     const double turn_most = h->ran ? 1 - 0.798635510047293 : 0.5; /* cosines of 37 and 60 degrees */
-    if (!(h->turn < turn_most) || rest < 10) return;
+    if (!(h->turn < turn_most) || rest < least_rest * bat_intent_fine(intent, near)) return;
     bat_intent_reading reading = {
         .kind = BAT_INTENT_EXTEND,
         .count = 1,
         .part = {{.line = index, .along = {intent->hook, intent->hook + intent->length}}},
-        .onto = -1,
-        .cost = h->cost + rest + (h->ran ? 6 : 12) * h->turn + 0.3 * (rest - chord)};
+        .onto = {-1, -1},
+        .cost = h->cost + more_than(rest, bat_polyline_length(&near->line)) +
+                (h->ran ? bend / 2 : bend) * bat_intent_fine(intent, near) * h->turn + 0.3 * (rest - chord)};
     reading.part[0].free[1 - side] = true;
     reading.part[0].sense = (side == 0) == (end == 1) ? 1 : -1;
     bat_intent_offer(list, &reading);
@@ -138,14 +156,16 @@ static void offer_extend(bat_intent *intent, bat_intent_list *list, int index, i
 /* Off one end, along all of the curve, off the other. */
 static void offer_through(bat_intent *intent, bat_intent_list *list, int index) {
     const bat_intent_near *near = &intent->line[index];
-    double point[2], way[2], passed[2], sum = 0;
+    const double fine = bat_intent_fine(intent, near), passing = INTENT_PASSING * fine,
+                 half = 0.75 * INTENT_AT_END * fine;
+    double point[2], way[2], passed[2] = {passing, passing}, sum = 0;
     int k[2];
     const bool against = near->ran < 0;
-    if (near->least > intent->on || fabs(near->ran) < ran_least) return;
+    if (near->least > intent->on * fine || fabs(near->ran) < ran_least * fine) return;
     for (int end = 0; end < 2; end++) {
         outwards(&near->line, end, point, way);
         k[end ^ against] = bat_intent_nearest(intent, point, 0, &passed[end]);
-        if (passed[end] >= INTENT_PASSING) return;
+        if (passed[end] >= passing) return;
     }
     if (k[0] >= k[1]) return;
     const bat_foot *foot = near->track[near->best].foot;
@@ -158,9 +178,9 @@ static void offer_through(bat_intent *intent, bat_intent_list *list, int index) 
                                             .along = {intent->hook, intent->hook + intent->length},
                                             .sense = against ? -1 : 1,
                                             .free = {true, true}}},
-                                  .onto = -1,
-                                  .cost = sum + rest + 2 * fmax(0, passed[0] - 4.5) +
-                                          2 * fmax(0, passed[1] - 4.5)};
+                                  .onto = {-1, -1},
+                                  .cost = sum + rest + 2 * fmax(0, passed[0] - half) +
+                                          2 * fmax(0, passed[1] - half)};
     bat_intent_offer(list, &reading);
 }
 
@@ -176,12 +196,18 @@ static void offer_bridge(bat_intent *intent, bat_intent_list *list, const end_he
     if (!from->is[0] || !to->is[1] || (from->line == to->line && from->end == to->end)) return;
     const bool close = from->line == to->line;
     const double gap = intent->a[bat_intent_mirror(intent, t->place, 1)] - intent->a[h->place];
+    /* From the one end to the other, a stroke closes though it may run along another line. */
+    const double across = close && !h->ran && !t->ran ? 0.5 : 1;
     const double turn_most = 1 + 0.173648177666930; /* cosine of 100 degrees */
+    const bat_intent_near *near = &intent->line[from->line], *other = &intent->line[to->line];
+    const double length = bat_polyline_length(&near->line) + (close ? 0 : bat_polyline_length(&other->line));
+    const double turns = corner * fmin(bat_intent_fine(intent, near), bat_intent_fine(intent, other));
     if (!(gap > 0) || (!close && (h->turn >= turn_most || t->turn >= turn_most))) return;
     bat_intent_reading reading = {.kind = close ? BAT_INTENT_CLOSE : BAT_INTENT_JOIN,
                                   .count = close ? 1 : 2,
-                                  .onto = -1,
-                                  .cost = h->cost + gap + t->cost + (close ? 0 : 12 * (h->turn + t->turn))};
+                                  .onto = {-1, -1},
+                                  .cost = h->cost + across * gap + (2 - across) * fmax(0, gap - length) +
+                                          t->cost + (close ? 0 : turns * (h->turn + t->turn))};
     const int lines[2] = {from->line, to->line};
     for (int i = 0; i < 2; i++)
         reading.part[i] = (bat_intent_part){.line = lines[i],
@@ -199,10 +225,11 @@ void bat_intent_ends(bat_intent *intent, bat_intent_list *list) {
         if (near->line.count < 2 || !near->meant || near->line.closed) continue;
         bool open[2];
         for (int end = 0; end < 2; end++) {
-            double point[2], distance;
+            const double passing = INTENT_PASSING * bat_intent_fine(intent, near);
+            double point[2], distance = passing;
             bat_polyline_at(&near->line, end ? bat_polyline_length(&near->line) : 0, point);
             bat_intent_nearest(intent, point, 0, &distance);
-            open[end] = distance < INTENT_PASSING && bat_intent_open(intent, i, end);
+            open[end] = distance < passing && bat_intent_open(intent, i, end);
             if (!open[end] || count == ENDS_MOST) continue;
             end_heads *e = &found[count];
             *e = (end_heads){.line = i, .end = end};

@@ -4,56 +4,55 @@
 
 #include <math.h>
 
-enum { WINDING_PLACES = 48 };
-
-/* The signed winding of the stroke, in degrees; by chords, for a hook at either end may turn any way. */
-static double winding(const bat_intent *intent) {
-    const double whole = intent->length + 2 * intent->hook, h = whole / 12;
-    double sum = 0, last[2], now[2];
-    bat_intent_heading(intent, 0, h, last);
-    for (int i = 1; i <= WINDING_PLACES; i++) {
-        bat_intent_heading(intent, whole * i / WINDING_PLACES, h, now);
-        sum += bat_atan2(last[0] * now[1] - last[1] * now[0], last[0] * now[0] + last[1] * now[1]);
-        last[0] = now[0], last[1] = now[1];
-    }
-    return fabs(sum) * 180 / BAT_PI;
-}
-
 static bool closes(const bat_intent *intent) {
     const double *first = intent->stroke.x, *last = first + 2 * (size_t)(intent->stroke.count - 1);
     const double gap = bat_hypot(first[0] - last[0], first[1] - last[1]), L = intent->length;
     if (!(L > 12) || gap > fmax(4, 0.1 * L)) return false;
-    const double degrees = winding(intent);
+    double all;
+    const double degrees = bat_intent_winding(intent, &all);
     return degrees >= 230 && degrees <= 470;
 }
 
-/* The line that the stroke's start is put on: the nearest of those that are near enough. */
-static bat_status put_on(bat_intent *intent, bat_intent_reading *reading) {
-    double near = intent->on * fmin(1, intent->length / 60);
-    for (int i = 0; i < intent->line_count; i++) {
-        bat_intent_near *line = &intent->line[i];
-        const double within = near + intent->hook;
-        if (!bat_intent_long(line) || bat_box_distance2(line->box, intent->p) > 1.01 * within * within)
-            continue;
-        if (bat_intent_seed(intent, line) != BAT_OK) return BAT_MEMORY;
-        /* The first seed is the nearest. */
-        const bat_foot *seed = &line->track[0].foot[0];
-        if (seed->d >= within) continue;
-        const bat_foot foot = bat_intent_foot(line, reading->start, seed, intent->hook, -INFINITY, INFINITY);
-        if (foot.d >= near) continue;
-        near = foot.d;
-        reading->onto = i;
+/* Of the smaller of stroke and line: so near to it lies an end that is meant to meet it. */
+static const double meets = 0.03;
+
+/* How far from the line the tip is, and how far it may be: at a steep angle, or beside an end of the line, farther than
+ * where both run side by side. */
+static double off_line(const bat_intent *intent, const bat_intent_near *near, const double tip[2],
+                       const double way[2], double *most) {
+    const double size = fmin(intent->size, bat_intent_size(near)), length = bat_polyline_length(&near->line);
+    const bat_foot foot = bat_intent_foot(near, tip, &(bat_foot){0}, INFINITY, -INFINITY, INFINITY);
+    double along[2];
+    *most = fmin(INTENT_ON, meets * size);
+    if (near->line.closed || (foot.s > *most && foot.s < length - *most)) {
+        bat_polyline_chord(&near->line, foot.s, 0.05 * size, along);
+        const double m = bat_hypot(along[0], along[1]);
+        if (m > 0) *most *= fabs(way[0] * along[1] - way[1] * along[0]) / m;
     }
-    return BAT_OK;
+    return foot.d;
+}
+
+/* The line that this end of the stroke is put on: the nearest of those that are near enough. */
+static void put_on(const bat_intent *intent, int side, bat_intent_reading *reading) {
+    const double h = fmin(6, intent->length / 4), on = fmin(INTENT_ON, meets * intent->size);
+    const double *p = intent->p + (side ? 2 * (size_t)(intent->places - 1) : 0);
+    double way[2], least = INFINITY, *tip = reading->tip[side];
+    bat_intent_heading(intent, intent->hook + (side ? intent->length - h : h), h, way);
+    for (int k = 0; k < 2; k++) tip[k] = p[k] + (side ? intent->hook : -intent->hook) * way[k];
+    reading->onto[side] = -1;
+    for (int i = 0; i < intent->line_count; i++) {
+        const bat_intent_near *near = &intent->line[i];
+        if (!bat_intent_long(near) || bat_box_distance2(near->box, tip) > 1.01 * on * on) continue;
+        double most;
+        const double d = off_line(intent, near, tip, way, &most);
+        if (d <= most && d < least) least = d, reading->onto[side] = i;
+    }
 }
 
 bat_status bat_intent_new(bat_intent *intent, bat_intent_list *list) {
-    bat_intent_reading reading = {.kind = BAT_INTENT_NEW, .onto = -1, .cost = intent->length};
+    bat_intent_reading reading = {.kind = BAT_INTENT_NEW, .onto = {-1, -1}, .cost = intent->length};
     reading.closed = closes(intent);
-    double way[2], ahead = fmin(12, intent->length / 2);
-    bat_intent_heading(intent, intent->hook + ahead / 2, ahead / 2, way);
-    for (int k = 0; k < 2; k++) reading.start[k] = intent->p[k] - intent->hook * way[k];
-    const bat_status status = reading.closed ? BAT_OK : put_on(intent, &reading);
+    for (int side = 0; side < 2 && !reading.closed; side++) put_on(intent, side, &reading);
     bat_intent_offer(list, &reading);
-    return status;
+    return BAT_OK;
 }

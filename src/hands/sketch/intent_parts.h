@@ -4,15 +4,18 @@
 
 #include "hands/sketch/intent.h"
 #include "hands/sketch/runs.h"
+#include "base/real.h"
 
-/* View pixels; the reasons are in docs/math/intent.md. */
+/* View pixels; the reasons are in docs/math/intent.md. Where the stroke or the line is smaller than INTENT_FULL,
+ * REACH0, ON, AT_END and PASSING are so many times smaller, too: bat_intent_fine. */
+#define INTENT_FULL 80.0
 #define INTENT_REACH0 6.0
 #define INTENT_REACH_MOST 36.0
 #define INTENT_GROW 0.15
 #define INTENT_SPACING 0.75
 #define INTENT_FREE 3.0
 #define INTENT_ON 6.0
-#define INTENT_AT_END 9.0
+#define INTENT_AT_END 6.0
 #define INTENT_JOINT 3.0
 #define INTENT_MARGIN 0.9
 #define INTENT_PASSING 13.5 /* how far from an end a stroke may pass it */
@@ -81,6 +84,7 @@ typedef struct bat_intent_near {
 struct bat_intent {
     bool touch, chosen;
     double reach0, on;
+    double size; /* diagonal of the box of the places */
     bat_polyline stroke;
     double hook, length, step; /* what is left out at both ends; what is between; distance of places */
     int places, firm, room;    /* the last place is the stroke's end and not firm */
@@ -96,9 +100,12 @@ struct bat_intent {
 /* intent_places.c: places on the stroke. */
 bat_status bat_intent_places(bat_intent *intent);
 void bat_intent_heading(const bat_intent *intent, double a, double h, double out[2]); /* unit, or zero */
+/* The winding of the stroke, in degrees; all: turns either way added up. By chords, for a hook at either end may turn
+ * any way. */
+double bat_intent_winding(const bat_intent *intent, double *all);
 
-/* The first of the nearest places, from that side, that lie within INTENT_PASSING of the point; `distance` is
- * INTENT_PASSING if none does. Places are counted from that side. */
+/* The first of the nearest places, from that side, that lie nearer to the point than `*distance`, which becomes
+ * theirs. Places are counted from that side. */
 int bat_intent_nearest(const bat_intent *intent, const double point[2], int side, double *distance);
 /* The stroke from the other side is the same stroke turned round. */
 static inline int bat_intent_mirror(const bat_intent *intent, int i, int side) {
@@ -127,13 +134,18 @@ double bat_intent_cosine(const bat_intent *intent, const bat_polyline *line, dou
                          bool *settled);
 
 /* intent_reach.c: how far off still counts, and what a stretch beside a line costs. */
-double bat_intent_reach(const bat_intent *intent, double ran);
-/* Of a stroke that runs all along. */
+/* How much more finely than a large stroke over a large line something so small is drawn; 1 at most. */
+double bat_intent_fine(const bat_intent *intent, const bat_intent_near *near);
+static inline double bat_intent_size(const bat_intent_near *near) {
+    return bat_hypot(near->box[2] - near->box[0], near->box[3] - near->box[1]);
+}
+double bat_intent_reach(const bat_intent *intent, const bat_intent_near *near, double ran);
+/* Of a stroke that runs all along a large line. */
 double bat_intent_reach_whole(const bat_intent *intent);
 double bat_intent_e(const bat_foot *foot, double sense, double reach);
 void bat_intent_evidence(bat_intent *intent, int index);
 /* An end of the stroke that lies on the line speaks for it, one that lies off it speaks against it. */
-double bat_intent_off(const bat_intent *intent, double d);
+double bat_intent_off(const bat_intent *intent, const bat_intent_near *near, double d);
 /* How far the stroke's end (side 1; 0: its start) heads away from the line. */
 double bat_intent_leave(const bat_intent *intent, const bat_foot *foot, int side);
 bool bat_intent_open(bat_intent *intent, int index, int end);

@@ -62,6 +62,13 @@ bat_status bat_intent_places(bat_intent *intent) {
     for (int i = intent->firm > 0 ? intent->firm - 1 : 0; i < count; i++)
         intent->ds[i] = 0.5 * ((i + 1 < count ? intent->a[i + 1] : intent->a[i]) -
                                (i > 0 ? intent->a[i - 1] : intent->a[i]));
+    double box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 2; k++) {
+            box[k] = fmin(box[k], intent->p[2 * i + k]);
+            box[2 + k] = fmax(box[2 + k], intent->p[2 * i + k]);
+        }
+    intent->size = bat_hypot(box[2] - box[0], box[3] - box[1]);
     intent->firm = count - 1, intent->places = count;
     return bat_runs_build(&intent->runs, count, intent->p);
 }
@@ -72,11 +79,27 @@ void bat_intent_heading(const bat_intent *intent, double a, double h, double out
     for (int k = 0; k < 2; k++) out[k] = size > 0 ? out[k] / size : 0;
 }
 
+double bat_intent_winding(const bat_intent *intent, double *all) {
+    enum { PLACES = 48 };
+    const double whole = intent->length + 2 * intent->hook, h = whole / 12;
+    double sum = 0, last[2], now[2];
+    *all = 0;
+    bat_intent_heading(intent, 0, h, last);
+    for (int i = 1; i <= PLACES; i++) {
+        bat_intent_heading(intent, whole * i / PLACES, h, now);
+        const double turn = bat_atan2(last[0] * now[1] - last[1] * now[0],
+                                      last[0] * now[0] + last[1] * now[1]);
+        sum += turn, *all += fabs(turn);
+        last[0] = now[0], last[1] = now[1];
+    }
+    *all *= 180 / BAT_PI;
+    return fabs(sum) * 180 / BAT_PI;
+}
+
 int bat_intent_nearest(const bat_intent *intent, const double point[2], int side, double *distance) {
     const bat_runs *runs = &intent->runs;
     const int last = intent->places - 1;
     int best = 0;
-    *distance = INTENT_PASSING;
     for (int i = 0; i <= last; i++) {
         const double most = *distance * *distance;
         i = side ? last - bat_runs_last(runs, last - i, point, most) : bat_runs_next(runs, i, point, most);

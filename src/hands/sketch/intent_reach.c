@@ -8,13 +8,23 @@
 enum { PROBES = 5, NEIGHBOURS = 64 };             /* so many lines beside one tell how far apart they lie */
 static const double parallel = 0.906307787036650; /* cosine of 25 degrees */
 static const double neighbour_most = 60, twin = 1.5;
+static const double touches = 0.1; /* of the smaller of stroke and line: so near they touch */
 
-double bat_intent_reach(const bat_intent *intent, double ran) {
-    return fmin(INTENT_REACH_MOST, intent->reach0 + INTENT_GROW * fabs(ran));
+double bat_intent_fine(const bat_intent *intent, const bat_intent_near *near) {
+    if (intent->chosen) return 1;
+    return fmin(1, fmin(intent->size, bat_intent_size(near)) / INTENT_FULL);
+}
+
+static double reach(const bat_intent *intent, double reach0, double ran) {
+    return fmin(INTENT_REACH_MOST, reach0 + INTENT_GROW * fabs(ran)) * (intent->chosen ? INTENT_CHOSEN : 1);
+}
+
+double bat_intent_reach(const bat_intent *intent, const bat_intent_near *near, double ran) {
+    return reach(intent, intent->reach0 * bat_intent_fine(intent, near), ran);
 }
 
 double bat_intent_reach_whole(const bat_intent *intent) {
-    return bat_intent_reach(intent, intent->length) * (intent->chosen ? INTENT_CHOSEN : 1);
+    return reach(intent, intent->reach0 * fmin(1, intent->size / INTENT_FULL), intent->length);
 }
 
 double bat_intent_e(const bat_foot *foot, double sense, double reach) {
@@ -22,8 +32,9 @@ double bat_intent_e(const bat_foot *foot, double sense, double reach) {
     return fmin(INTENT_FREE, off * off + 2 * (1 - sense * foot->c));
 }
 
-double bat_intent_off(const bat_intent *intent, double d) {
-    return (fmin(d, 2 * intent->on) - intent->on) * fmin(1, intent->length / 40);
+double bat_intent_off(const bat_intent *intent, const bat_intent_near *near, double d) {
+    const double on = intent->on * bat_intent_fine(intent, near);
+    return fmin(d, 2 * on) - on;
 }
 
 double bat_intent_leave(const bat_intent *intent, const bat_foot *foot, int side) {
@@ -99,14 +110,14 @@ void bat_intent_evidence(bat_intent *intent, int index) {
         if (foot[i].d < INTENT_BESIDE) near->ran += foot[i].c * intent->ds[i];
         near->least = fmin(near->least, foot[i].d);
     }
-    double reach = bat_intent_reach(intent, near->ran);
-    if (intent->chosen) reach *= INTENT_CHOSEN;
+    double reach = bat_intent_reach(intent, near, near->ran);
     near->sum = total(intent, near, reach);
+    const double touching = fmin(intent->on, touches * fmin(intent->size, bat_intent_size(near)));
     /* A stroke beside it all the way is rather a further line. What is too far in any case need not be looked
      * at. */
-    if (near->least > intent->on && near->sum < 1.2 * intent->length + 40) {
+    if (near->least > touching && near->sum < 1.2 * intent->length + 40) {
         if (!intent->chosen) reach = fmin(reach, INTENT_SPACING * spacing(intent, index));
-        if (!near->line.closed && share(intent, near) > 0.8) reach /= 2;
+        if (share(intent, near) > 0.8) reach = fmin(reach, touching);
         near->sum = total(intent, near, reach);
     }
     near->reach = reach;

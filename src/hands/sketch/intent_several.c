@@ -91,7 +91,8 @@ static double step_cost(const bat_intent *intent, const chain *c, int from, int 
 
 static double edge(const bat_intent *intent, const chain *c, int state, int side) {
     const bat_foot *foot = foot_of(intent, c, state, side ? intent->places - 1 : 0);
-    return bat_intent_off(intent, foot->d) + bat_intent_leave(intent, foot, side);
+    return bat_intent_off(intent, &intent->line[c->line[state / 2]], foot->d) +
+           bat_intent_leave(intent, foot, side);
 }
 
 static void advance(const bat_intent *intent, const chain *c, int place, const cell *before, cell *now,
@@ -173,7 +174,7 @@ bat_status bat_intent_several(bat_intent *intent, bat_intent_list *list) {
         least = cost, best = s;
     }
     if (best < 0) return BAT_OK;
-    bat_intent_reading reading = {.kind = BAT_INTENT_SEVERAL, .count = end[best].parts, .onto = -1};
+    bat_intent_reading reading = {.kind = BAT_INTENT_SEVERAL, .count = end[best].parts, .onto = {-1, -1}};
     reading.cost = intent->chosen ? least * INTENT_MARGIN : least / INTENT_MARGIN;
     read_back(intent, &c, best, end[best].parts, &reading);
     bat_intent_offer(list, &reading);

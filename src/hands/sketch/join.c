@@ -1,5 +1,6 @@
 /* Two open curves made one by a stroke from the one to the other (docs/math sketch 5.4). */
 #include "hands/sketch/sketch.h"
+#include "base/real.h"
 #include <batten/refine.h>
 
 #include <math.h>
@@ -116,6 +117,20 @@ static bat_status bring_together(joining *j, bool own) {
     return BAT_OK;
 }
 
+static const double meeting = BAT_PI / 4; /* a turn from which on the joint stays a corner */
+static const double slight = 0.05; /* of the shorter of curve and stroke: so little may be left of an end */
+
+/* Where the stroke goes on at an angle from a curve's very end, they meet there in a corner. */
+static void keep_meeting(const bat_plan *plan, bat_end *e, int side) {
+    const bat_stroke_track *k = e->track;
+    const double L = plan->stroke->length, left = side == 0 ? k->length - e->s : e->s;
+    if (e->angle < meeting || left > e->offset + slight * fmin(L, k->length)) return;
+    e->s = side == 0 ? k->length : 0;
+    bat_end_stop(e, side, side == 0 ? k->end : k->start, true);
+    e->lead = 0;
+    e->blend = fmin(fmax(0.1 * L, 3 * e->offset), 0.3 * L);
+}
+
 static bat_status plan_join(const joining *j, bat_plan *plan, double changed[2]) {
     bat_workpiece_bind(plan, &j->workpiece[0]);
     plan->end[1].curve = j->workpiece[1].pixels, plan->end[1].original = j->workpiece[1].original;
@@ -126,6 +141,7 @@ static bat_status plan_join(const joining *j, bat_plan *plan, double changed[2])
     if (status != BAT_OK) return status;
     bat_plan_leads(plan);
     bat_plan_cuts(plan);
+    for (int side = 0; side < 2; side++) keep_meeting(plan, &plan->end[side], side);
     for (int side = 0; side < 2; side++)
         if (plan->end[side].kind != BAT_END_FREE) changed[side] = plan->end[side].cut;
     return bat_plan_target(plan);

@@ -21,8 +21,9 @@ typedef struct bat_sketch_meaning {
     int sense;           /* redraw: 1 along the curve, -1 against it */
     bat_end_rule end[2]; /* redraw; in the stroke's order */
     bat_closing closing; /* new */
-    bool put;            /* new: it starts at `start` (document units) */
-    double start[BAT_DIMENSION_MAX];
+    bool mark;           /* new: it is a dot, for bat_sketch_mark */
+    bool put[2];         /* new: it starts, or ends, at `tip` (document units) */
+    double tip[2][BAT_DIMENSION_MAX];
 } bat_sketch_meaning;
 
 /* As bat_sketch and bat_sketch_new; meaning: NULL for none. */
@@ -32,6 +33,10 @@ bat_status bat_sketch_meant(const bat_curve *curve, const bat_stroke *stroke,
 bat_status bat_sketch_new_meant(const bat_stroke *stroke, const bat_sketch_options *options,
                                 const bat_sketch_meaning *meaning, bat_curve **out,
                                 bat_sketch_report *report);
+/* A stroke that is a dot to bat_sketch_new, as a short curve; one that hardly moves as a line so short that round caps
+ * make a disc of it. BAT_DOT: no sample is finite. */
+bat_status bat_sketch_mark(const bat_stroke *stroke, const bat_sketch_options *options, bat_curve **out,
+                           bat_sketch_report *report);
 /* Told before the first preview or commit. */
 void bat_sketch_mean(bat_sketch_live *live, const bat_sketch_meaning *meaning);
 /* One stroke over several curves, cut at the points between them (document units, x y [z] each, count - 1 of

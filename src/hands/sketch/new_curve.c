@@ -3,19 +3,23 @@
 
 #include <math.h>
 
-static const double put_over = 24; /* px along which the stroke's start gives way to where it is put */
+/* Of the stroke, and times the distance: the length along which an end gives way to where it is put. */
+static const double put_share = 0.2, put_gently = 4;
 
-/* The stroke starts at `start` (document units), and lies as it did from a little way on. */
-static void put_start(bat_clean *clean, const double *start, const double *origin, double pixel) {
+/* This end of the stroke goes to `tip` (document units), and from a little way off the stroke lies as it did. */
+static void put_tip(bat_clean *clean, int side, const double *tip, const double *origin, double pixel) {
     const size_t d = (size_t)clean->dimension;
+    const double *end = clean->points + (side ? d * (clean->count - 1) : 0);
     double move[BAT_DIMENSION_MAX], off = 0;
     for (size_t k = 0; k < d; k++) {
-        move[k] = (start[k] - origin[k]) / pixel - clean->points[k];
+        move[k] = (tip[k] - origin[k]) / pixel - end[k];
         off += move[k] * move[k];
     }
-    const double over = fmin(fmax(put_over, 4 * sqrt(off)), 0.5 * clean->length);
-    for (size_t i = 0; i < clean->count && clean->arc[i] < over; i++) {
-        const double f = 1 - clean->arc[i] / over, fade = f * f * (3 - 2 * f);
+    const double over = fmin(fmax(put_share * clean->length, put_gently * sqrt(off)), 0.5 * clean->length);
+    for (size_t i = 0; i < clean->count; i++) {
+        const double from = side ? clean->length - clean->arc[i] : clean->arc[i];
+        if (from >= over) continue;
+        const double f = 1 - from / over, fade = f * f * (3 - 2 * f);
         for (size_t k = 0; k < d; k++) clean->points[d * i + k] += fade * move[k];
     }
     bat_clean_cut(clean, 0, clean->count - 1); /* measures it again */
@@ -47,10 +51,13 @@ bat_status bat_sketch_new_with(const bat_stroke *stroke, const bat_sketch_option
     plan.end[0].kind = plan.end[1].kind = BAT_END_FREE;
     plan.periodic = meaning->closing == BAT_CLOSING_YES ||
                     (meaning->closing == BAT_CLOSING_AUTO && bat_clean_closes(&clean));
-    if (meaning->put && !plan.periodic) put_start(&clean, meaning->start, origin, o.pixel);
+    for (int side = 0; side < 2 && !plan.periodic; side++)
+        if (meaning->put[side]) put_tip(&clean, side, meaning->tip[side], origin, o.pixel);
     bat_sketch_report facts = {0};
     status = plan.periodic ? bat_plan_ring(&plan) : bat_plan_target(&plan);
     if (status == BAT_OK) status = bat_plan_finish(&plan, origin, o.pixel, hints, out, &facts);
+    /* Of small strokes less than the tolerance is asked, and not insisted upon. */
+    if (status == BAT_TOLERANCE && facts.max_error <= o.tolerance) status = BAT_OK;
     if (report && (status == BAT_OK || status == BAT_TOLERANCE)) *report = facts;
     bat_plan_free(&plan);
     bat_clean_free(&clean);

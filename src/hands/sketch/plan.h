@@ -65,6 +65,8 @@ bat_status bat_plan_ends(bat_plan *plan, const bat_correspondence *found);
 void bat_plan_leads(bat_plan *plan);
 /* 5.6: where they begin, and where the curve is cut. */
 void bat_plan_cuts(bat_plan *plan);
+/* Cuts exactly at a knot where the curve is only C0, or at its end. */
+void bat_end_stop(bat_end *e, int side, double u, bool corner);
 /* 5.5, 5.6: the target polyline with weights, allowed errors and parameters. */
 bat_status bat_plan_target(bat_plan *plan);
 /* The old curve between a cut and its joint, part of every target; step: pixels between samples. */

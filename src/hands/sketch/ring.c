@@ -7,11 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double corner_chord = 8, corner_turn = BAT_PI / 3;
+static const double corner_chord = 8, corner_turn = BAT_PI / 4;
 
-/* Which part of the stroke goes round: ends that overlap are cut back to where the end passes the start. */
+/* Which part of the stroke goes round: it stays where it began, and an end that overlaps is cut back to where it passes
+ * the start. */
 typedef struct ring {
-    double from, to, gap, give;
+    double from, to, gap;
+    double give[2];     /* of the start and of the end, for the bridge */
     bool meets, corner; /* the ends all but meet; in a corner */
     double tip[BAT_DIMENSION_MAX];
 } ring;
@@ -19,7 +21,7 @@ typedef struct ring {
 /* Whether the ends lie on two lines that turn sharply where they meet. Hands close ovals at an angle, too: a corner turns by
  * as much near its tip as farther off. */
 static bool meets_in_corner(const bat_clean *stroke, const ring *r) {
-    const double chord = fmin(corner_chord, 0.1 * stroke->length);
+    const double chord = fmin(fmax(corner_chord, 2 * r->gap), 0.1 * stroke->length);
     if (!r->meets || r->gap > 0.5 * chord) return false;
     double turn[2], a[BAT_DIMENSION_MAX], b[BAT_DIMENSION_MAX];
     for (int i = 0; i < 2; i++) {
@@ -34,27 +36,24 @@ static bool meets_in_corner(const bat_clean *stroke, const ring *r) {
 static void find_ring(const bat_plan *plan, ring *r) {
     const bat_clean *stroke = plan->stroke;
     const size_t m = (size_t)plan->dimension;
-    const double L = stroke->length;
-    double tail[BAT_DIMENSION_MAX], start[BAT_DIMENSION_MAX];
+    const double L = stroke->length, *start = stroke->points;
     *r = (ring){.to = L, .gap = INFINITY};
-    bat_clean_at(stroke, L, tail);
-    for (size_t i = 0; i < stroke->count && stroke->arc[i] <= 0.2 * L; i++) {
-        double d = 0;
-        for (size_t c = 0; c < m; c++) d = bat_hypot(d, stroke->points[i * m + c] - tail[c]);
-        if (d < r->gap) r->gap = d, r->from = stroke->arc[i];
+    for (size_t i = stroke->count; i-- > 0 && stroke->arc[i] >= 0.8 * L;) {
+        const double d = bat_path_distance(stroke->points + i * m, start, m);
+        if (d < r->gap) r->gap = d, r->to = stroke->arc[i];
     }
     /* Ends that all but meet give way to the bridge; ends far apart stay where the pen put them. */
     r->meets = r->gap <= fmax(15, 0.04 * L);
-    bat_clean_at(stroke, r->from, start);
-    for (size_t c = 0; c < m; c++) r->tip[c] = 0.5 * (start[c] + tail[c]);
+    memcpy(r->tip, start, m * sizeof *start);
     r->corner = plan->keep_corners && meets_in_corner(stroke, r);
     if (r->corner) return;
     if (!r->meets) {
-        r->from = r->gap = 0;
-        for (size_t c = 0; c < m; c++) r->gap = bat_hypot(r->gap, stroke->points[c] - tail[c]);
+        r->to = L;
+        r->gap = bat_path_distance(stroke->points + (stroke->count - 1) * m, start, m);
+    } else {
+        r->give[0] = fmin(3, 0.01 * L), r->give[1] = fmin(fmax(12, 3 * r->gap), 0.15 * L);
     }
-    r->give = r->meets ? fmin(fmax(8, r->gap), 0.05 * L) : 0;
-    r->from += r->give, r->to -= r->give;
+    r->from += r->give[0], r->to -= r->give[1];
 }
 
 typedef struct corner_list {
@@ -112,7 +111,8 @@ static bat_status add_bridge(bat_plan *plan, const ring *r, corner_list *corners
     const bat_clean *stroke = plan->stroke;
     const double step = stroke->length / (double)(stroke->count - 1);
     const size_t m = (size_t)plan->dimension;
-    const size_t count = (size_t)fmin(fmax(ceil((2 * r->give + r->gap) / fmin(step, 2)), 12), 4096) + 1;
+    const size_t count =
+        (size_t)fmin(fmax(ceil((r->give[0] + r->give[1] + r->gap) / fmin(step, 2)), 12), 4096) + 1;
     bat_plan_frame a, b;
     bat_stroke_frame(stroke, r->to, &a);
     bat_stroke_frame(stroke, r->from, &b);

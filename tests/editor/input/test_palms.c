@@ -98,6 +98,16 @@ static void a_finger_never_keeps_the_pen_from_working(void **state) {
             }
 }
 
+/* Whether both drawings have the same curves; a dot that was taken back leaves a gap in the numbers of objects. */
+static bool alike(const bat_editor *a, const bat_editor *b) {
+    const bat_document *one = bat_editor_document(a), *other = bat_editor_document(b);
+    bool same = bat_document_count(one) == bat_document_count(other);
+    for (int i = 0; same && i < bat_document_count(one); i++)
+        same = bat_curve_is_equal(bat_object_curve(bat_document_at(one, i), 0),
+                                  bat_object_curve(bat_document_at(other, i), 0));
+    return same;
+}
+
 /* A palm comes and goes at every time around the first and the second stroke, as large as it is, or as small as a
  * finger, lifted or taken back by the system: the drawing is what it is without it. */
 static void palms_come_and_go(void **state) {
@@ -108,7 +118,7 @@ static void palms_come_and_go(void **state) {
         for (int from = 0; from < TIMES; from++)
             for (int to = from + 1; to < TIMES; to++)
                 for (int cancelled = 0; cancelled < 2; cancelled++) {
-                    uint64_t alone = 0;
+                    bat_editor *alone = NULL;
                     for (int palm = 0; palm < 2; palm++) {
                         bat_editor *editor = pen_editor();
                         pen p = pen_for(editor);
@@ -134,12 +144,11 @@ static void palms_come_and_go(void **state) {
                             }
                             pen_event(&p, BAT_POINTER_UP, at[0], at[1]);
                         }
-                        if (!palm)
-                            alone = digest(editor);
-                        else if (digest(editor) != alone || editor->session.history.done != 2)
+                        if (palm && (!alike(editor, alone) || editor->session.history.done != 2))
                             fail_msg("a palm of size %d from %g to %g changes something", size, times[from],
                                      times[to]);
-                        bat_editor_free(editor);
+                        if (palm) bat_editor_free(editor), bat_editor_free(alone);
+                        if (!palm) alone = editor;
                     }
                 }
 }
@@ -308,15 +317,16 @@ static void what_waits_goes_on_waiting(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
     bat_editor_set(editor, "tolerance", 0.1);
+    bat_editor_set(editor, "stroke-meaning", 1); /* what is new never waits */
     bat_editor_set(editor, "palm-rejection", 0);
     pen p = pen_for(editor);
     uint32_t noise = 1;
     for (int i = 0; i <= 150; i++) { /* trembling that no curve follows within a tenth of a pixel */
         noise = noise * 1664525 + 1013904223;
-        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, 100 + 3 * i + (noise >> 24) / 20.0,
-                  400 + (noise >> 16 & 255) / 20.0);
+        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, 240 + 3 * i + (noise >> 24) / 20.0,
+                  594 + (noise >> 16 & 255) / 20.0);
     }
-    pen_event(&p, BAT_POINTER_UP, 550, 400);
+    pen_event(&p, BAT_POINTER_UP, 690, 600);
     assert_true(bat_editor_frame(editor)->pending);
     touch(editor, BAT_POINTER_DOWN, 4, 800, 700, FINGER, p.time);
     uint64_t before = digest(editor);

@@ -213,15 +213,16 @@ static void a_pending_fit_goes_first(void **state) {
     bat_editor *editor = with_a_stroke(&drawn, &plain);
     bat_editor_set(editor, "palm-rejection", 0);
     bat_editor_set(editor, "tolerance", 0.1);
+    bat_editor_set(editor, "stroke-meaning", 1); /* what is new never waits */
     pen p = pen_for(editor);
     p.time = 5000;
     uint32_t noise = 1;
     for (int i = 0; i <= 150; i++) { /* trembling that no curve follows within a tenth of a pixel */
         noise = noise * 1664525 + 1013904223;
-        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, 100 + 3 * i + (noise >> 24) / 20.0,
-                  400 + (noise >> 16 & 255) / 20.0);
+        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, 240 + 3 * i + (noise >> 24) / 20.0,
+                  594 + (noise >> 16 & 255) / 20.0);
     }
-    pen_event(&p, BAT_POINTER_UP, 550, 400);
+    pen_event(&p, BAT_POINTER_UP, 690, 600);
     assert_true(bat_editor_frame(editor)->pending);
     tap_of(editor, 2, p.time + 2000, 120, 0);
     assert_false(bat_editor_frame(editor)->pending);

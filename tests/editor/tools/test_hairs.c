@@ -372,11 +372,34 @@ static void each_can_be_read_alone(void **state) {
     bat_editor_free(editor);
 }
 
+/* A wiggly stroke over a line, and one that only touches its end, are no careless strokes over it: they are not averaged. */
+static void what_is_unlike_is_not_averaged(void **state) {
+    (void)state;
+    for (int size = 0; size < 3; size++)
+        for (int kind = 0; kind < 2; kind++) {
+            const double length = size == 0 ? 30 : size == 1 ? 120 : 480;
+            bat_editor *editor = empty(0);
+            pen p = pen_for(editor);
+            pen_line(&p, 300, 400, 300 + length, 400, 0.02 * length);
+            p.time += 300;
+            for (int i = 0; i <= 120; i++) {
+                const double f = i / 120.0, x = 300 + (kind ? 0.97 + 0.5 * f : f) * length;
+                const double y = 400 + (kind ? -0.5 * f : 0.04 * sin(40 * f)) * length;
+                pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, x, y);
+                if (i == 120) pen_event(&p, BAT_POINTER_UP, x, y);
+            }
+            bat_editor_frame(editor);
+            const char *text = bat_editor_readings(editor);
+            if (text && strstr(text, "All strokes")) fail_msg("%g px, kind %d: averaged", length, kind);
+            bat_editor_free(editor);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(eight_are_one),         cmocka_unit_test(thirty_two_are_one),
-        cmocka_unit_test(each_is_a_step),        cmocka_unit_test(others_win),
-        cmocka_unit_test(a_stretch_is_redrawn),  cmocka_unit_test(what_is_shown_is_what_will_be),
-        cmocka_unit_test(each_can_be_read_alone)};
+        cmocka_unit_test(eight_are_one),          cmocka_unit_test(thirty_two_are_one),
+        cmocka_unit_test(each_is_a_step),         cmocka_unit_test(others_win),
+        cmocka_unit_test(a_stretch_is_redrawn),   cmocka_unit_test(what_is_shown_is_what_will_be),
+        cmocka_unit_test(each_can_be_read_alone), cmocka_unit_test(what_is_unlike_is_not_averaged)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -65,7 +65,7 @@ static void lines_are_straight(void **state) {
         pen p = pen_for(editor);
         if (mute) p.device = BAT_DEVICE_MOUSE;
         pen_begin(&p, careless, ends, 120);
-        rest(&p, ends[2], ends[3], 450, !mute);
+        rest(&p, ends[2], ends[3], 850, !mute);
         pen_event(&p, BAT_POINTER_UP, ends[2], ends[3]);
         assert_int_equal(count(editor), 3);
         const double off = bent(curve(editor, 2), ends);
@@ -103,7 +103,7 @@ static void circles_close_and_grow(void **state) {
         const uint64_t first = digest(editor);
         pen p = pen_for(editor);
         pen_begin(&p, round_and_back, where, 160);
-        rest(&p, end[0], end[1], 450, true);
+        rest(&p, end[0], end[1], 850, true);
         double to[2];
         for (int k = 0; k < 2; k++) to[k] = where[k] + (end[k] - where[k]) * (grow ? 1.5 : 1);
         for (int i = 1; i <= 20; i++)
@@ -135,7 +135,7 @@ static void ends_follow_the_pen(void **state) {
     bat_editor *editor = pen_editor();
     pen p = pen_for(editor);
     pen_begin(&p, careless, ends, 120);
-    rest(&p, ends[2], ends[3], 450, true);
+    rest(&p, ends[2], ends[3], 850, true);
     for (int i = 1; i <= 30; i++) {
         pen_event(&p, BAT_POINTER_MOVE, ends[2] + 5 * i, ends[3] + 3 * i);
         if (i % 5 == 0) bat_editor_frame(editor);
@@ -168,7 +168,7 @@ static void drawn_again(void **state) {
     pen_event(&q, BAT_POINTER_UP, ends[2], ends[3]);
     const uint64_t first = digest(editor);
     pen_begin(&p, careless, ends, 120);
-    rest(&p, ends[2], ends[3], 450, false);
+    rest(&p, ends[2], ends[3], 850, false);
     pen_event(&p, BAT_POINTER_UP, ends[2], ends[3]);
     bat_curve *held = NULL;
     assert_int_equal(bat_curve_copy(curve(editor, 2), &held), BAT_OK);
@@ -194,7 +194,7 @@ static void stretches_become_figures(void **state) {
     const uint64_t first = digest(editor);
     pen p = pen_for(editor);
     pen_begin(&p, pen_arch, (double[]){350, 203, 650, 197, 34}, 120);
-    rest(&p, 650, 197, 450, true);
+    rest(&p, 650, 197, 850, true);
     pen_event(&p, BAT_POINTER_UP, 650, 197);
     assert_int_equal(count(editor), 2);
     assert_true(digest(editor) != first);
@@ -217,7 +217,7 @@ static void cancelled_nothing_is_left(void **state) {
         const uint64_t first = digest(editor);
         pen p = pen_for(editor);
         pen_begin(&p, careless, ends, 120);
-        rest(&p, ends[2], ends[3], 450, true);
+        rest(&p, ends[2], ends[3], 850, true);
         pen_event(&p, BAT_POINTER_MOVE, 640, 470);
         pen palm = p, other = p;
         palm.device = BAT_DEVICE_TOUCH, other.contact = 2;

@@ -138,6 +138,45 @@ static void new_lines_start_on_lines(void **state) {
     bat_editor_free(editor);
 }
 
+/* A line as long as another beside it is a second one; one that comes to lie on it redraws it. */
+static void a_second_line_beside(void **state) {
+    (void)state;
+    for (int apart = 8; apart <= 30; apart += 2) {
+        bat_editor *editor = lines_editor(1, (const double[][4]){{200, 300, 500, 300}});
+        pen p = pen_for(editor);
+        pen_line(&p, 205, 300 + apart, 495, 300 + apart, 0);
+        if (count(editor) != 2) fail_msg("%d px apart it is no second line", apart);
+        bat_editor_free(editor);
+        editor = lines_editor(1, (const double[][4]){{200, 300, 500, 300}});
+        p = pen_for(editor);
+        pen_line(&p, 215, 300, 485, 300, apart);
+        assert_int_equal(count(editor), 1);
+        bat_editor_free(editor);
+    }
+}
+
+/* Both ends of a new line meet what they were drawn to; in small writing nothing is pulled. */
+static void both_ends_meet(void **state) {
+    (void)state;
+    for (int small = 0; small < 2; small++) {
+        const double k = small ? 0.08 : 1;
+        bat_editor *editor = lines_editor(
+            2, (const double[][4]){{200, 300, 200 + 300 * k, 300},
+                                   {200, 300 + 200 * k, 200 + 300 * k, 300 + 200 * k}});
+        double at[2];
+        pen p = pen_for(editor);
+        pen_line(&p, 200 + 120 * k, 302, 200 + 160 * k, 298 + 200 * k, 0);
+        assert_int_equal(count(editor), 3);
+        for (int end = 0; end < 2; end++) {
+            point_of(curve(editor, 2), end, at);
+            const double off = fabs(at[1] - (end ? 300 + 200 * k : 300));
+            if (small) assert_true(off > 1);
+            if (!small) assert_true(off < 1e-6);
+        }
+        bat_editor_free(editor);
+    }
+}
+
 static void only_what_is_selected(void **state) {
     (void)state;
     const double two[][4] = {{100, 300, 600, 300}, {100, 322, 600, 322}};
@@ -218,7 +257,7 @@ static void read_again(void **state) {
     pen_event(&p, BAT_POINTER_DOWN, 150, 600); /* the next stroke settles it */
     assert_int_equal(bat_editor_frame(editor)->readings, 0);
     assert_int_equal(bat_editor_read_as(editor, 0), BAT_STATE);
-    pen_event(&p, BAT_POINTER_UP, 150, 600);
+    pen_event(&p, BAT_POINTER_CANCEL, 150, 600);
     assert_int_equal(round_trip(editor, first), 1);
     bat_editor_free(editor);
 }
@@ -227,7 +266,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ends_are_extended),        cmocka_unit_test(own_ends_close),
         cmocka_unit_test(joints_stay_joints),       cmocka_unit_test(held_at_the_joint),
-        cmocka_unit_test(new_lines_start_on_lines), cmocka_unit_test(only_what_is_selected),
+        cmocka_unit_test(new_lines_start_on_lines), cmocka_unit_test(a_second_line_beside),
+        cmocka_unit_test(both_ends_meet),           cmocka_unit_test(only_what_is_selected),
         cmocka_unit_test(switch_and_key),           cmocka_unit_test(read_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -105,6 +105,70 @@ static void known_relations(void **state) {
     }
 }
 
+/* Along a straight line of 400 px: an arc that leaves it and comes back at this angle redraws it however high it is; a
+ * steeper one is an ear. What winds on the way is neither. */
+static void bold_redraws(void **state) {
+    (void)state;
+    for (double from = 20; from <= 100; from += 40)
+        for (int degrees = 5; degrees <= 85; degrees += 5)
+            for (int waves = 0; waves < 2; waves++) {
+                const double angle = degrees * BAT_PI / 180, half = 0.5 * (400 - 2 * from);
+                const double radius = half / bat_sin(angle);
+                if (degrees > 30 && degrees < 60) continue; /* either */
+                bat_intent *intent = NULL;
+                bat_curve *curve = line(0, 0, 400, 0);
+                bat_intent_reading all[BAT_INTENT_READINGS];
+                int count = 0;
+                double points[2 * SAMPLES];
+                for (int i = 0; i < SAMPLES; i++) {
+                    const double f = (double)i / (SAMPLES - 1), a = angle * (1 - 2 * f);
+                    const double r = radius + waves * 0.1 * half * bat_sin(6 * BAT_PI * f);
+                    points[2 * i] = 200 - r * bat_sin(a);
+                    points[2 * i + 1] = r * bat_cos(a) - radius * bat_cos(angle);
+                }
+                assert_int_equal(bat_intent_create(false, false, &intent), BAT_OK);
+                assert_int_equal(bat_intent_line(intent, curve, UPRIGHT, true), BAT_OK);
+                assert_int_equal(bat_intent_add(intent, SAMPLES, points), BAT_OK);
+                assert_int_equal(bat_intent_rank(intent, true, all, &count), BAT_OK);
+                const bool redraws = degrees <= 30;
+                if (waves ? degrees >= 60 && all[0].kind != BAT_INTENT_NEW
+                          : (all[0].kind == BAT_INTENT_REDRAW) != redraws)
+                    fail_msg("%g px from the ends, %d degrees: kind %d", from, degrees, (int)all[0].kind);
+                bool offered = waves;
+                for (int i = 0; i < count; i++) offered = offered || all[i].between;
+                assert_true(offered); /* in any case it can be had */
+                bat_intent_free(intent);
+                bat_curve_free(curve);
+            }
+}
+
+/* What is small is read by its size: half as large, it means the same. */
+static void small_things_are_alike(void **state) {
+    (void)state;
+    static const scene small[] = {
+        {1, {{0, 0, 40, 0}}, {{20, 1}, {20, 24}}, 2},    /* T */
+        {1, {{0, 0, 40, 0}}, {{6, 0.3}, {30, 0.3}}, 2},  /* over it */
+        {1, {{0, 0, 40, 0}}, {{2, 8}, {38, 8}}, 2},      /* a second line */
+        {1, {{0, 0, 40, 0}}, {{40.2, 0.1}, {58, 2}}, 2}, /* it goes on */
+        {1, {{0, 0, 40, 0}}, {{46, 5}, {70, 8}}, 2},     /* the next letter */
+        {1, {{0, 0, 0, 40}}, {{5, 0}, {5, 40}}, 2},      /* an 11 */
+        {2, {{0, 0, 30, 0}, {40, 0, 70, 0}}, {{44, 6}, {52, 24}}, 2},
+    };
+    for (size_t i = 0; i < sizeof small / sizeof *small; i++) {
+        bat_intent_reading first;
+        assert_int_equal(read_at(&small[i], UPRIGHT, 1, &first), BAT_OK);
+        for (double share = 1; share > 0.2; share *= 0.8) {
+            scene s = small[i];
+            bat_intent_reading best;
+            for (int k = 0; k < 16; k++) s.ends[k / 4][k % 4] *= share;
+            for (int k = 0; k < 6; k++) s.stroke[k / 2][k % 2] *= share;
+            assert_int_equal(read_at(&s, UPRIGHT, 1, &best), BAT_OK);
+            if (best.kind != first.kind)
+                fail_msg("case %d at %g: kind %d, not %d", (int)i, share, (int)best.kind, (int)first.kind);
+        }
+    }
+}
+
 /* A curve of no length that a stroke passes over is no part of any reading. */
 static void dots_mean_nothing(void **state) {
     (void)state;
@@ -229,13 +293,13 @@ static void the_cheapest_are_kept(void **state) {
         double costs[MANY];
         for (int i = 0; i < MANY; i++) {
             costs[i] = i % 9 == 0 ? (double)INFINITY : random_int(&r, 0, 60);
-            const bat_intent_reading reading = {.cost = costs[i], .onto = i};
+            const bat_intent_reading reading = {.cost = costs[i], .onto = {i, i}};
             bat_intent_offer(&list, &reading);
         }
         assert_int_equal(list.count, BAT_INTENT_READINGS);
         for (int k = 0; k < list.count; k++) {
             int before = 0; /* how many are cheaper, or as cheap and earlier */
-            const int own = list.reading[k].onto;
+            const int own = list.reading[k].onto[0];
             assert_true(list.reading[k].cost == costs[own]);
             for (int i = 0; i < MANY; i++)
                 before += costs[i] < costs[own] || (costs[i] == costs[own] && i < own);
@@ -273,6 +337,8 @@ static void memory(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(known_relations),
+        cmocka_unit_test(bold_redraws),
+        cmocka_unit_test(small_things_are_alike),
         cmocka_unit_test(asked_any_time),
         cmocka_unit_test(moved_turned_mirrored),
         cmocka_unit_test(parts_of_several),

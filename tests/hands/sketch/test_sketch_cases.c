@@ -70,7 +70,10 @@ static void bump(double f, double *q) { q[0] = 200 + 200 * f, q[1] = 40 * sin(pi
 static void bump_back(double f, double *q) { bump(1 - f, q); }
 static void past_end(double f, double *q) { q[0] = 450 + 300 * f, q[1] = 60 * f * f; }
 static void past_start(double f, double *q) { q[0] = -150 + 300 * f, q[1] = 60 * (1 - f) * (1 - f); }
-static void shorten(double f, double *q) { q[0] = 300 + 150 * f, q[1] = 130 * f * f; }
+static void off_midway(double f, double *q) { q[0] = 120 + 180 * f, q[1] = 50 * f * f; }
+static void off_late(double f, double *q) { q[0] = 300 + 150 * f, q[1] = 130 * f * f; }
+static void shorten(double f, double *q) { q[0] = 400 + 150 * f, q[1] = 130 * f * f; }
+static void off_by_far(double f, double *q) { q[0] = 200 + 100 * f, q[1] = 420 * f; }
 static void past_both(double f, double *q) { q[0] = -40 + 680 * f, q[1] = 30 * sin(pi * f); }
 static void far_away(double f, double *q) { q[0] = 200 + 100 * f, q[1] = 300; }
 static void looped(double f, double *q) {
@@ -115,11 +118,11 @@ static void past_an_end_extends_or_shortens(void **state) {
     assert_true(hypot(ends[0] + 150, ends[1] - 60) <= 1.5);
     assert_true(hypot(ends[2] - 600, ends[3]) <= 1e-9);
     bat_curve_free(now);
-    /* One end far from the curve: the stroke becomes that side's end. */
+    /* One end far from the curve, and little left of it beyond: the stroke becomes that side's end. */
     assert_int_equal(draw(curve, shorten, NULL, &now, &report), BAT_OK);
     assert_true(report.extended[1]);
     end_points(now, ends);
-    assert_true(hypot(ends[2] - 450, ends[3] - 130) <= 1.5);
+    assert_true(hypot(ends[2] - 550, ends[3] - 130) <= 1.5);
     assert_true(distance_to(now, 590, 0) > 100);
     bat_curve_free(now);
     assert_int_equal(draw(curve, past_both, NULL, &now, &report), BAT_OK);
@@ -128,6 +131,30 @@ static void past_an_end_extends_or_shortens(void **state) {
     end_points(now, ends);
     assert_true(hypot(ends[0] + 40, ends[1]) <= 1.5 && hypot(ends[2] - 640, ends[3]) <= 1.5);
     bat_curve_free(now);
+    bat_curve_free(curve);
+}
+
+/* A stroke that ends off the curve, with much of it beyond: the rest blends back over three times the offset where there
+ * is so much, and in any case keeps its end; or the stroke is refused. Never does it vanish. */
+static void the_rest_stays(void **state) {
+    (void)state;
+    bat_curve *curve = line(), *now = NULL;
+    bat_sketch_report report;
+    double ends[4];
+    assert_int_equal(draw(curve, off_midway, NULL, &now, &report), BAT_OK);
+    assert_true(!report.extended[0] && !report.extended[1] && !report.replaced);
+    assert_true(report.transition[1] >= 150 && distance_to(now, 300, 50) <= 6);
+    for (int x = 300 + 200; x <= 600; x += 20) assert_true(distance_to(now, x, 0) <= 0.01);
+    end_points(now, ends);
+    assert_true(hypot(ends[2] - 600, ends[3]) <= 1e-9);
+    bat_curve_free(now);
+    assert_int_equal(draw(curve, off_late, NULL, &now, &report), BAT_OK);
+    end_points(now, ends);
+    assert_true(!report.extended[1] && hypot(ends[2] - 600, ends[3]) <= 1e-9);
+    bat_curve_free(now);
+    now = NULL;
+    assert_int_equal(draw(curve, off_by_far, NULL, &now, &report), BAT_FAR);
+    assert_null(now);
     bat_curve_free(curve);
 }
 
@@ -506,7 +533,7 @@ static void new_curves(void **state) {
         assert_int_equal(bat_sketch_new(&stroke, false, NULL, &now, &report), BAT_OK);
         assert_int_equal(bat_curve_is_closed(now), kind > 0);
         if (kind < 2) assert_true(bat_point_count(now) < 16);
-        if (kind == 2) assert_int_equal(corners_of(now), 3);
+        if (kind == 2) assert_int_equal(corners_of(now), 4); /* the one where its ends meet, too */
         assert_true(farthest(now, points, 30, 370) <= 1 + 3 * 0.4 * 1.5);
         assert_true(worst_jump(now) <= 1e-9);
         bat_curve_free(now);
@@ -617,6 +644,7 @@ static void the_same_input_gives_the_same_bits(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(redraw_either_way),
                                        cmocka_unit_test(past_an_end_extends_or_shortens),
+                                       cmocka_unit_test(the_rest_stays),
                                        cmocka_unit_test(refused),
                                        cmocka_unit_test(loops),
                                        cmocka_unit_test(a_very_short_stroke_is_a_bump),

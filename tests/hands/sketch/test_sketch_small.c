@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include "base/real.h"
 
 #include "support/sketch_cases.h"
 
@@ -320,11 +321,27 @@ static void few_samples_keep_the_ends(void **state) {
     assert_true(worst <= 4);
 }
 
+/* Of something small less than the tolerance is asked; what is within the tolerance is not refused. */
+static void within_the_tolerance_is_enough(void **state) {
+    (void)state;
+    for (int turn = 0; turn < 12; turn++) {
+        const double c = bat_cos(turn * 0.5), s = bat_sin(turn * 0.5), back[4] = {93.33, 82, 91.34, 93.33};
+        double points[8];
+        for (int i = 0; i < 4; i++) points[2 * i] = c * back[i], points[2 * i + 1] = s * back[i];
+        const bat_stroke stroke = {.dimension = 2, .count = 4, .points = points};
+        bat_curve *now = NULL;
+        bat_sketch_report report;
+        assert_int_equal(bat_sketch_new(&stroke, false, NULL, &now, &report), BAT_OK);
+        assert_true(report.max_error <= 1);
+        bat_curve_free(now);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(writing_keeps_its_humps),   cmocka_unit_test(zigzags_keep_their_corners),
         cmocka_unit_test(stars_keep_their_corners),  cmocka_unit_test(circles_keep_their_size),
         cmocka_unit_test(an_open_letter_stays_open), cmocka_unit_test(dabs_stay_small),
-        cmocka_unit_test(few_samples_keep_the_ends)};
+        cmocka_unit_test(few_samples_keep_the_ends), cmocka_unit_test(within_the_tolerance_is_enough)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,7 +39,7 @@ void bat_again_gather(bat_context *c, const bat_meaning *m, const bat_edit *edit
         const bat_intent_reading *reading = &m->readings[i];
         bool fresh = reading->kind == BAT_INTENT_NEW;
         bool near = reading->cost - m->readings[0].cost <= NOT_MUCH * bat_intent_length(m->intent);
-        if (!fresh && (!near || again->count >= BAT_AGAIN_MOST - 1))
+        if (!fresh && (!(near || reading->between) || again->count >= BAT_AGAIN_MOST - 1))
             continue; /* one place is for the new line */
         bat_edit other = *edit;
         bat_meaning_apply(c, m, reading, &other);

@@ -5,14 +5,17 @@
 #include "editor/input/samples.h"
 #include "editor/input/stabiliser.h"
 #include "editor/session/notice.h"
+#include "editor/session/session.h"
+#include "editor/session/undo.h"
 #include "editor/tables/settings.h"
 #include "editor/tools/sketch/parts.h"
 #include "editor/view/stage.h"
 #include <math.h>
 #include <string.h>
 
-static const double TAP = 4; /* px that a tap may travel */
-enum { CLASS_A = 5 };        /* degree of new lines then */
+static const double TAP = 4;     /* px that a tap may travel */
+static const double PALM = 1000; /* ms between a palm and the pen */
+enum { CLASS_A = 5 };            /* degree of new lines then */
 
 static bat_sketch_options options(const bat_context *c) {
     double pixel = bat_stage_pixel(c->stage);
@@ -70,10 +73,19 @@ static void give_up(bat_context *c, bat_sketching *s, bat_status status) {
         bat_notice_failure(c, status);
 }
 
+/* A dot that was touched just before the pen comes down was the hand that holds it. */
+static void take_back_palm(bat_context *c, bat_sketching *s, double time) {
+    if (!s->tap_touched || s->tap_revision != c->session->revision || time - s->tap_time > PALM) return;
+    s->tap_touched = false;
+    bat_session_step(c, true);
+}
+
 void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *event, bat_pick pick,
                          bool forced) {
     double pixel[2] = {event->x, event->y};
     bat_samples samples = s->edit.samples;
+    if (event->device == BAT_DEVICE_PEN && !s->has_pending) take_back_palm(c, s, event->time);
+
     samples.count = 0;
     s->edit = (bat_edit){.kind = BAT_EDIT_NEW,
                          .stage = bat_sketching_stage(c, &pick, pixel),

@@ -5,8 +5,10 @@
 #include "editor/pick/surface.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
+#include "editor/session/undo.h"
 #include "editor/tools/sketch/parts.h"
 #include "editor/view/stage.h"
+#include <math.h>
 #include <string.h>
 
 static const double DOUBLE_TAP = 400, NEAR = 8; /* ms, px */
@@ -95,15 +97,38 @@ static void commit(bat_context *c, bat_sketching *s, bat_edit_result *result, co
     bat_sketching_keep(c, s);
 }
 
-/* A second tap on a surface makes it the ground, or the page again. */
-static void tapped(bat_context *c, bat_sketching *s) {
+/* A second tap on a surface makes it the ground, or the page again; the dot that the first one made goes. */
+static bool tapped(bat_context *c, bat_sketching *s) {
     const double *at = s->edit.samples.pixels;
     const double far = bat_hypot(at[0] - s->tap[0], at[1] - s->tap[1]);
     const bool twice = s->tap_time > 0 && c->time - s->tap_time <= DOUBLE_TAP && far <= NEAR;
     memcpy(s->tap, at, sizeof s->tap);
     s->tap_time = twice ? 0 : c->time;
     const bat_object *surface = twice ? bat_pick_surface(c, at) : NULL;
-    if (surface) bat_ground_take(c, bat_object_id(surface) == c->stage->ground.object ? NULL : surface);
+    if (!surface) return false;
+    if (s->tap_revision == c->session->revision) bat_session_step(c, true);
+    bat_ground_take(c, bat_object_id(surface) == c->stage->ground.object ? NULL : surface);
+    return true;
+}
+
+/* Sets the edit for a stroke that is too short for any other meaning, and computes it. */
+static bat_status mark(bat_context *c, bat_sketching *s, bat_edit_result *result, bat_sketch_report *report) {
+    bat_edit *edit = &s->edit;
+    const bat_samples *samples = &edit->samples;
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    edit->kind = BAT_EDIT_NEW;
+    edit->object = edit->other = 0;
+    edit->curve = edit->other_curve = edit->part_count = 0;
+    edit->meaning = (bat_sketch_meaning){.mark = true};
+    s->meaning.count = 0;
+    for (size_t i = 0; i < 2 * samples->count; i++) {
+        low[i % 2] = fmin(low[i % 2], samples->pixels[i]);
+        high[i % 2] = fmax(high[i % 2], samples->pixels[i]);
+    }
+    /* What is hardly longer than the line is wide would hardly be seen without its ends. */
+    if (bat_hypot(high[0] - low[0], high[1] - low[1]) * edit->options.pixel < edit->style.width)
+        edit->style.cap = BAT_CAP_ROUND;
+    return bat_edit_compute(c->session->document, edit, NULL, result, report);
 }
 
 void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
@@ -125,7 +150,14 @@ void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
     const bool left = s->edit.samples.last.beside;
     const bool beside = 3 * s->dropped > s->dropped + s->edit.samples.count;
     bat_status status = beside ? BAT_FAR : make(c, s, &result, &report, &strayed);
-    if (status == BAT_OK || status == BAT_TOLERANCE) {
+    bool again = false;
+    const bool dot = status == BAT_DOT && !s->smoothing && !s->forced;
+    if (dot) again = tapped(c, s);
+    if (dot && !again) status = mark(c, s, &result, &report);
+    if (status == BAT_TOLERANCE && s->edit.kind == BAT_EDIT_NEW) s->edit.accepted = true, status = BAT_OK;
+    if (again) {
+        bat_notice(c, BAT_STRING_COUNT);
+    } else if (status == BAT_OK || status == BAT_TOLERANCE) {
         if (s->edit.kind == BAT_EDIT_NEW) {
             s->edit.object = bat_document_new_id(c->session->document);
             bat_arrange_place(c, &s->edit.parent);
@@ -140,8 +172,8 @@ void bat_sketching_up(bat_context *c, void *state, const bat_pointer *event) {
         }
     } else {
         bat_sketching_say_failed(c, s, status);
-        if (status == BAT_DOT) tapped(c, s);
     }
+    if (dot) s->tap_revision = c->session->revision, s->tap_touched = s->device == BAT_DEVICE_TOUCH;
     bat_sketching_say_dropped(c, s, beside, left);
     bat_sketching_end_stroke(s);
 }

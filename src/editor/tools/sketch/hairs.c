@@ -7,13 +7,26 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double SOON = 2000;           /* ms between two of them */
-static const double NEAR = 10, SPREAD = 3; /* px, and scatters, that one of them lies from the line at most */
-static const double ENDS = 30;             /* px at both, at most a sixth, that may lie farther */
-/* The share of its length that has to run along those before; with less it goes on where they ended. */
-static const double ALONG = 0.2;
+static const double SOON = 2000; /* ms between two of them */
+/* px that one of them lies from the line at most, or the share of the smaller of both; with much scatter SPREAD
+ * scatters, up to LOOSE times that. */
+static const double NEAR = 10, NEAR_SHARE = 0.05, SPREAD = 3, LOOSE = 2;
+static const double ENDS = 1.0 / 6; /* of its length at both, that may lie farther */
+/* The share of its length that has to run along those before, within this angle; with less it goes on where they
+ * ended. */
+static const double ALONG = 0.2, PARALLEL = 0.819152044288992; /* cosine of 35 degrees */
+/* The share of its length by which it has to get on along the line: a wiggly stroke is not one of them. */
+static const double RESEMBLES = 0.85;
 static const double SLACK = 0.3, LEAST = 0.5; /* scatters, px: what the fit may be off the line */
 static const double WAVE = 140;               /* px: shorter waves are the hand's */
+static const double WHOLE = 280;              /* px: of what is smaller, shorter waves are meant */
+
+enum { PLACES = 48 }; /* on a stroke, evenly: enough to compare two */
+
+typedef struct trace {
+    double x[2 * (PLACES + 1)];
+    double length, size; /* of the stroke; of its box's diagonal */
+} trace;
 
 static bool redraws(const bat_edit *edit) {
     return edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_EXTEND;
@@ -35,55 +48,93 @@ static double from_segment(const double *p, const double *a, const double *b) {
     return bat_hypot(p[0] - a[0] - f * x, p[1] - a[1] - f * y);
 }
 
-static double length_of(const bat_samples *samples) {
+static double length_of(size_t count, const double *x) {
     double length = 0;
-    for (size_t i = 1; i < samples->count; i++) {
-        const double *p = samples->places + 2 * i;
-        length += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
-    }
+    for (size_t i = 1; i < count; i++)
+        length += bat_hypot(x[2 * i] - x[2 * i - 2], x[2 * i + 1] - x[2 * i - 1]);
     return length;
 }
 
-static double from_stroke(const double *p, const bat_samples *stroke) {
-    double least = INFINITY;
-    for (size_t k = 0; k + 1 < stroke->count; k++)
-        least = fmin(least, from_segment(p, stroke->places + 2 * k, stroke->places + 2 * k + 2));
-    return least;
+static double size_of(size_t count, const double *x) {
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (size_t i = 0; i < 2 * count; i++)
+        low[i % 2] = fmin(low[i % 2], x[i]), high[i % 2] = fmax(high[i % 2], x[i]);
+    return bat_hypot(high[0] - low[0], high[1] - low[1]);
 }
 
-/* Which share of the stroke runs along one of those before, looked at in at most LOOKS places. */
-static double share_along(const bat_hairs *h, const bat_samples *samples, double near) {
-    enum { LOOKS = 48 };
-    const double length = length_of(samples);
+static void trace_of(size_t count, const double *x, trace *out) {
+    const double length = length_of(count, x);
     double gone = 0;
-    int looks = 0, along = 0;
-    for (size_t i = 0; i < samples->count; i++) {
-        const double *p = samples->places + 2 * i;
-        bool found = false;
-        if (i) gone += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
-        if (gone * LOOKS < length * looks) continue;
-        for (int j = 0; j < h->count && !found; j++) found = from_stroke(p, &h->strokes[j]) <= near;
-        looks++;
-        along += found;
+    size_t k = 1;
+    for (int i = 0; i <= PLACES; i++) {
+        const double to = length * i / PLACES;
+        double step = 0;
+        for (; k < count; k++) {
+            step = bat_hypot(x[2 * k] - x[2 * k - 2], x[2 * k + 1] - x[2 * k - 1]);
+            if (gone + step >= to || k + 1 == count) break;
+            gone += step;
+        }
+        const double *a = x + 2 * (k < count ? k - 1 : 0), *b = k < count ? a + 2 : a;
+        const double f = step > 0 ? fmin((to - gone) / step, 1) : 0;
+        out->x[2 * i] = a[0] + f * (b[0] - a[0]), out->x[2 * i + 1] = a[1] + f * (b[1] - a[1]);
     }
-    return looks ? (double)along / looks : 0;
+    out->length = length_of(PLACES + 1, out->x);
+    out->size = size_of(PLACES + 1, out->x);
 }
 
-/* Greatest distance of the stroke from the line; its ends may stray. */
-static double farthest(const bat_samples *samples, const bat_average *line, double pixel) {
-    const double length = length_of(samples), end = fmin(ENDS * pixel, length / 6);
-    double worst = 0, gone = 0;
-    for (size_t i = 0; i < samples->count; i++) {
-        const double *p = samples->places + 2 * i;
-        double least = INFINITY;
-        if (i) gone += bat_hypot(p[0] - p[-2], p[1] - p[-1]);
-        if (gone < end || gone > length - end) continue;
-        for (size_t k = 0; k + 1 < line->count; k++)
-            least = fmin(least, from_segment(p, line->points + 2 * k, line->points + 2 * k + 2));
-        worst = fmax(worst, least);
+/* The direction at place i, of a chord long enough for a trembling hand. */
+static void heading(const trace *t, int i, double out[2]) {
+    enum { HALF = 2 };
+    const double *a = t->x + 2 * (i > HALF ? i - HALF : 0),
+                 *b = t->x + 2 * (i + HALF < PLACES ? i + HALF : PLACES);
+    const double x = b[0] - a[0], y = b[1] - a[1], length = bat_hypot(x, y);
+    out[0] = length > 0 ? x / length : 0, out[1] = length > 0 ? y / length : 0;
+}
+
+static bool runs_along(const trace *t, int i, const trace *before, double near) {
+    double way[2], other[2], least = INFINITY;
+    int at = 0;
+    for (int k = 0; k < PLACES; k++) {
+        const double d = from_segment(t->x + 2 * i, before->x + 2 * k, before->x + 2 * k + 2);
+        if (d < least) least = d, at = k;
     }
+    if (!(least <= near)) return false;
+    heading(t, i, way), heading(before, at, other);
+    return fabs(way[0] * other[0] + way[1] * other[1]) >= PARALLEL;
+}
+
+/* Which share of the stroke runs along one of those before. */
+static double share_along(const bat_hairs *h, const trace *t, double near) {
+    bool found[PLACES + 1] = {false};
+    int along = 0;
+    for (int j = 0; j < h->count; j++) {
+        trace before;
+        trace_of(h->strokes[j].count, h->strokes[j].places, &before);
+        for (int i = 0; i <= PLACES; i++) found[i] = found[i] || runs_along(t, i, &before, near);
+    }
+    for (int i = 0; i <= PLACES; i++) along += found[i];
+    return along / (PLACES + 1.0);
+}
+
+/* Greatest distance of the stroke from the line, where its ends may stray; and how far it gets on along the line. */
+static double farthest(const trace *t, const bat_average *line, double *way) {
+    double worst = 0, first = 0, last = 0;
+    for (int i = 0; i <= PLACES; i++) {
+        double least = INFINITY, gone = 0;
+        for (size_t k = 0; k + 1 < line->count; k++) {
+            const double *a = line->points + 2 * k, d = from_segment(t->x + 2 * i, a, a + 2);
+            if (d < least) least = d, last = gone;
+            gone += bat_hypot(a[2] - a[0], a[3] - a[1]);
+        }
+        if (i == 0) first = last;
+        if (i >= ENDS * PLACES && i <= (1 - ENDS) * PLACES) worst = fmax(worst, least);
+    }
+    *way = fabs(last - first);
     return worst;
 }
+
+/* How large a pixel is taken to be where something so small is drawn. */
+static double fine(double size, double pixel) { return fmin(pixel, size / WHOLE); }
 
 /* The line as a curve of its own. */
 static bat_status shape_fresh(const bat_together *t, const bat_edit *edit, double closeness,
@@ -93,7 +144,7 @@ static bat_status shape_fresh(const bat_together *t, const bat_edit *edit, doubl
     bat_fit_report facts;
     options.tolerance = closeness *
                         fmax(fmax(LEAST * pixel, SLACK * t->line.scatter), 0.5 * edit->options.tolerance);
-    options.smoothing = WAVE * pixel;
+    options.smoothing = WAVE * fine(size_of(t->line.count, t->line.points), pixel);
     options.degree = edit->options.degree;
     bat_status status = bat_fit(2, t->line.count, t->line.points, &options, out, &facts);
     if (status != BAT_OK) return status;
@@ -123,12 +174,22 @@ bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_ed
     bat_stroke strokes[BAT_HAIRS_MOST];
     const double pixel = edit->options.pixel;
     bat_average line;
-    if (!follows(c, h, edit) || share_along(h, &edit->samples, 2 * NEAR * pixel) < ALONG) return BAT_STATE;
-    for (int i = 0; i < h->count; i++) strokes[i] = bat_samples_stroke(&h->strokes[i], 0);
+    trace t;
+    if (!follows(c, h, edit)) return BAT_STATE;
+    trace_of(edit->samples.count, edit->samples.places, &t);
+    double size = t.size;
+    for (int i = 0; i < h->count; i++) {
+        size = fmin(size, size_of(h->strokes[i].count, h->strokes[i].places));
+        strokes[i] = bat_samples_stroke(&h->strokes[i], 0);
+    }
     strokes[h->count] = bat_samples_stroke(&edit->samples, 0);
-    bat_status status = bat_converge((size_t)h->count + 1, strokes, pixel, &line);
+    const double near = fmin(NEAR * pixel, NEAR_SHARE * size);
+    if (share_along(h, &t, LOOSE * near) < ALONG) return BAT_STATE;
+    bat_status status = bat_converge((size_t)h->count + 1, strokes, fine(size, pixel), &line);
     if (status != BAT_OK) return status;
-    if (farthest(&edit->samples, &line, pixel) <= fmax(NEAR * pixel, SPREAD * line.scatter)) {
+    double way;
+    const double far = farthest(&t, &line, &way);
+    if (far <= fmin(fmax(near, SPREAD * line.scatter), LOOSE * near) && way >= RESEMBLES * t.length) {
         *out = (bat_together){line, h->fresh};
         return BAT_OK;
     }

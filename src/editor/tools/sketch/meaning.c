@@ -227,23 +227,23 @@ static const bat_meaning_curve *curve_of(const bat_meaning *m, const bat_intent_
     return &m->curves[reading->part[part].line];
 }
 
-static void put_start(bat_context *c, const bat_meaning *m, const bat_intent_reading *reading,
-                      bat_edit *edit) {
-    if (reading->onto < 0 || !edit->samples.count) return;
-    const bat_meaning_curve *curve = &m->curves[reading->onto];
+static void put_tip(bat_context *c, const bat_meaning *m, const bat_intent_reading *reading, int side,
+                    bat_edit *edit) {
+    if (reading->onto[side] < 0 || !edit->samples.count) return;
+    const bat_meaning_curve *curve = &m->curves[reading->onto[side]];
     const bat_finder *finder = bat_scene_finder(c->scene, curve->entry, curve->curve);
     bat_near near;
     if (!finder) return;
     double from[2], at[BAT_DIMENSION_MAX] = {0};
-    bat_stage_seen(&edit->stage, reading->start, from);
+    bat_stage_seen(&edit->stage, reading->tip[side], from);
     bat_finder_nearest(finder, from, &near);
     const bat_curve *onto = bat_edit_curve(c->session->document, edit, curve->object, curve->curve);
     if (!edit->samples.apart)
         memcpy(at, near.point, 2 * sizeof *near.point);
     else if (!onto || !meets(onto, near.u, &edit->stage, at))
         return; /* seen there, but it lies before the ground or behind it */
-    edit->meaning.put = true;
-    memcpy(edit->meaning.start, at, sizeof at);
+    edit->meaning.put[side] = true;
+    memcpy(edit->meaning.tip[side], at, sizeof at);
 }
 
 bool bat_meaning_level(const bat_context *c, bat_id object, int curve, int *level) {
@@ -271,7 +271,7 @@ void bat_meaning_apply(bat_context *c, const bat_meaning *m, const bat_intent_re
     edit->curve = edit->other_curve = edit->part_count = 0;
     if (reading->kind == BAT_INTENT_NEW) {
         edit->meaning.closing = reading->closed ? BAT_CLOSING_YES : BAT_CLOSING_NO;
-        put_start(c, m, reading, edit);
+        for (int side = 0; side < 2; side++) put_tip(c, m, reading, side, edit);
         return;
     }
     edit->object = curve_of(m, reading, 0)->object;

@@ -47,6 +47,8 @@ typedef struct bat_sketching {
     bool forced;             /* its meaning was given in advance */
     bat_meaning meaning;     /* its possible meanings */
     double tap[2], tap_time; /* of the last dot: view pixels, ms */
+    uint64_t tap_revision;   /* of the document after it */
+    bool tap_touched;        /* it was made by a finger, or by a palm */
     bool nothing;            /* none of its possible meanings is allowed */
     bool smoothing;          /* Alt was held at some point of the stroke */
     size_t dropped;          /* samples that do not land on the ground */
