@@ -176,7 +176,7 @@ export class Guest {
   async #replace({ drawings, files }, bytes, name) {
     files.unsaved = false; // or else it would be given up here, before the other can be read
     await drawings.admit(name);
-    if (!files.open(bytes, name)) {
+    if (!await files.open(bytes, name)) {
       return false;
     }
     files.bind(null);

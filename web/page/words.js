@@ -21,6 +21,14 @@ let shortcuts = {};
 /** Something that cannot be done, with a message for the user. */
 export class Refusal extends Error {}
 
+/** All texts, for a worker, which speaks as its page does. */
+export const spoken = () => strings;
+
+/** @param {Record<string, string>} all */
+export function speakAs(all) {
+  strings = all;
+}
+
 /** The text of a key. @param {string} key @param {string | number} [value] replaces "%" */
 export function word(key, value) {
   const text = strings[key] ?? '';
