@@ -18,5 +18,5 @@ export const LIMITS = {
 /** @param {keyof typeof LIMITS} limit @returns {Refusal} */
 export function beyond(limit) {
   const most = LIMITS[limit];
-  return new Refusal(word(`shell.beyond-${limit}`, most % (1 << MB) ? most.toLocaleString('en') : `${most >> MB} MB`));
+  return new Refusal(word(`shell.beyond-${limit}.help`, most % (1 << MB) ? most.toLocaleString('en') : `${most >> MB} MB`));
 }

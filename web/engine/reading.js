@@ -58,10 +58,11 @@ export function readInto(engine, bytes, name, watch) {
 }
 
 /**
- * Adds what a file holds to the drawing, as a group; throws its refusal.
- * @param {Engine} engine @param {Uint8Array} bytes @param {string} name @param {(share: number) => void} [watch]
+ * Adds what a file holds to the drawing; throws its refusal.
+ * @param {Engine} engine @param {Uint8Array} bytes @param {string} name @param {boolean} grouped as one group
+ * @param {(share: number) => void} [watch]
  */
-export function addTo(engine, bytes, name, watch) {
+export function addTo(engine, bytes, name, grouped, watch) {
   if (bytes.length > LIMITS.bytes) {
     throw beyond('bytes');
   }
@@ -70,7 +71,7 @@ export function addTo(engine, bytes, name, watch) {
   } else {
     engine.pasteFile(bytes, name);
   }
-  if (engine.actions().includes('group')) { // more than one object
+  if (grouped && engine.actions().includes('group')) { // more than one object
     engine.command('group');
   }
 }

@@ -49,7 +49,7 @@ export class XmlBomb extends Error {}
 const isSpace = (code) => code === 32 || code === 10 || code === 9;
 
 /** Where the spaces from `at` on end. @param {string} s @param {number} at */
-function skip(s, at) {
+export function skip(s, at) {
   while (isSpace(s.charCodeAt(at))) {
     at++;
   }
@@ -57,7 +57,7 @@ function skip(s, at) {
 }
 
 /** Where the name that begins at `at` ends; `at` itself: there is none. @param {string} s @param {number} at */
-function nameEnd(s, at) {
+export function nameEnd(s, at) {
   for (let i = at; ;) {
     const code = s.codePointAt(i) ?? 0;
     const good = code < 128 ? KINDS[code] === 1 || (KINDS[code] === 2 && i > at) :
@@ -70,7 +70,7 @@ function nameEnd(s, at) {
 }
 
 /** The character of a reference such as "#65"; '': there is none. @param {string} name */
-function character(name) {
+export function character(name) {
   const found = NUMBER.exec(name);
   const code = found ? (found[1] ? parseInt(found[1], 10) : parseInt(found[2], 16)) : 0;
   const good = code === 9 || code === 10 || code === 13 || (code >= 32 && code < 0xd800) || (code > 0xdfff && code < 0xfffe) ||
@@ -78,7 +78,10 @@ function character(name) {
   return good ? String.fromCodePoint(code) : '';
 }
 
-class Reader {
+/** What reads a document type, where that has been imported. @type {{ read: ((reader: Reader, s: string, at: number) => number) | null }} */
+export const types = { read: null };
+
+export class Reader {
   /** @param {string} text @param {Sink} sink @param {number} most */
   constructor(text, sink, most) {
     this.text = text.includes('\r') ? text.replace(/\r\n?/g, '\n') : text;
@@ -114,30 +117,39 @@ class Reader {
   }
 
   /** Goes to a place, which in an entity is the place of its reference. @param {number} at */
-  #go(at) {
+  go(at) {
     if (this.inside.length === 0) {
       this.place = at;
     }
   }
 
   /** Where `what` is. @param {string} s @param {string} what @param {number} at */
-  #find(s, what, at) {
+  find(s, what, at) {
     const found = s.indexOf(what, at);
     this.need(found >= 0);
     return found;
   }
 
   /** @param {string} s @param {number} at @returns {number} where the name ends */
-  #name(s, at) {
+  name(s, at) {
     const end = nameEnd(s, at);
     this.need(end > at);
     return end;
   }
 
+  // ---- what all parts are made of ----
+
+  /** A text in quotes. @param {string} s @param {number} at @returns {[string, number]} it, and where it ends */
+  quoted(s, at) {
+    this.need(s[at] === '"' || s[at] === "'");
+    const end = this.find(s, s[at], at + 1);
+    return [s.slice(at + 1, end), end + 1];
+  }
+
   // ---- entities ----
 
   /** @param {number} size characters that are added */
-  #expand(size) {
+  expand(size) {
     this.room -= size;
     if (this.room < 0) {
       throw new XmlBomb();
@@ -148,7 +160,7 @@ class Reader {
    * Does something with what an entity stands for.
    * @param {string} name @param {Map<string, Entity>} known @param {(text: string) => void} work
    */
-  #within(name, known, work) {
+  within(name, known, work) {
     const entity = known.get(name);
     if (!entity && this.partial) {
       return;
@@ -156,14 +168,14 @@ class Reader {
     if (!entity || entity.outside || this.inside.includes(name) || this.inside.length >= NESTED) {
       this.fail();
     }
-    this.#expand(entity.text.length);
+    this.expand(entity.text.length);
     this.inside.push(name);
     work(entity.text);
     this.inside.pop();
   }
 
   /** A value as read: references resolved, and every kind of space is a space. @param {string} raw @returns {string} */
-  #value(raw) {
+  value(raw) {
     this.need(!raw.includes('<'));
     const plain = /[\t\n]/.test(raw) ? raw.replace(/[\t\n]/g, ' ') : raw;
     let from = plain.indexOf('&');
@@ -172,14 +184,14 @@ class Reader {
     }
     const parts = [plain.slice(0, from)];
     while (from >= 0) {
-      const end = this.#find(plain, ';', from);
+      const end = this.find(plain, ';', from);
       const name = plain.slice(from + 1, end);
       const fixed = name.startsWith('#') ? this.need(character(name)) : FIXED[name];
       if (fixed) {
         parts.push(String(fixed));
       } else {
         this.need(nameEnd(name, 0) === name.length && name);
-        this.#within(name, this.entities, (text) => parts.push(this.#value(text)));
+        this.within(name, this.entities, (text) => parts.push(this.value(text)));
       }
       from = plain.indexOf('&', end);
       parts.push(plain.slice(end + 1, from < 0 ? undefined : from));
@@ -187,188 +199,38 @@ class Reader {
     return parts.join('');
   }
 
-  // ---- the document type ----
-
-  /** A text in quotes. @param {string} s @param {number} at @returns {[string, number]} it, and where it ends */
-  #quoted(s, at) {
-    this.need(s[at] === '"' || s[at] === "'");
-    const end = this.#find(s, s[at], at + 1);
-    return [s.slice(at + 1, end), end + 1];
-  }
-
-  /** @param {string} s @param {number} at @returns {number} past the spaces, of which there is one */
-  #space(s, at) {
-    const end = skip(s, at);
-    this.need(end > at);
-    return end;
-  }
-
-  /** Where a file is, which nobody asks for. @param {string} s @param {number} at */
-  #outside(s, at) {
-    let end = this.#space(s, at + 6);
-    if (s.startsWith('PUBLIC', at)) {
-      end = this.#space(s, this.#quoted(s, end)[1]);
-    }
-    return this.#quoted(s, end)[1];
-  }
-
-  /** @param {string} s @param {number} at */
-  #isOutside(s, at) {
-    return s.startsWith('SYSTEM', at) || s.startsWith('PUBLIC', at);
-  }
-
-  /** <!DOCTYPE @param {string} s @param {number} at @returns {number} past it */
-  #type(s, at) {
-    let i = this.#space(s, at + 9);
-    i = skip(s, this.#name(s, i));
-    if (this.#isOutside(s, i)) {
-      i = skip(s, this.#outside(s, i));
-      this.partial = true;
-    }
-    if (s[i] === '[') {
-      i = this.#declarations(s, i + 1, true);
-      this.need(s[i] === ']');
-      i = skip(s, i + 1);
-    }
-    this.need(s[i] === '>');
-    return i + 1;
-  }
-
-  /** @param {string} s @param {number} at @param {boolean} top not in an entity @returns {number} where they end */
-  #declarations(s, at, top) {
-    for (let i = skip(s, at); ; i = skip(s, i)) {
-      this.#go(i);
-      if (i >= s.length || (top && s[i] === ']')) {
-        return i;
-      }
-      if (s[i] === '%') {
-        const end = this.#name(s, i + 1);
-        this.need(s[end] === ';');
-        const name = s.slice(i + 1, end);
-        if (this.parameters.get(name)?.outside) {
-          this.partial = true;
-        } else {
-          this.#within(name, this.parameters, (text) => this.need(this.#declarations(text, 0, false) === text.length));
-        }
-        i = end + 1;
-      } else if (s.startsWith('<!--', i)) {
-        i = this.#comment(s, i);
-      } else if (s.startsWith('<?', i)) {
-        i = this.#instruction(s, i);
-      } else if (s.startsWith('<!ENTITY', i)) {
-        i = this.#entity(s, i + 8);
-      } else if (s.startsWith('<!ATTLIST', i)) {
-        i = this.#attributesOf(s, i + 9);
-      } else {
-        this.need(s.startsWith('<!ELEMENT', i) || s.startsWith('<!NOTATION', i));
-        i = this.#past(s, i);
-      }
-    }
-  }
-
-  /** The end of a declaration of which nothing is needed. @param {string} s @param {number} at */
-  #past(s, at) {
-    for (let i = at; ; i++) {
-      this.need(i < s.length);
-      if (s[i] === '>') {
-        return i + 1;
-      }
-      if (s[i] === '"' || s[i] === "'") {
-        i = this.#find(s, s[i], i + 1);
-      }
-    }
-  }
-
-  /** <!ENTITY @param {string} s @param {number} at @returns {number} past it */
-  #entity(s, at) {
-    let i = this.#space(s, at);
-    const known = s[i] === '%' ? this.parameters : this.entities;
-    i = s[i] === '%' ? this.#space(s, i + 1) : i;
-    const end = this.#name(s, i);
-    const name = s.slice(i, end);
-    const entity = { text: '', outside: false };
-    i = this.#space(s, end);
-    if (this.#isOutside(s, i)) {
-      entity.outside = true;
-      i = this.#past(s, this.#outside(s, i)) - 1;
-    } else {
-      const [raw, next] = this.#quoted(s, i);
-      this.need(!raw.includes('%'));
-      entity.text = raw.replace(/&([^;&]*)(;?)/g, (whole, reference, semicolon) => {
-        this.need(semicolon && (reference.startsWith('#') || (reference && nameEnd(reference, 0) === reference.length)));
-        return reference.startsWith('#') ? String(this.need(character(reference))) : whole;
-      });
-      i = skip(s, next);
-    }
-    this.need(s[i] === '>');
-    if (!known.has(name)) {
-      known.set(name, entity);
-    }
-    return i + 1;
-  }
-
-  /** <!ATTLIST @param {string} s @param {number} at @returns {number} past it */
-  #attributesOf(s, at) {
-    let i = this.#space(s, at);
-    let end = this.#name(s, i);
-    const element = s.slice(i, end);
-    const given = this.given.get(element) ?? new Map();
-    for (i = skip(s, end); s[i] !== '>'; i = skip(s, i)) {
-      end = this.#name(s, i);
-      const name = s.slice(i, end);
-      i = this.#space(s, end);
-      i = s[i] === '(' ? this.#find(s, ')', i) + 1 : this.#name(s, i);
-      i = this.#space(s, i);
-      if (s[i] === '(') { // of notations
-        i = this.#space(s, this.#find(s, ')', i) + 1);
-      }
-      const fixed = s.startsWith('#FIXED', i);
-      if (s[i] === '#' && !fixed) {
-        i = this.#name(s, i + 1);
-        continue;
-      }
-      const [raw, next] = this.#quoted(s, fixed ? this.#space(s, i + 6) : i);
-      i = next;
-      if (!given.has(name)) {
-        given.set(name, this.#value(raw));
-      }
-    }
-    this.given.set(element, given);
-    return i + 1;
-  }
-
   // ---- what is in a document ----
 
   /** @param {string} s @param {number} at @returns {number} past it */
-  #comment(s, at) {
-    const end = this.#find(s, '--', at + 4);
+  comment(s, at) {
+    const end = this.find(s, '--', at + 4);
     this.need(s[end + 2] === '>');
     return end + 3;
   }
 
   /** @param {string} s @param {number} at @returns {number} past it */
-  #instruction(s, at) {
-    const end = this.#name(s, at + 2);
+  instruction(s, at) {
+    const end = this.name(s, at + 2);
     this.need(!/^xml$/i.test(s.slice(at + 2, Math.min(end, at + 6))));
     this.need(isSpace(s.charCodeAt(end)) || s.startsWith('?>', end));
-    return this.#find(s, '?>', end) + 2;
+    return this.find(s, '?>', end) + 2;
   }
 
   /** A start tag. @param {string} s @param {number} at @returns {number} past it */
   #tag(s, at) {
-    let end = this.#name(s, at + 1);
+    let end = this.name(s, at + 1);
     const name = s.slice(at + 1, end);
     /** @type {string[]} */
     const attributes = [];
     let i = skip(s, end);
     while (s[i] !== '>' && s[i] !== '/') {
       this.need(i > end); // a space comes first
-      end = this.#name(s, i);
+      end = this.name(s, i);
       attributes.push(s.slice(i, end));
       i = skip(s, end);
       this.need(s[i] === '=');
-      const [raw, next] = this.#quoted(s, skip(s, i + 1));
-      attributes.push(this.#value(raw));
+      const [raw, next] = this.quoted(s, skip(s, i + 1));
+      attributes.push(this.value(raw));
       end = next;
       i = skip(s, end);
     }
@@ -394,7 +256,7 @@ class Reader {
     this.need(2 * names.size === attributes.length);
     for (const [other, value] of given ?? []) {
       if (!names.has(other)) {
-        this.#expand(value.length);
+        this.expand(value.length);
         attributes.push(other, value);
       }
     }
@@ -410,7 +272,7 @@ class Reader {
 
   /** What stands after "&". @param {string} s @param {number} at @returns {number} past it */
   #reference(s, at) {
-    const end = this.#find(s, ';', at);
+    const end = this.find(s, ';', at);
     const name = s.slice(at + 1, end);
     this.need(this.open.length > 0);
     const fixed = name.startsWith('#') ? this.need(character(name)) : FIXED[name];
@@ -418,7 +280,7 @@ class Reader {
       this.sink.text(String(fixed));
     } else {
       this.need(name && nameEnd(name, 0) === name.length);
-      this.#within(name, this.entities, (text) => this.content(text, 0));
+      this.within(name, this.entities, (text) => this.content(text, 0));
     }
     return end + 1;
   }
@@ -434,13 +296,13 @@ class Reader {
       return end + 1;
     }
     if (s[at + 1] === '?') {
-      return this.#instruction(s, at);
+      return this.instruction(s, at);
     }
     if (s.startsWith('<!--', at)) {
-      return this.#comment(s, at);
+      return this.comment(s, at);
     }
     if (s.startsWith('<![CDATA[', at)) {
-      const end = this.#find(s, ']]>', at + 9);
+      const end = this.find(s, ']]>', at + 9);
       this.need(this.open.length > 0);
       this.sink.text(s.slice(at + 9, end));
       return end + 3;
@@ -453,7 +315,7 @@ class Reader {
     const base = this.open.length;
     let reference = -2; // the next one; -1: none
     while (at < s.length) {
-      this.#go(at);
+      this.go(at);
       let tag = s.indexOf('<', at);
       tag = tag < 0 ? s.length : tag;
       if (reference !== -1 && reference < at) {
@@ -461,7 +323,7 @@ class Reader {
       }
       const next = reference >= 0 && reference < tag ? reference : tag;
       this.#text(s.slice(at, next));
-      this.#go(next);
+      this.go(next);
       at = next;
       if (next === reference) {
         at = this.#reference(s, next);
@@ -472,6 +334,7 @@ class Reader {
         }
       }
     }
+    this.go(at);
     this.need(this.open.length === base && base > 0);
     return at;
   }
@@ -481,13 +344,13 @@ class Reader {
     const s = this.text;
     let type = before;
     for (let i = skip(s, at); ; i = skip(s, i)) {
-      this.#go(i);
+      this.go(i);
       if (s.startsWith('<!--', i)) {
-        i = this.#comment(s, i);
+        i = this.comment(s, i);
       } else if (s.startsWith('<?', i)) {
-        i = this.#instruction(s, i);
-      } else if (type && s.startsWith('<!DOCTYPE', i)) {
-        i = this.#type(s, i);
+        i = this.instruction(s, i);
+      } else if (type && types.read && s.startsWith('<!DOCTYPE', i)) {
+        i = types.read(this, s, i);
         type = false;
       } else {
         return i;
@@ -501,7 +364,7 @@ class Reader {
     this.need(!WRONG.test(s));
     let at = 0;
     if (/^<\?xml[ \t\n]/.test(s)) {
-      at = this.#find(s, '?>', 0) + 2;
+      at = this.find(s, '?>', 0) + 2;
       const found = DECLARATION.exec(s.slice(0, Math.min(at, 1000)));
       this.need(found);
       this.alone = found?.[6] === 'yes';

@@ -12,7 +12,8 @@ import { answer, question } from '../sheets/question.js';
  * @property {WebAssembly.Module} first @property {WebAssembly.Module | null} second
  * @property {Image} image of the page's engine @property {Record<string, string>} texts
  * @property {Blob} file @property {string} name
- * @property {boolean} adding to the drawing, not in its place @property {boolean} asked what it holds is to be told
+ * @property {'open' | 'add' | 'paste'} how in place of the drawing, or added to it: as a group, or as it is
+ * @property {boolean} asked what it holds is to be told
  */
 /** @typedef {{ image: Image, bytes: Uint8Array<ArrayBuffer>, content: Content | null }} Answer */
 /** @typedef {{ share?: number, answer?: Answer, refused?: string }} Said */
@@ -22,9 +23,10 @@ const ID = 'opening';
 
 /** What is shown of the progress, once it takes long. */
 class Progress {
-  /** @param {string} name @param {() => void} cancel */
-  constructor(name, cancel) {
+  /** @param {string} name @param {Record<string, string>} texts @param {() => void} cancel */
+  constructor(name, texts, cancel) {
     this.name = name;
+    this.made = (texts['shell.opening-made.help'] ?? '').replace('%', () => name);
     this.bar = document.createElement('progress');
     this.share = 0;
     this.timer = setTimeout(() => this.#show(cancel), PATIENCE);
@@ -45,7 +47,7 @@ class Progress {
     const text = document.getElementById(`${ID}-text`);
     if (text && this.timer === 0) {
       const read = Math.floor(100 * share);
-      text.textContent = share < 1 ? `${word('shell.opening', this.name)} ${read} %` : word('shell.opening-made', this.name);
+      text.textContent = share < 1 ? `${word('shell.opening', this.name)} ${read} %` : this.made;
       if (share < 1) {
         this.bar.value = share;
       } else {
@@ -62,20 +64,21 @@ class Progress {
 }
 
 /**
- * @param {Engine} engine @param {Blob} file @param {string} name @param {boolean} adding @param {boolean} asked
+ * @param {Engine} engine @param {Blob} file @param {string} name @param {Order['how']} how @param {boolean} asked
  * @returns {Promise<Answer | null>} null: cancelled. Throws the refusal.
  */
-async function send(engine, file, name, adding, asked) {
+async function send(engine, file, name, how, asked) {
+  const texts = await spoken();
   const worker = new Worker(addressOf('keep/apart_worker.js'), { type: 'module' });
   const { module: { first, second } } = engine;
   const image = engine.image();
   /** @type {Order} */
-  const order = { first, second, image, texts: spoken(), file, name, adding, asked };
+  const order = { first, second, image, texts, file, name, how, asked };
   /** @type {Progress | undefined} */
   let progress;
   try {
     return await new Promise((resolve, reject) => {
-      progress = new Progress(name, () => resolve(null));
+      progress = new Progress(name, texts, () => resolve(null));
       worker.addEventListener('message', ({ data }) => {
         const { share, answer: made, refused } = /** @type {Said} */ (data);
         if (share !== undefined) {
@@ -107,18 +110,19 @@ const blobOf = (file) => (file instanceof Blob ? file : new Blob([/** @type {Blo
  * @returns {Promise<import('./files.js').Read | null>} null: cancelled
  */
 export async function readApart(engine, file, name, asked) {
-  const made = await send(engine, blobOf(file), name, false, asked);
+  const made = await send(engine, blobOf(file), name, 'open', asked);
   return made && { bytes: made.bytes, content: made.content, take: () => engine.adopt(made.image, true) };
 }
 
 /**
  * Adds a file to the drawing. Throws its refusal.
- * @param {Engine} engine @param {Blob} file @param {string} name @returns {Promise<boolean>} false: cancelled
+ * @param {Engine} engine @param {Blob} file @param {string} name @param {boolean} grouped as one group
+ * @returns {Promise<boolean>} false: cancelled
  */
-export async function addApart(engine, file, name) {
+export async function addApart(engine, file, name, grouped) {
   for (;;) {
     const before = engine.journal.length + engine.digest();
-    const made = await send(engine, file, name, true, false);
+    const made = await send(engine, file, name, grouped ? 'add' : 'paste', false);
     if (made && before !== engine.journal.length + engine.digest()) {
       continue; // something was drawn before the progress was shown
     }

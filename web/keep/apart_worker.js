@@ -5,6 +5,7 @@ import { Engine } from '../engine/engine.js';
 import { beyond, LIMITS } from '../engine/limits.js';
 import { Module } from '../engine/module.js';
 import { addTo, readInto } from '../engine/reading.js';
+import '../engine/xml_types.js';
 import { speakAs } from '../page/words.js';
 import { bytesOf } from './gzip.js';
 
@@ -37,7 +38,7 @@ function prepare(engine) {
 }
 
 /** @param {Order} order @returns {Promise<Answer>} */
-async function read({ first, second, image, texts, file, name, adding, asked }) {
+async function read({ first, second, image, texts, file, name, how, asked }) {
   speakAs(texts);
   const module = new Module(first);
   module.second = second;
@@ -46,7 +47,11 @@ async function read({ first, second, image, texts, file, name, adding, asked }) 
   engine.adopt(image, false);
   const bytes = await bytesOf(file, (share) => tell(UNPACKED * share));
   const watch = (/** @type {number} */ share) => tell(UNPACKED + (1 - UNPACKED) * share);
-  (adding ? addTo : readInto)(engine, bytes, name, watch);
+  if (how === 'open') {
+    readInto(engine, bytes, name, watch);
+  } else {
+    addTo(engine, bytes, name, how === 'add', watch);
+  }
   prepare(engine);
   const content = asked ? { svg: engine.save(false), holds: JSON.parse(engine.ask('editor_holds')), losses: engine.losses,
     keeps: engine.keeps } : null;

@@ -113,7 +113,7 @@ export class Clipboard {
         this.engine.pasteSvg(file);
       } else {
         const { addApart } = await want(import('./apart.js'));
-        await addApart(this.engine, new Blob([file]), PASTED);
+        await addApart(this.engine, new Blob([file]), PASTED, false);
       }
     } catch (error) {
       if (!(error instanceof Refusal)) {

@@ -10,11 +10,11 @@ const SMALL = 1 << 16; // bytes: a larger file is not looked at here
 async function add({ engine }, file, name) {
   const bytes = file.size <= SMALL ? new Uint8Array(await file.arrayBuffer()) : null;
   if (bytes && isQuick(bytes)) {
-    addTo(engine, bytes, name);
+    addTo(engine, bytes, name, true);
     return true;
   }
   const { addApart } = await want(import('./apart.js'));
-  return addApart(engine, file, name);
+  return addApart(engine, file, name, true);
 }
 
 /** @param {import('./files.js').Files} files @param {File[]} drawings */
