@@ -11,10 +11,6 @@ import { readSvg } from './svg_reader.js';
 /** @typedef {import('./types.js').Pointer} Pointer */
 /** @typedef {import('./types.js').Tables} Tables */
 
-/** @typedef {{ memory: Uint8Array<ArrayBuffer>, editor: number, scratch: number, events: number, long: number,
- * size: number[], readOnly: boolean }} Image */
-
-const PAGE = 1 << 16; // bytes: what a memory grows by
 const decoder = new TextDecoder();
 
 export class Engine extends Instance {
@@ -253,7 +249,7 @@ export class Engine extends Instance {
       decoder.decode(this.take()) : ''), '');
   }
 
-  /** @param {string} text of an SVG file @param {(share: number) => void} [watch] */
+  /** @param {string} text of an SVG file @param {import('./svg_reader.js').Watch} [watch] */
   pasteSvg(text, watch) {
     this.#done(this.guard(() => readSvg(this, text, false, (reader) =>
       this.wasm.svg_paste(reader, this.editor, this.scratch), watch), -1));
@@ -266,31 +262,6 @@ export class Engine extends Instance {
   }
 
   // ---- files ----
-
-  /** A copy of all that the engine is, for another one of the same build. @returns {Image} */
-  image() {
-    const { editor, scratch, events, long, size, readOnly } = this;
-    return { memory: new Uint8Array(this.wasm.memory.buffer).slice(), editor, scratch, events, long, size, readOnly };
-  }
-
-  /**
-   * Goes on as the engine did of which this is a copy.
-   * @param {Image} image @param {boolean} opened the drawing is another one
-   */
-  adopt({ memory, editor, scratch, events, long }, opened) {
-    const { wasm } = this;
-    const more = Math.ceil((memory.length - wasm.memory.buffer.byteLength) / PAGE);
-    if (more > 0) {
-      wasm.memory.grow(more);
-    }
-    new Uint8Array(wasm.memory.buffer).set(memory);
-    Object.assign(this, { editor, scratch, events, long, stillVersion: -1 });
-    wasm.editor_resize(editor, ...this.size); // they may have changed meanwhile
-    wasm.editor_read_only(editor, Number(this.readOnly));
-    if (opened) {
-      this.begun(new Uint8Array(0)); // to be copied afresh
-    }
-  }
 
   /** A native document. @param {Uint8Array} bytes @param {string} name */
   openNative(bytes, name) {
@@ -310,7 +281,7 @@ export class Engine extends Instance {
     this.#opened(status);
   }
 
-  /** @param {string} text of an SVG file @param {string} name @param {(share: number) => void} [watch] */
+  /** @param {string} text of an SVG file @param {string} name @param {import('./svg_reader.js').Watch} [watch] */
   openSvg(text, name, watch) {
     const broken = -1;
     const status = this.guard(() => readSvg(this, text, true, (reader) => this.lend(name, (title) =>

@@ -1,7 +1,5 @@
 // Files of every format as the engine takes them.
 
-import { beyond, LIMITS } from './limits.js';
-
 /** @typedef {import('./engine.js').Engine} Engine */
 
 /** What is read at once, while the page waits: so small that nothing in it takes long, and nothing repeats what it holds. */
@@ -40,12 +38,9 @@ export const isQuick = (bytes) => bytes.length <= QUICK && !isPacked(bytes) && i
 
 /**
  * Opens the bytes of a file in an engine; throws its refusal.
- * @param {Engine} engine @param {Uint8Array} bytes @param {string} name @param {(share: number) => void} [watch]
+ * @param {Engine} engine @param {Uint8Array} bytes @param {string} name @param {import('./svg_reader.js').Watch} [watch]
  */
 export function readInto(engine, bytes, name, watch) {
-  if (bytes.length > LIMITS.bytes) {
-    throw beyond('bytes');
-  }
   const first = decodeXml(bytes.subarray(0, 256)).trimStart()[0];
   const svg = /\.svgz?$/i.test(name);
   if (isNative(name) || (svg && first === '{')) {
@@ -60,12 +55,9 @@ export function readInto(engine, bytes, name, watch) {
 /**
  * Adds what a file holds to the drawing; throws its refusal.
  * @param {Engine} engine @param {Uint8Array} bytes @param {string} name @param {boolean} grouped as one group
- * @param {(share: number) => void} [watch]
+ * @param {import('./svg_reader.js').Watch} [watch]
  */
 export function addTo(engine, bytes, name, grouped, watch) {
-  if (bytes.length > LIMITS.bytes) {
-    throw beyond('bytes');
-  }
   if (/\.svgz?$/i.test(name)) {
     engine.pasteSvg(decodeXml(bytes), watch);
   } else {

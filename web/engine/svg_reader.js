@@ -2,10 +2,16 @@
 
 import { Refusal, word } from '../page/words.js';
 import { OK } from './instance.js';
-import { beyond, LIMITS } from './limits.js';
-import { readXml, XmlBomb, XmlFault } from './xml.js';
+import { readXml, XmlFault } from './xml.js';
 
 /** @typedef {import('./instance.js').Instance} Instance */
+/**
+ * Follows the reading of a file, and may throw to end it. expanded: characters that its entities may add.
+ * @typedef {{ expanded: number, see: (share: number, attributes: string[]) => void }} Watch
+ */
+
+/** Of what is read at once, which is small. @type {Watch} */
+const NONE = { expanded: 0, see: () => {} };
 
 /** The module takes no more. */
 class Refused extends Error {
@@ -23,50 +29,17 @@ function check(status) {
   }
 }
 
-/** How many numbers path data or a list of points has, at least. @param {string} text */
-function numbersIn(text) {
-  let [count, within] = [0, false];
-  for (let i = 0; i < text.length; i++) {
-    const code = text.charCodeAt(i);
-    const digit = (code >= 48 && code < 58) || code === 46;
-    count += Number(digit && !within);
-    within = digit;
-  }
-  return count;
-}
-
-/**
- * Passes every element to the reader.
- * @param {Instance} module @param {number} reader @param {string} text @param {(share: number) => void} watch
- */
-function feed(module, reader, text, watch) {
+/** Passes every element to the reader. @param {Instance} module @param {number} reader @param {string} text @param {Watch} watch */
+function feed(module, reader, text, { expanded, see }) {
   const { wasm } = module;
-  let [count, numbers] = [0, 0];
   readXml(text, {
     start: (name, attributes, at) => {
-      if (++count > LIMITS.elements) {
-        throw beyond('elements');
-      }
-      for (let i = 0; i < attributes.length; i += 2) {
-        numbers += attributes[i] === 'd' || attributes[i] === 'points' ? numbersIn(attributes[i + 1]) : 0;
-      }
-      if (numbers > 6 * LIMITS.segments) { // even if all are of cubics
-        throw beyond('segments');
-      }
-      watch(at / text.length);
+      see(at / text.length, attributes);
       check(module.lend([name, ...attributes].join('\0'), (strings) => wasm.svg_start(reader, strings, attributes.length / 2)));
     },
     text: (part) => check(module.lend(part, (address, size) => wasm.svg_text(reader, address, size))),
     end: () => check(wasm.svg_end(reader)),
-  }, LIMITS.expanded);
-}
-
-/** What the user is told. @param {unknown} error */
-function said(error) {
-  if (error instanceof XmlFault) {
-    return new Refusal(`${word('shell.not-xml')} line ${error.line} at column ${error.column}`);
-  }
-  return error instanceof XmlBomb ? beyond('expanded') : error;
+  }, expanded);
 }
 
 /**
@@ -75,10 +48,10 @@ function said(error) {
  * @param {string} text of the whole file
  * @param {boolean} kept the document keeps the text
  * @param {(reader: number) => number} finish frees the reader
- * @param {(share: number) => void} [watch] told how much has been read
+ * @param {Watch} [watch]
  * @returns {number} status
  */
-export function readSvg(module, text, kept, finish, watch = () => {}) {
+export function readSvg(module, text, kept, finish, watch = NONE) {
   const reader = module.wasm.svg_begin();
   if (!reader) {
     throw new Refusal(word('shell.no-memory'));
@@ -96,8 +69,8 @@ export function readSvg(module, text, kept, finish, watch = () => {}) {
     if (error instanceof Refused) {
       return error.status;
     }
-    throw said(error);
+    throw error instanceof XmlFault ? new Refusal(`${word('shell.not-xml')} line ${error.line} at column ${error.column}`) : error;
   }
-  watch(1);
+  watch.see(1, []);
   return finish(reader);
 }

@@ -1,11 +1,12 @@
 // Reads what may take long in a worker, with its progress and a way to cancel. Fetched with the first such file.
 
+import { adopt, imageOf } from '../engine/image.js';
 import { addressOf, miss, Missing } from '../page/build.js';
 import { Refusal, spoken, word } from '../page/words.js';
 import { answer, question } from '../sheets/question.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
-/** @typedef {import('../engine/engine.js').Image} Image */
+/** @typedef {import('../engine/image.js').Image} Image */
 /** @typedef {import('../sheets/holds.js').Content} Content */
 /**
  * @typedef {object} Order what the worker is to do
@@ -71,7 +72,7 @@ async function send(engine, file, name, how, asked) {
   const texts = await spoken();
   const worker = new Worker(addressOf('keep/apart_worker.js'), { type: 'module' });
   const { module: { first, second } } = engine;
-  const image = engine.image();
+  const image = imageOf(engine);
   /** @type {Order} */
   const order = { first, second, image, texts, file, name, how, asked };
   /** @type {Progress | undefined} */
@@ -111,7 +112,7 @@ const blobOf = (file) => (file instanceof Blob ? file : new Blob([/** @type {Blo
  */
 export async function readApart(engine, file, name, asked) {
   const made = await send(engine, blobOf(file), name, 'open', asked);
-  return made && { bytes: made.bytes, content: made.content, take: () => engine.adopt(made.image, true) };
+  return made && { bytes: made.bytes, content: made.content, take: () => adopt(engine, made.image, true) };
 }
 
 /**
@@ -127,7 +128,7 @@ export async function addApart(engine, file, name, grouped) {
       continue; // something was drawn before the progress was shown
     }
     if (made) {
-      engine.adopt(made.image, false);
+      adopt(engine, made.image, false);
     }
     return made !== null;
   }

@@ -3,8 +3,8 @@
 
 import { addressOf, miss, Missing } from '../page/build.js';
 
-/** @typedef {import('./shape.js').Context} Context */
-/** @typedef {import('./shape.js').Look} Look */
+/** @typedef {import('./paint.js').Context} Context */
+/** @typedef {import('./paint.js').Look} Look */
 /** @typedef {import('../engine/types.js').Item} Item */
 /** @typedef {{ key: string, matrix: DOMMatrix, picture: ImageBitmap | null }} Made picture null: it takes too long */
 
