@@ -67,6 +67,13 @@ test('what is too much is refused with its number, and the drawing that is open 
   await context.close();
 });
 
+test('more rules times elements than are tried are refused with the number', async () => {
+  const { page, context } = await open(browser, server.address);
+  await choose(page, 'rules.svg', `${HEAD}<style>${'rect{fill:red}'.repeat(20000)}</style>${rects(2000)}</svg>`);
+  await said(page, /rules.svg was not opened.*33 million style rules/);
+  await context.close();
+});
+
 test('reading goes on in a worker: the page turns, shows progress, and can cancel', async () => {
   const { page, context } = await open(browser, server.address);
   await drop(page, 'first.svg', `${HEAD}<path d="M0 0L10 10"/></svg>`);
