@@ -15,7 +15,7 @@ import { Notices } from './page/notice.js';
 import './page/ring.js';
 import { Settings } from './page/settings.js';
 import { Whole } from './page/whole.js';
-import { Words } from './page/words.js';
+import { word, Words } from './page/words.js';
 import { Panel } from './sheets/panel.js';
 import { Requests } from './sheets/requests.js';
 import { Input } from './stage/input.js';
@@ -64,6 +64,7 @@ export class Shell {
   #connect() {
     const { engine, painter, theme } = this;
     painter.onidle = this.wake;
+    painter.onlate = () => this.notices.say(word('shell.late.help'));
     painter.onpicture = async (picture) => {
       const { decode } = await want(import('./stage/pictures.js'));
       painter.pictures.set(picture, await decode(engine.picture(picture)));

@@ -184,8 +184,8 @@ test('a spline beside a drawing: saved as SVG, it comes back as a spline', async
   }
   await page.keyboard.press('Enter');
   const before = await newest(page);
-  const again = await page.evaluate(() => {
-    batten.files.open(batten.engine.save(false), 'again.svg');
+  const again = await page.evaluate(async () => {
+    await batten.files.open(batten.engine.save(false), 'again.svg');
     return JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.at(-1);
   });
   assert.deepEqual(again, before);

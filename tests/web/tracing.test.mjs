@@ -87,11 +87,14 @@ for (const colorScheme of ['light', 'dark']) {
     const { digest, check } = await state(page);
     assert.equal(check, '');
     // Saved in both formats and opened again, it is the same.
-    const digests = await page.evaluate(() => [true, false].map((native) => {
-      const bytes = batten.engine.save(native);
-      batten.files.open(bytes, native ? 'a.batten' : 'a.svg');
-      return batten.engine.digest();
-    }));
+    const digests = await page.evaluate(async () => {
+      const all = [];
+      for (const native of [true, false]) {
+        await batten.files.open(batten.engine.save(native), native ? 'a.batten' : 'a.svg');
+        all.push(batten.engine.digest());
+      }
+      return all;
+    });
     assert.deepEqual(digests, [digest, digests[1]]);
     await settle(page);
     assert.ok((await colourAt(page, ...(await middle(page))))[3] > 0 || await inked(page, 'still') > 1000);

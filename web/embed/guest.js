@@ -174,7 +174,7 @@ export class Guest {
   /** @param {Shell} shell @param {Uint8Array} bytes @param {string} name @returns {Promise<boolean>} */
   async #replace({ drawings, files }, bytes, name) {
     files.unsaved = false;
-    if (!files.open(bytes, name)) {
+    if (!await files.open(bytes, name)) {
       return false;
     }
     files.bind(null);

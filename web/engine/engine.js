@@ -249,10 +249,10 @@ export class Engine extends Instance {
       decoder.decode(this.take()) : ''), '');
   }
 
-  /** @param {Element} root */
-  pasteSvg(root) {
-    this.#done(this.guard(() => readSvg(this, root, '', (reader) =>
-      this.wasm.svg_paste(reader, this.editor, this.scratch)), -1));
+  /** @param {string} text of an SVG file @param {import('./svg_reader.js').Watch} [watch] */
+  pasteSvg(text, watch) {
+    this.#done(this.guard(() => readSvg(this, text, false, (reader) =>
+      this.wasm.svg_paste(reader, this.editor, this.scratch), watch), -1));
   }
 
   /** Of another format. @param {Uint8Array} bytes @param {string} name */
@@ -281,11 +281,11 @@ export class Engine extends Instance {
     this.#opened(status);
   }
 
-  /** An SVG document as parsed by the browser. @param {Element} root @param {string} text @param {string} name */
-  openSvg(root, text, name) {
+  /** @param {string} text of an SVG file @param {string} name @param {import('./svg_reader.js').Watch} [watch] */
+  openSvg(text, name, watch) {
     const broken = -1;
-    const status = this.guard(() => readSvg(this, root, text, (reader) => this.lend(name, (title) =>
-      this.wasm.svg_finish(reader, this.editor, title, this.scratch))), broken);
+    const status = this.guard(() => readSvg(this, text, true, (reader) => this.lend(name, (title) =>
+      this.wasm.svg_finish(reader, this.editor, title, this.scratch)), watch), broken);
     this.#opened(status);
   }
 

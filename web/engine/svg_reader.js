@@ -2,78 +2,75 @@
 
 import { Refusal, word } from '../page/words.js';
 import { OK } from './instance.js';
-import { plain } from './svg.js';
+import { readXml, XmlFault } from './xml.js';
 
 /** @typedef {import('./instance.js').Instance} Instance */
-
 /**
- * Passes an element and everything in it to the reader, in document order, without recursion: files may nest deeply.
- * @param {Instance} module
- * @param {number} reader
- * @param {Element} root
- * @returns {number} status
+ * Follows the reading of a file, and may throw to end it. expanded: characters that its entities may add.
+ * @typedef {{ expanded: number, see: (share: number, attributes: string[]) => void }} Watch
  */
-function walk(module, reader, root) {
-  /** @type {Node | null} */
-  let node = root;
-  while (node) {
-    let status = OK;
-    if (node.nodeType === Node.ELEMENT_NODE) {
-      const element = /** @type {Element} */ (node);
-      const strings = [element.nodeName];
-      for (const attribute of element.attributes) {
-        strings.push(attribute.name, plain(attribute.value));
-      }
-      const pairs = element.attributes.length;
-      status = module.lend(strings.join('\0'), (text) => module.wasm.svg_start(reader, text, pairs));
-    } else if (node.nodeType === Node.TEXT_NODE || node.nodeType === Node.CDATA_SECTION_NODE) {
-      status = module.lend(plain(node.nodeValue ?? ''), (text, size) => module.wasm.svg_text(reader, text, size));
-    }
-    if (status !== OK) {
-      return status;
-    }
-    if (node.firstChild) {
-      node = node.firstChild;
-      continue;
-    }
-    for (;;) {
-      if (node.nodeType === Node.ELEMENT_NODE) {
-        status = module.wasm.svg_end(reader);
-        if (status !== OK) {
-          return status;
-        }
-      }
-      if (node === root) {
-        return OK;
-      }
-      if (node.nextSibling) {
-        node = node.nextSibling;
-        break;
-      }
-      node = /** @type {Node} */ (node.parentNode);
-    }
+
+/** Of what is read at once, which is small. @type {Watch} */
+const NONE = { expanded: 0, see: () => {} };
+
+/** The module takes no more. */
+class Refused extends Error {
+  /** @param {number} status */
+  constructor(status) {
+    super();
+    this.status = status;
   }
-  return OK;
+}
+
+/** @param {number} status */
+function check(status) {
+  if (status !== OK) {
+    throw new Refused(status);
+  }
+}
+
+/** Passes every element to the reader. @param {Instance} module @param {number} reader @param {string} text @param {Watch} watch */
+function feed(module, reader, text, { expanded, see }) {
+  const { wasm } = module;
+  readXml(text, {
+    start: (name, attributes, at) => {
+      see(at / text.length, attributes);
+      check(module.lend([name, ...attributes].join('\0'), (strings) => wasm.svg_start(reader, strings, attributes.length / 2)));
+    },
+    text: (part) => check(module.lend(part, (address, size) => wasm.svg_text(reader, address, size))),
+    end: () => check(wasm.svg_end(reader)),
+  }, expanded);
 }
 
 /**
  * Passes an SVG document to a reader, then says what to do with it.
  * @param {Instance} module
- * @param {Element} root
- * @param {string} text of the whole file, '' when it is not to be kept
+ * @param {string} text of the whole file
+ * @param {boolean} kept the document keeps the text
  * @param {(reader: number) => number} finish frees the reader
+ * @param {Watch} [watch]
  * @returns {number} status
  */
-export function readSvg(module, root, text, finish) {
+export function readSvg(module, text, kept, finish, watch = NONE) {
   const reader = module.wasm.svg_begin();
   if (!reader) {
     throw new Refusal(word('shell.no-memory'));
   }
-  const refused = walk(module, reader, root) ||
-    (text ? module.lend(text, (source, size) => module.wasm.svg_source(reader, source, size)) : OK);
-  if (refused !== OK) {
+  try {
+    feed(module, reader, text, watch);
+    if (kept) {
+      check(module.lend(text, (source, size) => module.wasm.svg_source(reader, source, size)));
+    }
+  } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError) {
+      throw error; // the whole instance is given up
+    }
     module.wasm.svg_cancel(reader, module.scratch);
-    return refused;
+    if (error instanceof Refused) {
+      return error.status;
+    }
+    throw error instanceof XmlFault ? new Refusal(`${word('shell.not-xml')} line ${error.line} at column ${error.column}`) : error;
   }
+  watch.see(1, []);
   return finish(reader);
 }

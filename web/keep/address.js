@@ -20,7 +20,7 @@ const startOf = (journal) => new TextEncoder().encode(headOf(new TextDecoder().d
 
 /**
  * The file at an address, of the page's own server only.
- * @param {string} asked relative to the page @returns {Promise<{ bytes: Uint8Array, name: string }>}
+ * @param {string} asked relative to the page @returns {Promise<{ file: Blob, name: string }>}
  */
 async function fetched(asked) {
   const address = new URL(asked, location.href);
@@ -31,14 +31,14 @@ async function fetched(asked) {
   if (!response.ok) {
     throw new Error(word('shell.answered', `${response.status} ${response.statusText}`));
   }
-  return { bytes: await bytesOf(await response.blob()), name: decodeURIComponent(address.pathname.split('/').pop() ?? '') };
+  return { file: await response.blob(), name: decodeURIComponent(address.pathname.split('/').pop() ?? '') };
 }
 
 /** @param {Drawings} drawings @param {string} asked @returns {Promise<boolean>} */
 async function openFile(drawings, asked) {
-  const { bytes, name } = await fetched(asked);
-  const file = name || 'drawing.svg';
-  if (!drawings.files.open(bytes, file)) {
+  const { file, name: given } = await fetched(asked);
+  const name = given || 'drawing.svg';
+  if (!await drawings.files.open(file, name)) {
     return false;
   }
   drawings.files.given = true;
@@ -48,7 +48,8 @@ async function openFile(drawings, asked) {
 
 /** @param {Drawings} drawings @param {string} asked @param {boolean} whole or only what it begins with */
 async function openJournal(drawings, asked, whole) {
-  const { bytes, name } = await fetched(asked);
+  const { file, name } = await fetched(asked);
+  const bytes = await bytesOf(file);
   const journal = whole ? bytes : startOf(bytes);
   const { engine, files } = drawings;
   await drawings.whole.complete();

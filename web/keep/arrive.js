@@ -1,13 +1,12 @@
 // Files that were chosen or dropped: one drawing is opened, several are added; pictures are placed. An edited drawing is
 // replaced only after the user has seen what the file holds. Fetched when files come.
 
-import { bytesOf } from './gzip.js';
 import { remember } from './recent.js';
 import { want } from '../page/build.js';
-import { word } from '../page/words.js';
 
 /** @typedef {import('./files.js').Files} Files */
 /** @typedef {import('./files.js').Arrival} Arrival */
+/** @typedef {import('../sheets/holds.js').Content} Content */
 
 /** @param {Files} files @param {Arrival[]} all */
 export async function arrive(files, all) {
@@ -26,25 +25,24 @@ export async function arrive(files, all) {
 /** @param {Files} files @param {Arrival[]} drawings */
 async function addTo(files, drawings) {
   const { addAll } = await want(import('./several.js'));
-  await addAll(files, drawings);
+  await addAll(files, drawings.map(({ file }) => file));
 }
 
 /** @param {Files} files @param {Arrival} arrival */
 async function openOne(files, arrival) {
   const { file, place } = arrival;
-  const bytes = await bytesOf(file).catch(() => null);
-  if (!bytes) {
-    files.notices.say(`${word('shell.not-opened', file.name)} ${word('shell.damaged')}`);
-    return;
+  let read = await files.read(file, file.name, files.edited);
+  if (read && files.edited && !read.content) { // something was drawn while it was read
+    read = await files.read(file, file.name, true);
   }
-  const answer = files.edited ? await ask(files, bytes, file.name) : 'open';
+  const answer = read?.content ? await ask(files, read.content, file.name) : 'open';
   if (answer === 'add') {
     await addTo(files, [arrival]);
   }
-  if (answer !== 'open') {
+  if (!read || answer !== 'open') {
     return;
   }
-  if (!files.open(bytes, file.name)) {
+  if (!files.take(read, file.name)) {
     return;
   }
   files.bind(place);
@@ -54,16 +52,8 @@ async function openOne(files, arrival) {
   }
 }
 
-/**
- * Shows what the file holds, beside what is open. @param {Files} files @param {Uint8Array} bytes @param {string} name
- * @returns {Promise<string>} 'open', 'add', or '' for neither
- */
-async function ask(files, bytes, name) {
-  const { askToOpen, holdsOf } = await want(import('../sheets/holds.js'));
-  try {
-    return await askToOpen(files, name, holdsOf(files.engine, bytes, name));
-  } catch (error) {
-    files.refuse(name, error);
-    return '';
-  }
+/** Shows what the file holds, beside what is open. @param {Files} files @param {Content} content @param {string} name */
+async function ask(files, content, name) {
+  const { askToOpen } = await want(import('../sheets/holds.js'));
+  return askToOpen(files, name, content);
 }

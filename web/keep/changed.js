@@ -2,7 +2,7 @@
 // that happens.
 
 import { want } from '../page/build.js';
-import { isNative } from './files.js';
+import { isNative } from '../engine/reading.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('./files.js').Files} Files */

@@ -2,7 +2,8 @@
 // its knots, and SVG or pictures from any program are pasted. Fetched once the page has loaded.
 
 import { Ask } from '../engine/codes.js';
-import { parseSvg } from '../engine/svg.js';
+import { isQuickText } from '../engine/reading.js';
+import { want } from '../page/build.js';
 import { Refusal, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
@@ -11,6 +12,7 @@ import { Refusal, word } from '../page/words.js';
 
 const TEXT = 'text/plain';
 const SVG = 'image/svg+xml';
+const PASTED = 'clipboard.svg';
 const OPENING = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" ' +
   'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" ' +
   'xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd">';
@@ -21,13 +23,13 @@ function isText(event) {
   return target?.closest('input, select, textarea, dialog') || String(getSelection()) !== '';
 }
 
-/** The root of an SVG file, or one made for elements without a root or for bare path data. @param {string} text */
-function rootOf(text) {
+/** An SVG file, or one made of elements without a root or of bare path data. @param {string} text */
+function fileOf(text) {
   const whole = text.trim();
   if (/^m[\s\d.+-]/i.test(whole) && /^[\s\dmlhvcsqtaze,.+-]*$/i.test(whole)) {
-    return parseSvg(`${OPENING}<path d="${whole}"/></svg>`);
+    return `${OPENING}<path d="${whole}"/></svg>`;
   }
-  return parseSvg(/^<(\?xml|!|([\w-]+:)?svg[\s>])/.test(whole) ? whole : `${OPENING}${whole}</svg>`);
+  return /^<(\?xml|!|([\w-]+:)?svg[\s>])/.test(whole) ? whole : `${OPENING}${whole}</svg>`;
 }
 
 /** @param {string} text */
@@ -57,7 +59,7 @@ export class Clipboard {
     }
     if (requests & Ask.PASTE) {
       try {
-        this.#put(await navigator.clipboard.readText());
+        void this.#put(await navigator.clipboard.readText());
       } catch {
         this.notices.say(word('shell.press-paste'));
       }
@@ -95,7 +97,7 @@ export class Clipboard {
     const text = [TEXT, SVG].map((type) => data.getData(type)).find(looksLikeSvg);
     const picture = [...data.files].find((file) => file.type.startsWith('image/'));
     if (text || !picture) {
-      this.#put(text ?? '');
+      void this.#put(text ?? '');
     } else if (picture.type === SVG) {
       void picture.text().then((svg) => this.#put(svg));
     } else {
@@ -104,9 +106,15 @@ export class Clipboard {
   }
 
   /** @param {string} text */
-  #put(text) {
+  async #put(text) {
+    const file = fileOf(looksLikeSvg(text) ? text : '');
     try {
-      this.engine.pasteSvg(rootOf(looksLikeSvg(text) ? text : ''));
+      if (isQuickText(file)) {
+        this.engine.pasteSvg(file);
+      } else {
+        const { addApart } = await want(import('./apart.js'));
+        await addApart(this.engine, new Blob([file]), PASTED, false);
+      }
     } catch (error) {
       if (!(error instanceof Refusal)) {
         throw error;

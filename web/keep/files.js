@@ -2,13 +2,21 @@
 
 import { want } from '../page/build.js';
 import { Changed, Unsaved } from './server.js';
-import { parseSvg } from '../engine/svg.js';
+import { isNative, isQuick, readInto } from '../engine/reading.js';
 import { counted, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../page/notice.js').Notices} Notices */
 /** @typedef {import('./server.js').Server} Server */
 /** @typedef {import('./disk.js').Disk} Disk */
+/** @typedef {import('../sheets/holds.js').Content} Content */
+/**
+ * A file that has been read, beside the drawing that is open.
+ * @typedef {object} Read
+ * @property {Uint8Array} bytes unpacked
+ * @property {() => void} take opens it; throws its refusal
+ * @property {Content | null} content what it holds, where that was asked
+ */
 /** A file to open, and where it is saved back to, if anywhere. @typedef {{ file: File, place: Disk | null }} Arrival */
 
 const SVG = 'image/svg+xml';
@@ -18,44 +26,7 @@ const JSON_TYPE = 'application/json';
 export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
 
 /** @param {string} name */
-export const isNative = (name) => name.toLowerCase().endsWith('.batten');
-
-/** @param {string} name */
 const stemOf = (name) => name.replace(/\.[a-z]{2,6}$/i, '');
-
-/**
- * The text of an XML file in whatever encoding it declares.
- * @param {Uint8Array} bytes
- */
-function decodeXml(bytes) {
-  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 200));
-  let label = /^<\?xml[^>]*encoding=["']([\w.:-]+)["']/.exec(start)?.[1] ?? 'utf-8';
-  if (start.startsWith('\xff\xfe') || start.startsWith('\xfe\xff')) {
-    label = start.startsWith('\xff') ? 'utf-16le' : 'utf-16be';
-  }
-  try {
-    return new TextDecoder(label).decode(bytes);
-  } catch {
-    return new TextDecoder().decode(bytes);
-  }
-}
-
-/**
- * Opens the bytes of a file in an engine; throws its refusal.
- * @param {Engine} engine @param {Uint8Array} bytes @param {string} name
- */
-export function readInto(engine, bytes, name) {
-  const first = decodeXml(bytes.subarray(0, 256)).trimStart()[0];
-  const svg = /\.svgz?$/i.test(name);
-  if (isNative(name) || (svg && first === '{')) {
-    engine.openNative(bytes, name);
-  } else if (svg || first === '<' || first === undefined) {
-    const text = decodeXml(bytes);
-    engine.openSvg(parseSvg(text), text, name);
-  } else {
-    engine.openFile(bytes, name);
-  }
-}
 
 export class Files {
   /**
@@ -151,7 +122,7 @@ export class Files {
   async openServed() {
     try {
       const { name, bytes } = await this.place.load();
-      this.bound = this.open(bytes, name);
+      this.bound = await this.open(bytes, name);
     } catch (error) {
       this.complain(error);
     }
@@ -162,7 +133,7 @@ export class Files {
     if (this.bound && !this.server.sole) {
       await this.openServed();
     } else if (this.opened.length > 0) {
-      this.open(this.opened, this.name);
+      await this.open(this.opened, this.name);
     } else {
       const head = JSON.stringify({ journal: 'batten', version: 1, name: this.name });
       this.engine.replay(new TextEncoder().encode(head));
@@ -184,13 +155,32 @@ export class Files {
   }
 
   /**
-   * @param {Uint8Array} bytes
-   * @param {string} name
+   * Reads a file beside the drawing: at once what is small, in a worker what may take long.
+   * @param {Blob | Uint8Array} file @param {string} name @param {boolean} [asked] whether what it holds is to be told
+   * @returns {Promise<Read | null>} null: it was refused, and the user was told why, or cancelled
+   */
+  async read(file, name, asked = false) {
+    const { engine } = this;
+    try {
+      const bytes = file instanceof Uint8Array ? file : file.size < 1 << 16 ? new Uint8Array(await file.arrayBuffer()) : null;
+      if (!bytes || asked || !isQuick(bytes)) {
+        const { readApart } = await want(import('./apart.js'));
+        return await readApart(engine, file, name, asked);
+      }
+      return { bytes, take: () => readInto(engine, bytes, name), content: null };
+    } catch (error) {
+      this.refuse(name, error);
+      return null;
+    }
+  }
+
+  /**
+   * Opens what has been read. @param {Read} read @param {string} name
    * @returns {boolean} whether it is open now; if not, the user was told why
    */
-  open(bytes, name) {
+  take({ bytes, take }, name) {
     try {
-      readInto(this.engine, bytes, name);
+      take();
       this.losses = this.engine.losses;
       const lost = totalOf(this.losses);
       if (lost) {
@@ -206,6 +196,16 @@ export class Files {
     } finally {
       this.wake();
     }
+  }
+
+  /**
+   * @param {Blob | Uint8Array} file
+   * @param {string} name
+   * @returns {Promise<boolean>} whether it is open now; if not, the user was told why, or cancelled it
+   */
+  async open(file, name) {
+    const read = await this.read(file, name);
+    return read !== null && this.take(read, name);
   }
 
   /**

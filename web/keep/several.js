@@ -1,29 +1,36 @@
-// Several drawings at once: all are added to the one that is open, each as a group, and nothing is replaced.
+// Drawings that are added to the one that is open, each as a group; nothing is replaced.
 
-import { bytesOf } from './gzip.js';
-import { parseSvg } from '../engine/svg.js';
+import { addTo, isQuick } from '../engine/reading.js';
+import { want } from '../page/build.js';
 import { word } from '../page/words.js';
 
-/** @param {import('./files.js').Files} files @param {import('./files.js').Arrival[]} drawings */
-export async function addAll({ engine, notices, wake }, drawings) {
+const SMALL = 1 << 16; // bytes: a larger file is not looked at here
+
+/** @param {import('./files.js').Files} files @param {Blob} file @param {string} name @returns {Promise<boolean>} false: cancelled */
+async function add({ engine }, file, name) {
+  const bytes = file.size <= SMALL ? new Uint8Array(await file.arrayBuffer()) : null;
+  if (bytes && isQuick(bytes)) {
+    addTo(engine, bytes, name, true);
+    return true;
+  }
+  const { addApart } = await want(import('./apart.js'));
+  return addApart(engine, file, name, true);
+}
+
+/** @param {import('./files.js').Files} files @param {File[]} drawings */
+export async function addAll(files, drawings) {
   const failed = [];
-  for (const { file } of drawings) {
+  for (const file of drawings) {
     try {
-      const bytes = await bytesOf(file);
-      if (/\.svgz?$/i.test(file.name)) {
-        engine.pasteSvg(parseSvg(new TextDecoder().decode(bytes)));
-      } else {
-        engine.pasteFile(bytes, file.name);
-      }
-      if (engine.actions().includes('group')) { // more than one object
-        engine.command('group');
+      if (!await add(files, file, file.name)) {
+        break;
       }
     } catch (error) {
       failed.push(`${word('shell.not-opened', file.name)} ${error instanceof Error ? error.message : ''}`);
     }
   }
-  wake();
+  files.wake();
   if (failed.length) {
-    notices.ask('unopened', failed.join(' '), []); // stays, unlike what is said of the pasted ones
+    files.notices.ask('unopened', failed.join(' '), []); // stays, unlike what is said of the pasted ones
   }
 }

@@ -25,7 +25,6 @@ export async function settleIn(shell) {
   (globalThis.requestIdleCallback ?? setTimeout)(async () => {
     const dressed = import('./face.js').then(({ dressWords }) => dressWords(), () => {}); // without it nothing is missed
     if (await shell.whole.complete()) {
-      shell.panel.fetchChips();
       if (!shell.panel.dock.box.hidden) {
         void shell.panel.dock.fetch();
       }
@@ -46,6 +45,7 @@ export async function settleIn(shell) {
     addEventListener(event, () => {
       seen.abort();
       void (shell.engine.words ?? shell.words.load());
+      void shell.whole.complete().then((whole) => void (whole && shell.panel.fetchChips()));
       void shell.mirrorDrawing();
       void want(import('./tips.js')).then(({ tips }) => tips());
     }, { signal: seen.signal });

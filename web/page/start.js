@@ -165,13 +165,12 @@ export class Start {
   }
 
   /** A page of this size, in place of the empty one. @param {number} width millimetres @param {number} height */
-  async #new(width, height) {
+  #new(width, height) {
     const { engine, files, wake } = this.shell;
-    const { parseSvg } = await want(import('../engine/svg.js'));
     const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}mm" height="${height}mm" ` +
       `viewBox="0 0 ${width * UNIT} ${height * UNIT}"/>`;
     try {
-      engine.openSvg(parseSvg(text), text, files.name);
+      engine.openSvg(text, files.name);
       files.opened = new TextEncoder().encode(text);
       engine.set('unit', MILLIMETRES);
       engine.command('view-fit');

@@ -21,6 +21,18 @@ let shortcuts = {};
 /** Something that cannot be done, with a message for the user. */
 export class Refusal extends Error {}
 
+/** All texts, for a worker, which speaks as its page does; also those that the page has not fetched yet. */
+export async function spoken() {
+  const language = document.documentElement.lang;
+  const all = Object.keys(fetched).length ? fetched : await get(`words.${language}.json`).then((answer) => answer.json()).catch(() => ({}));
+  return { ...all, ...strings };
+}
+
+/** @param {Record<string, string>} all */
+export function speakAs(all) {
+  strings = all;
+}
+
 /** The text of a key. @param {string} key @param {string | number} [value] replaces "%" */
 export function word(key, value) {
   const text = strings[key] ?? '';

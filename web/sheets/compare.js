@@ -3,7 +3,7 @@
 
 import { dress } from '../page/build.js';
 import { Engine } from '../engine/engine.js';
-import { isNative } from '../keep/files.js';
+import { isNative } from '../engine/reading.js';
 import { answer, question } from './question.js';
 import { word } from '../page/words.js';
 

@@ -1,29 +1,17 @@
 // What a file holds, told before it replaces an edited drawing: its picture, its objects in numbers, what cannot be kept
-// of it. A separate engine reads it. Loaded with the first such question.
+// of it. Loaded with the first such question.
 
-import { Engine } from '../engine/engine.js';
 import { figure } from './compare.js';
 import { answer, question } from './question.js';
 import { lossList, made, tally } from './losses.js';
-import { readInto, totalOf } from '../keep/files.js';
+import { totalOf } from '../keep/files.js';
 import { counted, word } from '../page/words.js';
 import { dress } from '../page/build.js';
 
+const SHOWN = 1 << 20; // bytes: the browser paints a larger file too slowly
+
 /** @typedef {{ kinds: { words: string, count: number }[], page: string[] }} Holds */
 /** @typedef {{ svg: Uint8Array, holds: Holds, losses: import('../engine/losses.js').Losses, keeps: boolean }} Content */
-
-/**
- * Reads a file beside the drawing. Throws the reader's refusal.
- * @param {Engine} engine of the drawing @param {Uint8Array} bytes @param {string} name @returns {Content}
- */
-export function holdsOf(engine, bytes, name) {
-  const other = new Engine(engine.module);
-  if (engine.words) {
-    other.speak(engine.words);
-  }
-  readInto(other, bytes, name);
-  return { svg: other.save(false), holds: JSON.parse(other.ask('editor_holds')), losses: other.losses, keeps: other.keeps };
-}
 
 /** The page and each kind of object with its number. @param {Holds} holds */
 function numbers({ kinds, page }) {
@@ -48,7 +36,7 @@ export async function askToOpen(files, name, { svg, holds, losses, keeps }) {
   if (lost) {
     box.append(made(counted(keeps ? 'shell.unshown' : 'shell.loses', lost), 'p'), ...(keeps ? [] : [lossList(losses)]));
   }
-  both.append(figure(svg, name), box);
+  both.append(...(svg.length <= SHOWN ? [figure(svg, name)] : []), box);
   const words = word(files.unsaved ? 'shell.may-replace' : 'shell.may-close', files.name);
   return question('holds', words, [both], [answer('add', word('shell.add-to')), answer('open', word('shell.replace')),
     answer('', word('shell.keep'))]);

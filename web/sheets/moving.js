@@ -2,7 +2,6 @@
 
 import { Device, Phase } from '../engine/codes.js';
 import { Engine } from '../engine/engine.js';
-import { parseSvg } from '../engine/svg.js';
 import { Painter } from '../stage/paint.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
@@ -57,7 +56,7 @@ export class Moving {
     const text = `<svg xmlns="http://www.w3.org/2000/svg">${shape}</svg>`;
     const ratio = Math.max(1, devicePixelRatio);
     engine.resize(WIDTH, HEIGHT, ratio);
-    engine.openSvg(parseSvg(text), text, 'hand.svg');
+    engine.openSvg(text, 'hand.svg');
     engine.command('zoom-100');
     engine.set('first-hints', 3);
     engine.set('stroke-meaning', script.meaning ?? 0);

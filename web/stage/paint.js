@@ -10,7 +10,14 @@ import { isPage, isWhole } from '../engine/frame.js';
 /** @typedef {import('./theme.js').Theme} Theme */
 /** @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context */
 /** @typedef {{ x: number, y: number, zoom: number, angle: number, originX: number, originY: number }} View */
-/** @typedef {{ item: Item, shape: Path2D, weight: number, corners: Float32Array }} Painted */
+/**
+ * @typedef {object} Look
+ * @property {string} fill '' for none @property {CanvasFillRule} rule
+ * @property {string} stroke '' for none @property {number} width @property {CanvasLineCap} cap
+ * @property {CanvasLineJoin} join @property {number} miter @property {number[]} dashes @property {number} opacity
+ */
+/** heavy: the path itself, of which the shape is only the box. @typedef {{ version: number, shape: Path2D, heavy: Float32Array | null }} Shaped */
+/** @typedef {{ item: Item, shape: Path2D, heavy: Float32Array | null, weight: number, corners: Float32Array }} Painted */
 
 const FADE = 0.75; // opacity of the paper colour over a line that is about to change
 const RULER_FONT = '10px "Batten-Inter", system-ui, sans-serif';
@@ -21,6 +28,10 @@ const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
 
 /** Numbers in paths that can be painted within a frame; a heavier view is moved first and repainted when idle. */
 const LIGHT = 15000;
+/** Numbers of one path that is painted apart: what is filled may take time by the square of them. */
+const HEAVY = 12000;
+/** Numbers of a path that is not drawn over the drawing in every frame: its box is. */
+const HEAVIEST = 200000;
 const IDLE = 90; // milliseconds without a move
 const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so that they stay visible
 
@@ -28,7 +39,7 @@ const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so t
  * @param {Float32Array} path commands and coordinates, as frame.h says
  * @returns {Path2D}
  */
-function shapeOf(path) {
+export function shapeOf(path) {
   const shape = new Path2D();
   let i = 0;
   while (i < path.length) {
@@ -53,6 +64,24 @@ function shapeOf(path) {
   return shape;
 }
 
+/** @param {Context} context @param {Path2D} shape @param {Look} look */
+export function paintShape(context, shape, look) {
+  context.globalAlpha = look.opacity;
+  if (look.fill) {
+    context.fillStyle = look.fill;
+    context.fill(shape, look.rule);
+  }
+  if (look.stroke) {
+    context.strokeStyle = look.stroke;
+    context.lineWidth = look.width;
+    context.lineCap = look.cap;
+    context.lineJoin = look.join;
+    context.miterLimit = look.miter;
+    context.setLineDash(look.dashes);
+    context.stroke(shape);
+  }
+}
+
 /**
  * The matrix from coordinates relative to the origin to device pixels, `ratio` per view pixel.
  * @param {View} view @param {number} ratio
@@ -73,6 +102,19 @@ function around(matrix, [x0, y0, x1, y1]) {
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 
+/** @param {Item} item */
+function boxOf({ x0, y0, x1, y1 }) {
+  const shape = new Path2D();
+  shape.rect(x0, y0, x1 - x0, y1 - y0);
+  return shape;
+}
+
+/** @param {Item} item */
+function shapedOf(item) {
+  const heavy = item.role === Role.OBJECT && !item.paint && item.path.length > HEAVY;
+  return { shape: heavy ? boxOf(item) : shapeOf(item.path), heavy: heavy ? item.path.slice() : null };
+}
+
 export class Painter {
   /**
    * @param {HTMLCanvasElement} still
@@ -88,7 +130,7 @@ export class Painter {
     this.width = 1;
     this.height = 1;
     this.ratio = 1;
-    /** @type {Map<number, { version: number, shape: Path2D }>} */
+    /** @type {Map<number, Shaped>} */
     this.cache = new Map();
     /** @type {Painted[]} */
     this.list = [];
@@ -106,6 +148,10 @@ export class Painter {
     this.warp = undefined;
     /** Paints objects with gradients, layers and pictures; null: being fetched. @type {typeof import('./gradients.js') | null | undefined} */
     this.paints = undefined;
+    /** Paints paths that take long; null: being fetched. @type {import('./heavy.js').Heavy | null | undefined} */
+    this.heavy = undefined;
+    /** Called when a path takes too long to paint. */
+    this.onlate = () => {};
     this.timer = 0;
     /** Requests another frame. */
     this.onidle = () => {};
@@ -146,18 +192,19 @@ export class Painter {
 
   /** @param {Item[]} items */
   #collect(items) {
-    /** @type {Map<number, { version: number, shape: Path2D }>} */
+    /** @type {Map<number, Shaped>} */
     const kept = new Map();
     this.list = items.map((item) => {
       const known = this.cache.get(item.id);
-      const shape = item.id !== 0 && known?.version === item.version ? known.shape : shapeOf(item.path);
+      const { shape, heavy } = item.id !== 0 && known?.version === item.version ? known : shapedOf(item);
       if (item.id !== 0) {
-        kept.set(item.id, { version: item.version, shape });
+        kept.set(item.id, { version: item.version, shape, heavy });
       }
       const corners = item.role === Role.IMAGE || item.role === Role.CLIP ? item.path.slice() : item.path;
-      return { item, shape, weight: item.path.length, corners };
+      return { item, shape, heavy, weight: item.path.length, corners };
     });
     this.cache = kept;
+    this.heavy?.keep(new Set(kept.keys()));
   }
 
   /** @param {Frame} frame */
@@ -251,7 +298,7 @@ export class Painter {
   #paintItems(context, from, to, box, zoom) {
     const [left, top, right, bottom] = box;
     for (let i = from; i < to; i++) {
-      const { item, shape, corners } = this.list[i];
+      const { item, shape, heavy, corners } = this.list[i];
       const first = i + 1; // of those held
       const held = item.role === Role.CLIP || item.role === Role.GROUP ? item.picture : 0;
       if (item.x1 < left || item.x0 > right || item.y1 < top || item.y0 > bottom) {
@@ -272,10 +319,12 @@ export class Painter {
         }
       } else if (item.role === Role.IMAGE) {
         this.#drawPicture(context, item, corners, zoom);
+      } else if (heavy) {
+        this.#heavily()?.draw(context, item, heavy, this.#look(item, zoom));
       } else if ((item.paint || (item.opacity < 1 && isWhole(item))) && this.#fetched()) {
         this.paints?.drawPainted(context, item, shape, zoom, this.theme, this.flat);
       } else {
-        this.#draw(context, item, shape, zoom);
+        paintShape(context, shape, this.#look(item, zoom));
       }
     }
   }
@@ -312,11 +361,11 @@ export class Painter {
     this.overlayEmpty = frame.live.length === 0 && frame.labels.length === 0;
     context.setTransform(matrixOf(frame, this.ratio));
     for (const item of frame.live) {
-      const shape = shapeOf(item.path);
+      const shape = item.path.length > HEAVIEST ? boxOf(item) : shapeOf(item.path);
       if (item.role === Role.STRETCH) {
         this.#fade(context, item, shape, frame.zoom);
       } else {
-        this.#draw(context, item, shape, frame.zoom);
+        paintShape(context, shape, this.#look(item, frame.zoom));
       }
     }
     this.#write(context, frame);
@@ -371,30 +420,40 @@ export class Painter {
     }
   }
 
-  /**
-   * @param {Context} context
-   * @param {Item} item
-   * @param {Path2D} shape
-   * @param {number} zoom
-   */
-  #draw(context, item, shape, zoom) {
+  /** What paints heavy paths; null: it is being fetched. */
+  #heavily() {
+    if (this.heavy === undefined) {
+      this.heavy = null;
+      const ready = () => {
+        this.stale = true;
+        this.onidle();
+      };
+      void import('./heavy.js').then(({ Heavy }) => {
+        this.heavy = new Heavy(ready, this.onlate);
+        ready();
+      });
+    }
+    return this.heavy;
+  }
+
+  /** @param {Item} item @param {number} zoom @returns {Look} */
+  #look(item, zoom) {
     const own = item.role === Role.OBJECT;
-    const look = this.theme.roles[item.role] ?? this.theme.roles[1];
-    context.globalAlpha = item.opacity;
+    const role = this.theme.roles[item.role] ?? this.theme.roles[1];
     // The page is always filled, whatever the engine's flags for its border say.
-    if (item.flags & Flag.FILLED || isPage(item)) {
-      context.fillStyle = own ? this.theme.colour(item.fill) : look.fill;
-      context.fill(shape, item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero');
-    }
-    if (item.flags & Flag.STROKED && !(own && this.flat)) {
-      context.strokeStyle = own ? this.theme.colour(item.stroke) : look.stroke;
-      const width = item.flags & Flag.SCREEN_WIDTH ? item.width / zoom : item.width;
-      context.lineWidth = Math.max(width, HAIRLINE / zoom);
-      context.lineCap = CAPS[item.cap] ?? 'round';
-      context.lineJoin = JOINS[item.join] ?? 'round';
-      context.miterLimit = item.miterLimit > 0 ? item.miterLimit : 4;
-      context.setLineDash(item.flags & Flag.DASHED ? [6 / zoom, 5 / zoom] : []);
-      context.stroke(shape);
-    }
+    const filled = item.flags & Flag.FILLED || isPage(item);
+    const stroked = item.flags & Flag.STROKED && !(own && this.flat);
+    const width = item.flags & Flag.SCREEN_WIDTH ? item.width / zoom : item.width;
+    return {
+      fill: filled ? own ? this.theme.colour(item.fill) : role.fill : '',
+      rule: item.flags & Flag.EVEN_ODD ? 'evenodd' : 'nonzero',
+      stroke: stroked ? own ? this.theme.colour(item.stroke) : role.stroke : '',
+      width: Math.max(width, HAIRLINE / zoom),
+      cap: CAPS[item.cap] ?? 'round',
+      join: JOINS[item.join] ?? 'round',
+      miter: item.miterLimit > 0 ? item.miterLimit : 4,
+      dashes: item.flags & Flag.DASHED ? [6 / zoom, 5 / zoom] : [],
+      opacity: item.opacity,
+    };
   }
 }

@@ -18,7 +18,7 @@
 #include <batten/format.h>
 
 /* Most elements drawn (counted each time that `use` repeats them), and most style rules tried. */
-enum { BAT_SVG_DRAWN_MAX = 1 << 20, BAT_SVG_TRIED_MAX = 1 << 28 };
+enum { BAT_SVG_DRAWN_MAX = 1 << 20, BAT_SVG_TRIED_MAX = 1 << 25 };
 
 /* What children inherit while drawing. */
 typedef struct bat_svg_scope {
