@@ -128,7 +128,7 @@ async function start() {
   const words = new Words(engine);
   await words.follow();
   const shell = new Shell(engine, settings, words, keeper, guest);
-  await (guest ? guest.begin(shell) : shell.server.there ? shell.drawings.openServed() : shell.drawings.openLast());
+  await (guest ? guest.begin(shell) : shell.server.there ? shell.files.openServed().then(() => shell.drawings.arrived()) : shell.drawings.openLast());
   // For the console, and for tests.
   Object.assign(globalThis, { batten: shell });
   document.documentElement.dataset.ready = 'yes';

@@ -13,10 +13,11 @@
 
 enum {
     LINE_ROOM = 8192,
-    CLEANED_ROOM = 8 * LINE_ROOM
+    CLEANED_ROOM = 12 * LINE_ROOM
 }; /* a line has room for any path, but not for more than two */
 
 static bat_text waiting; /* remarks, each ended by a zero */
+static bat_text also;    /* what a failure says, too */
 static char *kept;       /* where lines go instead */
 static size_t kept_room;
 
@@ -37,8 +38,10 @@ static void put_line(const char *line) {
 }
 
 static void put_failure(const char *line) {
+    char whole[3 * LINE_ROOM];
     waiting.size = 0;
-    put_line(line);
+    if (also.size) snprintf(whole, sizeof whole, "%s; %s", line, also.data);
+    put_line(also.size ? whole : line);
 }
 
 int fail_usage(const cli_command *command, const char *format, ...) {
@@ -83,6 +86,11 @@ int fail_output(const char *name) {
     signal(SIGPIPE, SIG_DFL);
     raise(SIGPIPE);
     return 128 + SIGPIPE; /* the status a shell would report; reached where the signal is blocked */
+}
+
+void fail_also(const char *text) {
+    bat_text_free(&also);
+    bat_text_add(&also, text, strlen(text) + 1);
 }
 
 void remark(const char *format, ...) {

@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -153,7 +154,11 @@ static int unpack(const char *name, char **data, size_t *size) {
 static void remark_copy(const char *path, const io_place *place) {
     char copy[FILE_NAME_ROOM];
     if (!rewrite_copy_left(place->folder, place->name, copy)) return;
-    remark("%s: an earlier save of it broke off; as it was before, it is beside it as %s", path, copy);
+    char told[FILE_NAME_ROOM + 128];
+    snprintf(told, sizeof told, "an earlier save of it broke off; as it was before, it is beside it as %s",
+             copy);
+    remark("%s: %s", path, told);
+    fail_also(told);
 }
 
 void io_remark_copy(const char *path) {

@@ -98,6 +98,8 @@ void fail_into(char *line, size_t room);
 /* A result cannot be written; errno says why. A reader that has gone, as in "| head -1", wants no more: the
  * program then ends like others, by SIGPIPE and without a message. */
 int fail_output(const char *name);
+/* What a failure from here on says at its end, too. */
+void fail_also(const char *text);
 /* A remark that is not a failure: one line. It waits to be shown; a failure throws it away, as does fail_into. */
 void remark(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void remarks_show(void);

@@ -259,7 +259,8 @@ static bat_status run(playing *p, const char *text, size_t size, int *number, ba
         const char *end = memchr(text + at, '\n', size - at);
         size_t length = end ? (size_t)(end - text) - at : size - at;
         ++*number;
-        bat_status status = bat_replay_skips(text + at, length) ? BAT_OK : line(p, text + at, length, problem);
+        bat_status status = bat_replay_skips(text + at, length) ? BAT_OK
+                                                                : line(p, text + at, length, problem);
         if (status != BAT_OK) return status;
         at += length + 1;
     }

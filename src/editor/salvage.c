@@ -55,7 +55,8 @@ static bat_status go_on(salvaging *s, const bat_json *json) {
     if (status == BAT_MEMORY) return status;
     s->left_out += status != BAT_OK;
     if (back || again) {
-        if (status == BAT_OK && (back ? s->done > 0 : s->done < s->count)) s->done = back ? s->done - 1 : s->done + 1;
+        if (status == BAT_OK && (back ? s->done > 0 : s->done < s->count))
+            s->done = back ? s->done - 1 : s->done + 1;
         return BAT_OK;
     }
     return what || status != BAT_OK ? push(s, status == BAT_OK) : BAT_OK;

@@ -86,7 +86,8 @@ static void refused(void **state) {
     assert_int_equal(bat_editor_salvage(editor, NULL, 1, NULL), BAT_ARGUMENT);
     assert_int_equal(bat_editor_salvage(NULL, newer, 1, NULL), BAT_ARGUMENT);
     assert_true(digest(editor) == before);
-    const char later[] = "# remark\n{\"journal\":\"batten\",\"version\":1}\n# another\n{\"do\":\"of-the-future\"}\n{\"do\":\"undo\"}\n";
+    const char later[] = "# remark\n{\"journal\":\"batten\",\"version\":1}\n# "
+                         "another\n{\"do\":\"of-the-future\"}\n{\"do\":\"undo\"}\n";
     assert_int_equal(bat_editor_salvage(editor, later, strlen(later), &left_out), BAT_OK);
     assert_int_equal(left_out, 1);
     assert_int_equal(bat_document_count(bat_editor_document(editor)), 0);

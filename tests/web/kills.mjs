@@ -22,6 +22,9 @@ const processesOf = (profile) => fs.readdirSync('/proc').filter((pid) => {
   }
 }).map(Number);
 
+/** Waits for what may never end, since who was to answer was killed. @param {Promise<unknown>} work */
+const soon = (work) => Promise.race([work.catch(() => {}), new Promise((done) => setTimeout(done, 2000))]);
+
 /** @param {number} pid */
 function kill(pid) {
   try {
@@ -92,15 +95,15 @@ export async function kills(count, seed) {
       await new Promise((done) => setTimeout(done, random() < 0.5 ? 0 : 40 * random()));
       const [now, ups, kept] = [Date.now(), told.up.slice(), told.kept];
       processesOf(profile).filter((pid) => whole || isRenderer(pid)).forEach(kill);
-      await drawing;
+      await soon(drawing);
       if (whole) {
-        await context.close().catch(() => {});
+        await soon(context.close());
         context = await launchAt(profile);
       } else {
-        await page.close().catch(() => {});
+        await soon(page.close());
       }
       const next = await visit(context, server.address).catch(async () => { // the browser itself did not survive it
-        await context.close().catch(() => {});
+        await soon(context.close());
         context = await launchAt(profile);
         return visit(context, server.address);
       });
@@ -116,7 +119,8 @@ export async function kills(count, seed) {
       before = next.drawn;
     }
   } finally {
-    await context.close().catch(() => {});
+    await soon(context.close());
+    processesOf(profile).forEach(kill);
     server.close();
     fs.rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   }

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, expectFaults, GONE, inked, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, downloaded, expectFaults, GONE, inked, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -376,7 +376,7 @@ test('a folder that was moved: it is said where the file may be, and a copy is o
   for (const about of ['silent', 'unsaved']) {
     assert.deepEqual(await answers(page, about), ['Download a copy', '×']);
     const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-about=${about}] >> text=Download a copy`)]);
-    assert.match(fs.readFileSync(await download.path(), 'utf8'), /batten:document/);
+    assert.match((await downloaded(download)).toString(), /batten:document/);
   }
   assert.deepEqual(fs.readFileSync(`${away}/car.svg`), fs.readFileSync(EXAMPLE));
   assert.equal((await state(page)).unsaved, true);

@@ -3,7 +3,7 @@
 
 import { Refusal, word } from '../page/words.js';
 import { readFrame } from './frame.js';
-import { EVENTS, FAILS, Instance, NO_MEMORY, OK } from './instance.js';
+import { EVENTS, Instance, NO_MEMORY, OK } from './instance.js';
 import { readLosses, writeLosses } from './losses.js';
 import { readSvg } from './svg_reader.js';
 
@@ -371,36 +371,6 @@ export class Engine extends Instance {
   check() {
     const address = this.wasm.editor_check(this.editor);
     return address ? this.string(address) : '';
-  }
-
-  /**
-   * Replaces the document by replaying a journal from its first line.
-   * @param {Uint8Array} journal
-   * @returns {boolean} whether every line could be replayed
-   */
-  replay(journal) {
-    this.begun(journal); // to be brought back if it traps
-    const status = this.guard(() => this.lend(journal, (text, size) =>
-      this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)), FAILS);
-    if (status !== FAILS) {
-      this.begun(new Uint8Array(0)); // to be copied afresh
-    } else if (this.scarce && !this.dead) { // a new instance has all its memory, and takes a line at a time
-      this.bring(journal, null);
-    }
-    return status === OK || (status === FAILS && !this.dead);
-  }
-
-  /**
-   * The same with a journal that is damaged: what can be run is.
-   * @param {Uint8Array} journal
-   * @returns {number} how many lines could not; -1: nothing could be run, and the document is as it was
-   */
-  salvage(journal) {
-    const lost = this.guard(() => this.lend(journal, (text, size) => this.wasm.editor_salvage(this.editor, text, size)), -1);
-    if (lost >= 0) {
-      this.begun(new Uint8Array(0));
-    }
-    return lost;
   }
 
   // ---- output ----

@@ -1,9 +1,8 @@
 // Reads what may take long in a worker, with its progress and a way to cancel. Fetched with the first such file.
 
 import { adopt, imageOf } from '../engine/image.js';
-import { addressOf, miss, Missing } from '../page/build.js';
+import { addressOf, miss, Missing, want } from '../page/build.js';
 import { Refusal, spoken, word } from '../page/words.js';
-import { answer, question } from '../sheets/question.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../engine/image.js').Image} Image */
@@ -30,11 +29,15 @@ class Progress {
     this.made = (texts['shell.opening-made.help'] ?? '').replace('%', () => name);
     this.bar = document.createElement('progress');
     this.share = 0;
-    this.timer = setTimeout(() => this.#show(cancel), PATIENCE);
+    this.timer = setTimeout(() => void this.#show(cancel), PATIENCE);
   }
 
   /** @param {() => void} cancel */
-  #show(cancel) {
+  async #show(cancel) {
+    const { answer, question } = await want(import('../sheets/question.js'));
+    if (this.timer < 0) {
+      return; // it has ended meanwhile
+    }
     this.timer = 0;
     this.bar.setAttribute('aria-labelledby', `${ID}-text`);
     const asked = question(ID, '', [this.bar], [answer('cancel', word('command.cancel'))]);

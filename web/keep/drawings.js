@@ -4,12 +4,12 @@
 
 import { want } from '../page/build.js';
 import { keep as remember, kept } from '../page/kept.js';
-import { counted, word } from '../page/words.js';
+import { word } from '../page/words.js';
+import { tellBroken } from './broken.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 /** @typedef {import('./keep.js').Fault} Fault */
-/** @typedef {import('./keep.js').Kept} Kept */
-/** @typedef {import('./keep.js').Listed} Listed */
+/** @typedef {import('./keep.js').Kept} Kept */ /** @typedef {import('./keep.js').Listed} Listed */
 
 /** Notices about a drawing: they disappear with it. */
 const OF_DRAWING = ['left', 'kept', 'other', 'unkept', 'changed', 'trap'];
@@ -18,7 +18,7 @@ const TRIES = 3; // to read what is kept
 const PAUSE = 100; // milliseconds between them
 const PATIENCE = 5000; // milliseconds for each: a store that does not answer must not keep the page from beginning
 
-/** @param {number} time milliseconds @returns {Promise<undefined>} */
+/** @param {number} time @returns {Promise<undefined>} */
 const pause = (time) => new Promise((resolve) => setTimeout(() => resolve(undefined), time));
 
 /** @param {string} id @param {string} place */
@@ -154,16 +154,8 @@ export class Drawings {
         await pause(PAUSE);
       }
     }
-    this.notices.ask('unread', word('shell.kept-unread'), [{ label: word('shell.again'), run: () => void this.#openAgain() }]);
+    this.notices.ask('unread', word('shell.kept-unread'), [{ label: word('shell.again'), run: () => void (this.files.edited ? this.list() : this.openLast()) }]);
     return null;
-  }
-
-  /** What could not be read before is opened, unless something has been drawn meanwhile. */
-  async #openAgain() {
-    await this.list();
-    if (!this.files.edited) {
-      await this.openLast();
-    }
   }
 
   /** Says so when another page has the drawing, and offers to take it over. */
@@ -193,12 +185,6 @@ export class Drawings {
     return found ? this.keeper.take(found.id).catch(() => null) : null;
   }
 
-  /** Opens the server's file, with what was kept of it. */
-  async openServed() {
-    await this.files.openServed();
-    await this.arrived();
-  }
-
   /** A file has been opened: shows who has it, and what is kept of it. */
   async arrived() {
     const { engine, files, keeper } = this;
@@ -208,7 +194,7 @@ export class Drawings {
     await this.resume(!files.served ? await keeper.find(files.name) : held ? await this.#ofFile() : null);
   }
 
-  /** What an address asks for. @param {string} asked @returns {Promise<boolean>} whether it is open now */
+  /** @param {string} asked by an address @returns {Promise<boolean>} whether it is open now */
   async #openAsked(asked) {
     return asked !== '' && (await want(import('./address.js'))).openAsked(this, asked);
   }
@@ -386,34 +372,14 @@ export class Drawings {
    */
   #recovered(outcome, error) {
     console.error(error);
-    const { engine, files, notices, whole } = this;
-    const { left, more, dead, fresh, scarce } = outcome;
+    const { more, fresh } = outcome;
     if (more > 0 && this.keeper.begun && !this.moving) {
       this.keeper.putAside(this.keeper.id); // it stays as it is; what is shown now is kept as another drawing
     }
     if (fresh) {
       this.settings.restore();
     }
-    const again = () => this.#recovered({ ...outcome, more: 0, fresh: false }, error);
-    const copy = { label: word('shell.copy'), run: () => void files.download() };
-    const journal = { label: word('shell.journal'), run: () => files.downloadJournal(engine.broken) };
-    const reload = { label: word('shell.reload'), run: () => void whole.reload(again) };
-    if (dead) {
-      const stay = [copy, journal].map(({ label, run }) => ({ label, run: () => {
-        run();
-        again(); // the other ways out are still needed
-      } }));
-      const anew = { label: word('shell.new'), run: () => void (engine.revive() && this.openNew()) };
-      notices.ask('trap', word('shell.dead'), [...stay, reload, ...(files.server.sole ? [] : [anew])], true);
-    } else if (left.length > 0) {
-      const aside = { label: word('shell.left-out'), run: async () =>
-        files.deliver(new Uint8Array(await new Blob(/** @type {BlobPart[]} */ (left)).arrayBuffer()), 'left.journal', 'application/x-ndjson') };
-      notices.ask('trap', counted('shell.trapped-part', left.length), [aside, journal]);
-    } else if (scarce) {
-      notices.ask('trap', word(fresh ? 'shell.freed' : 'shell.scarce'), [copy, fresh ? journal : reload]);
-    } else {
-      notices.ask('trap', word('shell.trapped'), [journal]);
-    }
+    tellBroken(this, outcome, error);
     this.wake();
   }
 

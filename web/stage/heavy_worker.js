@@ -1,6 +1,6 @@
 // Paints one path at a time, as long as it takes: the page ends this worker when it no longer wants what is being painted.
 
-import { paintShape, shapeOf } from './paint.js';
+import { paintShape, shapeOf } from './shape.js';
 
 addEventListener('message', ({ data: { width, height, matrix, path, look } }) => {
   const canvas = new OffscreenCanvas(width, height);

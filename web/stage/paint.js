@@ -2,20 +2,16 @@
 // repainted only where the drawing changed. When the view of a heavy drawing moves, the painted canvas is moved at
 // once and repainted when the hand rests.
 
-import { Cap, Flag, Join, Path, Role, names } from '../engine/codes.js';
+import { Cap, Flag, Join, Role, names } from '../engine/codes.js';
 import { isPage, isWhole } from '../engine/frame.js';
+import { boxOf, paintShape, shapedOf, shapeOf } from './shape.js';
 
 /** @typedef {import('../engine/types.js').Frame} Frame */
 /** @typedef {import('../engine/types.js').Item} Item */
 /** @typedef {import('./theme.js').Theme} Theme */
 /** @typedef {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} Context */
 /** @typedef {{ x: number, y: number, zoom: number, angle: number, originX: number, originY: number }} View */
-/**
- * @typedef {object} Look
- * @property {string} fill '' for none @property {CanvasFillRule} rule
- * @property {string} stroke '' for none @property {number} width @property {CanvasLineCap} cap
- * @property {CanvasLineJoin} join @property {number} miter @property {number[]} dashes @property {number} opacity
- */
+/** @typedef {import('./shape.js').Look} Look */
 /** heavy: the path itself, of which the shape is only the box. @typedef {{ version: number, shape: Path2D, heavy: Float32Array | null }} Shaped */
 /** @typedef {{ item: Item, shape: Path2D, heavy: Float32Array | null, weight: number, corners: Float32Array }} Painted */
 
@@ -28,59 +24,10 @@ const JOINS = /** @type {CanvasLineJoin[]} */ (names(Join));
 
 /** Numbers in paths that can be painted within a frame; a heavier view is moved first and repainted when idle. */
 const LIGHT = 15000;
-/** Numbers of one path that is painted apart: what is filled may take time by the square of them. */
-const HEAVY = 12000;
 /** Numbers of a path that is not drawn over the drawing in every frame: its box is. */
 const HEAVIEST = 200000;
 const IDLE = 90; // milliseconds without a move
 const HAIRLINE = 0.75; // view pixels: thinner lines are painted this wide, so that they stay visible
-
-/**
- * @param {Float32Array} path commands and coordinates, as frame.h says
- * @returns {Path2D}
- */
-export function shapeOf(path) {
-  const shape = new Path2D();
-  let i = 0;
-  while (i < path.length) {
-    switch (path[i]) {
-      case Path.MOVE:
-        shape.moveTo(path[i + 1], path[i + 2]);
-        i += 3;
-        break;
-      case Path.LINE:
-        shape.lineTo(path[i + 1], path[i + 2]);
-        i += 3;
-        break;
-      case Path.CUBIC:
-        shape.bezierCurveTo(path[i + 1], path[i + 2], path[i + 3], path[i + 4], path[i + 5], path[i + 6]);
-        i += 7;
-        break;
-      default:
-        shape.closePath();
-        i += 1;
-    }
-  }
-  return shape;
-}
-
-/** @param {Context} context @param {Path2D} shape @param {Look} look */
-export function paintShape(context, shape, look) {
-  context.globalAlpha = look.opacity;
-  if (look.fill) {
-    context.fillStyle = look.fill;
-    context.fill(shape, look.rule);
-  }
-  if (look.stroke) {
-    context.strokeStyle = look.stroke;
-    context.lineWidth = look.width;
-    context.lineCap = look.cap;
-    context.lineJoin = look.join;
-    context.miterLimit = look.miter;
-    context.setLineDash(look.dashes);
-    context.stroke(shape);
-  }
-}
 
 /**
  * The matrix from coordinates relative to the origin to device pixels, `ratio` per view pixel.
@@ -100,19 +47,6 @@ function around(matrix, [x0, y0, x1, y1]) {
   const xs = corners.map((corner) => corner.x);
   const ys = corners.map((corner) => corner.y);
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
-}
-
-/** @param {Item} item */
-function boxOf({ x0, y0, x1, y1 }) {
-  const shape = new Path2D();
-  shape.rect(x0, y0, x1 - x0, y1 - y0);
-  return shape;
-}
-
-/** @param {Item} item */
-function shapedOf(item) {
-  const heavy = item.role === Role.OBJECT && !item.paint && item.path.length > HEAVY;
-  return { shape: heavy ? boxOf(item) : shapeOf(item.path), heavy: heavy ? item.path.slice() : null };
 }
 
 export class Painter {

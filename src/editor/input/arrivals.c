@@ -13,7 +13,7 @@ size_t bat_arrivals_run(const bat_pointer *events, size_t count) {
     return run ? run : 1;
 }
 
-static int earlier(const void *a, const void *b) {
+static int came_first(const void *a, const void *b) {
     const bat_arrival *one = a, *other = b;
     if (one->time != other->time) return one->time < other->time ? -1 : 1;
     return one->event < other->event ? -1 : 1;
@@ -34,6 +34,6 @@ bat_arrival *bat_arrivals_sort(const bat_pointer *events, size_t count) {
         if (bat_arrival_timed(events[i].time)) time = events[i].time;
         list[i] = (bat_arrival){time, &events[i]};
     }
-    qsort(list, count, sizeof *list, earlier); /* no ties */
+    qsort(list, count, sizeof *list, came_first); /* no ties */
     return list;
 }
