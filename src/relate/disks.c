@@ -167,6 +167,7 @@ static void trace(const envelope *e, const double middle[2], double half, double
 
 static bat_status curve_of(bat_border *border, double corner, double removal, bat_curve **out) {
     const size_t count = border->count;
+    if (count == 0 || !border->points) return BAT_COUNT;
     double *points = malloc((6 * count + 2) * sizeof *points);
     if (!points) return BAT_MEMORY;
     memcpy(points, border->points, 2 * sizeof *points);
