@@ -11,6 +11,7 @@ import { Hand, launchAt, ready } from './page.mjs';
 import { serve } from './server.mjs';
 
 const MOST = 4; // strokes of a session
+const RENEW = 25; // kills until another drawing is begun
 const line = (k) => [[150, 120 + 37 * (k % 14)], [350, 100 + 37 * (k % 14)], [550, 120 + 37 * (k % 14)]];
 
 /** The processes of a browser with this profile. @param {string} profile */
@@ -56,14 +57,18 @@ async function visit(context, address) {
   });
   await page.goto(address);
   await ready(page);
-  const drawn = await page.evaluate(() => batten.engine.layers().loose);
+  // Counted by the steps of the journal: a stroke near another may redraw it.
+  await page.evaluate(() => {
+    globalThis.steps = () => new TextDecoder().decode(batten.engine.journal).split('{"do":').length - 1;
+  });
+  const drawn = await page.evaluate(() => globalThis.steps());
   await page.evaluate(() => {
     document.getElementById('stage').addEventListener('pointerup', () => globalThis.tell('up', Date.now()));
-    const { keeper, engine } = batten;
+    const { keeper } = batten;
     const note = keeper.note.bind(keeper);
     keeper.note = (...values) => {
       note(...values);
-      const count = engine.layers().loose;
+      const count = globalThis.steps();
       void keeper.settled().then(() => keeper.fault || globalThis.tell('kept', count));
     };
   });
@@ -82,10 +87,14 @@ export async function kills(count, seed) {
     for (let k = 0; k < count; k++) {
       const { page, told, drawn, hand } = await visit(context, server.address);
       assert.ok(drawn >= before, `kill ${k} of seed ${seed}: ${drawn} strokes, ${before} were kept`);
+      if (k % RENEW === RENEW - 1) {
+        await page.evaluate(() => batten.drawings.openNew());
+      }
+      const begun = await page.evaluate(() => globalThis.steps());
       const whole = random() < 0.2;
       const drawing = (async () => {
         for (let n = 0; n < MOST; n++) {
-          await hand.stroke(line(drawn + n), { step: 40 });
+          await hand.stroke(line(begun + n), { step: 40 });
         }
       })().catch(() => {}); // the browser is gone
       const stop = Math.floor(MOST * random());
@@ -108,7 +117,7 @@ export async function kills(count, seed) {
         return visit(context, server.address);
       });
       await next.page.close();
-      const missing = drawn + ups.length - next.drawn;
+      const missing = begun + ups.length - next.drawn;
       assert.ok(next.drawn >= kept, `kill ${k} of seed ${seed}: ${next.drawn} strokes, ${kept} were said to be kept`);
       assert.ok(missing <= 1, `kill ${k} of seed ${seed}: ${missing} strokes are missing`);
       all.kills++;
