@@ -255,7 +255,7 @@ test('a face of the dial and three taps give planes', async (t) => {
   await quiet(page);
   for (let i = 0; i < 2; i++) {
     await page.keyboard.press('Control+z');
+    await quiet(page);
   }
-  await settle(page);
   assert.equal((await state(page)).digest, begun.digest);
 });
