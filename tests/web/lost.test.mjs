@@ -1,4 +1,4 @@
-// label: smoke. What a browser keeps is never lost: each row is something that happens to a page or to its storage, and what is there
+// What a browser keeps is never lost: each row is something that happens to a page or to its storage, and what is there
 // afterwards. The drawings are of a page without a file, so that the browser alone has them.
 import assert from 'node:assert/strict';
 import path from 'node:path';
