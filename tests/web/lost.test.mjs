@@ -243,9 +243,10 @@ test('a file that is named as a kept drawing: both are kept', async () => {
   await context.close();
 });
 
-for (const [how, event] of [['killed', ''], ['hidden, then killed', 'visibilitychange'], ['left, then killed', 'pagehide']]) {
-  test(`a page that is ${how} right after a stroke, before another frame, has it`, async () => {
-    const { page, hand, context } = await drawn();
+for (const [how, event, count] of [['killed', '', STROKES], ['killed', '', 0], ['hidden, then killed', 'visibilitychange', STROKES],
+  ['left, then killed', 'pagehide', STROKES]]) {
+  test(`a page that is ${how} right after a stroke, before another frame, has it and the ${count} before`, async () => {
+    const { page, hand, context } = await drawn(count);
     const [at] = line(STROKES);
     const end = line(STROKES).at(-1);
     await hand.stroke(line(STROKES), { lift: false });
@@ -269,7 +270,7 @@ for (const [how, event] of [['killed', ''], ['hidden, then killed', 'visibilityc
     await crashed;
     await page.close();
     const next = await another(context);
-    assert.equal(await curves(next.page), STROKES + 1);
+    assert.equal(await curves(next.page), count + 1);
     await context.close();
   });
 }

@@ -9,7 +9,8 @@ import { tellBroken } from './broken.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 /** @typedef {import('./keep.js').Fault} Fault */
-/** @typedef {import('./keep.js').Kept} Kept */ /** @typedef {import('./keep.js').Listed} Listed */
+/** @typedef {import('./keep.js').Kept} Kept */
+/** @typedef {import('./keep.js').Listed} Listed */
 
 /** Notices about a drawing: they disappear with it. */
 const OF_DRAWING = ['left', 'kept', 'other', 'unkept', 'changed', 'trap'];
@@ -43,6 +44,8 @@ export class Drawings {
     this.moving = false;
     /** The file that it is unsaved work on, while its server is not there. */
     this.away = '';
+    /** How much of the engine's journal has been looked at. */
+    this.seen = { session: -1, length: 0 };
     /** The file has all of it, unless something was drawn meanwhile. */
     this.justSaved = false;
     engine.onrecovery = (all, error) => this.#recovered(all, error);
@@ -96,6 +99,7 @@ export class Drawings {
     if (this.moving) {
       return;
     }
+    this.seen = { session: engine.session, length: engine.journal.length };
     if (engine.drawing !== keeper.drawing) {
       keeper.begin(engine.drawing);
     }
@@ -121,10 +125,9 @@ export class Drawings {
 
   /** Notes what has been done since the last frame, without waiting for one: a page may be gone before it. */
   keepNow() {
-    const { engine } = this;
-    const { session, journal: { length } } = engine;
+    const { engine, seen } = this;
     engine.guard(() => engine.keepJournal(), undefined);
-    const fresh = engine.journal.subarray(session === engine.session ? length : 0);
+    const fresh = engine.journal.subarray(seen.session === engine.session ? seen.length : 0);
     this.keep(new TextDecoder().decode(fresh).includes('{"do":'));
   }
 
