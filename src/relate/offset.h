@@ -23,10 +23,13 @@ bat_status bat_chain_add(bat_chain *chain, const double cubic[8]);
 
 /* Sizes below this are brought to about 1 before anything is squared. */
 #define BAT_OFFSET_LEAST 0x1p-300
-/* The power of 2 that does so. */
-double bat_offset_factor(double size);
-/* Curves in the plane times a factor, each in its place. */
-bat_status bat_curves_scale(size_t count, bat_curve **curves, double factor);
+/* What is to be made of a curve that was enlarged by a factor; error may be NULL. */
+typedef bat_status bat_offset_work(const bat_curve *large, double factor, const void *about, size_t *count,
+                                   bat_curve ***out, double *error);
+/* Does the work on the curve brought to about 1 by a power of 2, and brings back what was made. size: of the curve and what is
+ * made of it; *max_error (may be NULL): in the curve's own units. */
+bat_status bat_offset_enlarged(const bat_curve *curve, double size, bat_offset_work *work, const void *about,
+                               size_t *count, bat_curve ***out, double *max_error);
 
 /* ---- trim.c ---- */
 /* Shares of the tolerance that the raw parallel may take, and the removal of its knots. */

@@ -223,28 +223,18 @@ static bat_status spot(const bat_curve *curve, const bat_nib *nib, double tolera
     return BAT_OK;
 }
 
-static bat_status outline_small(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
-                                size_t *count, bat_curve ***out, double *max_error) {
-    const double factor = bat_offset_factor(bat_segments_reach_of(curve) + nib->width);
-    bat_nib wide = *nib;
+/* What an outline asks for. */
+typedef struct outline_asked {
+    const bat_nib *nib;
+    double tolerance, corner;
+} outline_asked;
+
+static bat_status outline_large(const bat_curve *large, double factor, const void *about, size_t *count,
+                                bat_curve ***out, double *error) {
+    const outline_asked *asked = about;
+    bat_nib wide = *asked->nib;
     wide.width *= factor;
-    bat_curve *large = NULL, **all = NULL;
-    size_t made = 0;
-    double error = 0;
-    bat_status status = bat_curve_copy(curve, &large);
-    if (status == BAT_OK) status = bat_curves_scale(1, &large, factor);
-    if (status == BAT_OK)
-        status = bat_curve_outline(large, &wide, tolerance * factor, corner, &made, &all,
-                                   max_error ? &error : NULL);
-    if (status == BAT_OK) status = bat_curves_scale(made, all, 1 / factor);
-    bat_curve_free(large);
-    if (status != BAT_OK) {
-        bat_curves_free(made, all);
-        return status;
-    }
-    if (max_error) *max_error = error / factor;
-    *count = made, *out = all;
-    return BAT_OK;
+    return bat_curve_outline(large, &wide, asked->tolerance * factor, asked->corner, count, out, error);
 }
 
 bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
@@ -261,7 +251,8 @@ bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double 
                  .corner = corner,
                  .measured = max_error};
     if (bat_segments_reach_of(curve) + nib->width < BAT_OFFSET_LEAST)
-        return outline_small(curve, nib, tolerance, corner, count, out, max_error);
+        return bat_offset_enlarged(curve, bat_segments_reach_of(curve) + nib->width, outline_large,
+                                   &(outline_asked){nib, tolerance, corner}, count, out, max_error);
     if (bat_is_spot(curve, nib, corner)) return spot(curve, nib, tolerance, corner, count, out, max_error);
     bat_status status = bat_finder_create(curve, &o.finder), made = BAT_SINGULAR;
     for (int i = 0; i < TRIES && status == BAT_OK && made == BAT_SINGULAR; i++) {

@@ -453,13 +453,8 @@ static bat_status parallels(const bat_curve *curve, double distance, double tole
     return status;
 }
 
-double bat_offset_factor(double size) {
-    int exponent;
-    frexp(size, &exponent);
-    return ldexp(1, exponent < -1000 ? 1000 : -exponent);
-}
-
-bat_status bat_curves_scale(size_t count, bat_curve **curves, double factor) {
+/* Curves in the plane times a factor, each in its place. */
+static bat_status scale(size_t count, bat_curve **curves, double factor) {
     const double rows[6] = {factor, 0, 0, 0, factor, 0};
     bat_status status = BAT_OK;
     for (size_t i = 0; i < count && status == BAT_OK; i++) {
@@ -472,18 +467,18 @@ bat_status bat_curves_scale(size_t count, bat_curve **curves, double factor) {
     return status;
 }
 
-static bat_status offset_small(const bat_curve *curve, double distance, double tolerance, double corner,
+bat_status bat_offset_enlarged(const bat_curve *curve, double size, bat_offset_work *work, const void *about,
                                size_t *count, bat_curve ***out, double *max_error) {
-    const double factor = bat_offset_factor(bat_segments_reach_of(curve) + fabs(distance));
+    int exponent;
+    frexp(size, &exponent);
+    const double factor = ldexp(1, exponent < -1000 ? 1000 : -exponent);
     bat_curve *large = NULL, **all = NULL;
     size_t made = 0;
     double error = 0;
     bat_status status = bat_curve_copy(curve, &large);
-    if (status == BAT_OK) status = bat_curves_scale(1, &large, factor);
-    if (status == BAT_OK)
-        status = bat_curve_offset(large, distance * factor, tolerance * factor, corner, &made, &all,
-                                  max_error ? &error : NULL);
-    if (status == BAT_OK) status = bat_curves_scale(made, all, 1 / factor);
+    if (status == BAT_OK) status = scale(1, &large, factor);
+    if (status == BAT_OK) status = work(large, factor, about, &made, &all, max_error ? &error : NULL);
+    if (status == BAT_OK) status = scale(made, all, 1 / factor);
     bat_curve_free(large);
     if (status != BAT_OK) {
         bat_curves_free(made, all);
@@ -494,6 +489,18 @@ static bat_status offset_small(const bat_curve *curve, double distance, double t
     return BAT_OK;
 }
 
+/* What an offset asks for. */
+typedef struct offset_asked {
+    double distance, tolerance, corner;
+} offset_asked;
+
+static bat_status offset_large(const bat_curve *large, double factor, const void *about, size_t *count,
+                               bat_curve ***out, double *error) {
+    const offset_asked *asked = about;
+    return bat_curve_offset(large, asked->distance * factor, asked->tolerance * factor, asked->corner, count,
+                            out, error);
+}
+
 bat_status bat_curve_offset(const bat_curve *curve, double distance, double tolerance, double corner,
                             size_t *count, bat_curve ***out, double *max_error) {
     if (!curve || !count || !out || !(tolerance > 0) || !(corner >= 0)) return BAT_ARGUMENT;
@@ -502,7 +509,8 @@ bat_status bat_curve_offset(const bat_curve *curve, double distance, double tole
     if (distance != 0 && !(tolerance >= ROUNDING * (bat_segments_reach_of(curve) + fabs(distance))))
         return BAT_TOLERANCE;
     if (distance != 0 && bat_segments_reach_of(curve) + fabs(distance) < BAT_OFFSET_LEAST)
-        return offset_small(curve, distance, tolerance, corner, count, out, max_error);
+        return bat_offset_enlarged(curve, bat_segments_reach_of(curve) + fabs(distance), offset_large,
+                                   &(offset_asked){distance, tolerance, corner}, count, out, max_error);
     size_t made = 0;
     bat_curve **all = NULL;
     double error = 0;

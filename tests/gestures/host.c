@@ -278,9 +278,8 @@ static void put_ids(const bat_document *of, const bat_document *in, bool shared)
     putchar(']');
 }
 
-static void report(void) {
-    const bat_document *after = bat_editor_document(editor);
-    const bat_frame *frame = bat_editor_frame(editor);
+/* Begins a report: what is not as it was before. */
+static void put_changes(const bat_document *after) {
     if (!before) fail("no", "before");
     printf("{\"changed\":");
     put_ids(after, before, true);
@@ -288,6 +287,12 @@ static void report(void) {
     put_ids(after, before, false);
     printf(",\"removed\":");
     put_ids(before, after, false);
+}
+
+static void report(void) {
+    const bat_document *after = bat_editor_document(editor);
+    const bat_frame *frame = bat_editor_frame(editor);
+    put_changes(after);
     printf(",\"pending\":%u,\"undo\":%u,\"selected\":%u,\"notice\":", frame->pending, frame->can_undo,
            frame->selected);
     put_text(frame->notice);
@@ -324,13 +329,7 @@ static void remember(void) {
 static void stroke_report(void) {
     const bat_document *after = bat_editor_document(editor);
     const char *readings = bat_editor_readings(editor);
-    if (!before) fail("no", "before");
-    printf("{\"changed\":");
-    put_ids(after, before, true);
-    printf(",\"added\":");
-    put_ids(after, before, false);
-    printf(",\"removed\":");
-    put_ids(before, after, false);
+    put_changes(after);
     printf(",\"readings\":%s,\"pending\":%u,\"after\":", readings && *readings ? readings : "null",
            bat_editor_frame(editor)->pending);
     bool any = false;
