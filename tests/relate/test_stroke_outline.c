@@ -247,8 +247,8 @@ static void spots(void **state) {
     random_source r = {64};
     static const double sizes[] = {1, 1e-6, 1e6, 1e30, 1e-120};
     for (int round = 0; round < 60; round++) {
-        bat_curve *plain = random_curve(&r, random_int(&r, 1, 5), 2, round % 3, random_int(&r, 0, 60)),
-                  *curve;
+        const int degree = random_int(&r, 1, 5), knots = random_int(&r, 0, 60);
+        bat_curve *plain = random_curve(&r, degree, 2, round % 3, knots), *curve;
         const double scale = sizes[round % 5], size = bat_curve_size(plain) * scale,
                      half = size * bat_exp(random_between(&r, 1.9, 7) * LN_10), tolerance = 1e-4 * size;
         const double rows[6] = {scale, 0, 0, 0, scale, 0};
