@@ -11,6 +11,7 @@
 #include <arpa/inet.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <microhttpd.h>
 #include <netinet/in.h>
 #include <stdio.h>
@@ -27,7 +28,7 @@ enum {
     CONNECTIONS_MAX = 2 * GUESTS_MAX, /* guests that were disconnected may not be gone yet */
     STRANGER_SECONDS = 10,            /* how long a guest that has not shown the token may be silent */
     IDLE_SECONDS = 60,
-    LINE_ROOM = 1024 /* of what is answered in one line */
+    LINE_ROOM = PATH_MAX + 256 /* of what is answered in one line */
 };
 
 /* Headers of every response. */

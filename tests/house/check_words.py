@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The browser shell contains no texts itself: all come from src/editor/tables/strings.def. index.html has no text
 except the name and the messages for a failed load and for a browser without scripts; the scripts have no sentence and set no literal text on an element.
-Every key that the shell uses is in the table. The front page of a static host has a table of its own, web/site/words.json, in
+Every key that the shell uses is in the table. The front page of a static host and the race have tables of their own, web/site/*.json, in
 both languages, too.
 
 Usage: check_words.py ROOT
@@ -70,12 +70,13 @@ for path in files:
         names = re.findall(r"'([a-z]+)'", text) + re.findall(r'data-group="(\w+)"', sprite.lower())
         asked |= {f"shell.{name}" for name in names} & keys
 
-site = json.loads((root / "web/site/words.json").read_text("utf-8"))
-faults += [f"web/site/words.json: {key}" for key, both in site.items() if len(both) != 2 or not all(both)]
+site = {path: json.loads(path.read_text("utf-8")) for path in sorted((root / "web/site").glob("*.json"))}
+faults += [f"{path.relative_to(root)}: {key}" for path, all_words in site.items() for key, both in all_words.items()
+           if len(both) != 2 or not all(both)]
 for path in files:
-    if path.parent.name == "site":
-        told = re.findall(r"\bsay\('([a-z.-]+)'\)", path.read_text("utf-8"))
-        faults += [f"{path.relative_to(root)}: {key} is not in words.json" for key in told if key not in site]
+    own = site.get(path.with_suffix(".json"), {})
+    told = re.findall(r"\bsay\('([a-z.-]+)'\)", path.read_text("utf-8"))
+    faults += [f"{path.relative_to(root)}: {key} is not in its words" for key in told if own and key not in own]
 faults += [f"{key}: not in strings.def" for key in sorted(asked - keys)]
 print("\n".join(faults))
 print(f"{len(files)} scripts and the page read, {len(faults)} faults")

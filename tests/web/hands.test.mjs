@@ -146,9 +146,7 @@ test('the pen wins over a finger that rests, drags or draws, and palms do nothin
   await hand.fingers([[[700, 600]], [[640, 560]], [[600, 500]]], { lift: false });
   await hand.stroke(stroke, { lift: false });
   await shot(page, 'pen-beside-finger');
-  const [x, y] = stroke.at(-1);
-  await hand.client.send('Input.dispatchMouseEvent', { type: 'mouseReleased', x, y, button: 'left', pointerType: 'pen' });
-  await settle(page);
+  await hand.lift(stroke.at(-1));
   const drawn = await state(page);
   assert.notEqual(drawn.digest, plain.digest);
   assert.equal(drawn.check, '');

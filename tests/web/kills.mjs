@@ -88,7 +88,8 @@ export async function kills(count, seed) {
       const { page, told, drawn, hand } = await visit(context, server.address);
       assert.ok(drawn >= before, `kill ${k} of seed ${seed}: ${drawn} strokes, ${before} were kept`);
       if (k % RENEW === RENEW - 1) {
-        await page.evaluate(() => batten.drawings.openNew());
+        await page.evaluate(() => batten.drawings.openNew().then(() => batten.keeper.settled()));
+        told.kept = -1; // what was told was told of the drawing before
       }
       const begun = await page.evaluate(() => globalThis.steps());
       const whole = random() < 0.2;

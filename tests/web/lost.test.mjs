@@ -23,6 +23,13 @@ after(async () => {
 const curves = (page) => page.evaluate(() => batten.engine.layers().loose);
 const list = (page) => page.evaluate(async () => (await batten.keeper.list()).map(({ name, aside }) => `${name}${aside ? ' aside' : ''}`).sort());
 const said = (page) => page.evaluate(() => document.querySelector('.notices').innerText);
+/** @param {RegExp} words that the page says, or comes to say */
+const says = async (page, words) => {
+  for (const from = Date.now(); !words.test(await said(page)) && Date.now() - from < 10000;) {
+    await new Promise((done) => setTimeout(done, 50));
+  }
+  assert.match(await said(page), words);
+};
 
 /** A page in which strokes were drawn and kept. */
 async function drawn(count = STROKES) {
@@ -90,7 +97,7 @@ for (const share of [0.02, 0.3, 0.5, 0.7, 0.97]) {
     }, share);
     const next = await another(context);
     assert.ok(await curves(next.page) >= STROKES - 1, `${await curves(next.page)} of ${STROKES} strokes`);
-    assert.match(await said(next.page), /Not all that was kept of drawing.svg could be read/);
+    await says(next.page, /Not all that was kept of drawing.svg could be read/);
     await next.page.screenshot({ path: path.join(SCREENSHOTS, 'kept-part.png') });
     const [download] = await Promise.all([next.page.waitForEvent('download'), next.page.click('[data-about=other] button')]);
     assert.deepEqual([...await downloaded(download)], bytes);
@@ -103,7 +110,7 @@ for (const share of [0.02, 0.3, 0.5, 0.7, 0.97]) {
     await next.page.close();
     const third = await another(context);
     assert.equal((await state(third.page)).digest, now.digest);
-    assert.match(await said(third.page), /as you left it/);
+    await says(third.page, /as you left it/);
     await context.close();
   });
 }
@@ -114,7 +121,7 @@ for (const share of [0.4, 0.8, 0.995]) {
     await spoil(context, page, (all, where) => all.slice(0, Math.floor(where * all.length)), share);
     const next = await another(context);
     assert.ok(await curves(next.page) >= Math.floor(share * STROKES) - 1);
-    assert.match(await said(next.page), /Not all that was kept/);
+    await says(next.page, /Not all that was kept/);
     assert.deepEqual(await list(next.page), ['drawing.svg', 'drawing.svg aside'].slice(await curves(next.page) ? 0 : 1));
     await context.close();
   });
@@ -150,7 +157,8 @@ for (const [what, from, to, told] of [
     // Written by the page's own code, so that its checksums are right.
     const lines = await page.evaluate(([before, after]) => new TextDecoder().decode(batten.engine.journal).replace(before, after), [from, to]);
     await page.evaluate(async (journal) => {
-      const { keeper } = batten;
+      const { keeper, drawings } = batten;
+      drawings.moving = true; // the page itself keeps nothing more
       keeper.begin(-5, '0123456789abcdef01234567');
       keeper.note('later.svg', '', 1, new TextEncoder().encode(journal));
       await keeper.settled();
@@ -162,10 +170,10 @@ for (const [what, from, to, told] of [
     await next.page.click('#kept >> text=later.svg');
     await next.page.waitForSelector('[data-about=other]');
     if (told) {
-      assert.match(await said(next.page), told);
+      await says(next.page, told);
       assert.equal(await curves(next.page), STROKES - 1);
     } else {
-      assert.match(await said(next.page), /later.svg could not be opened.*newer version/s);
+      await says(next.page, /later.svg could not be opened.*newer version/s);
       assert.equal(await curves(next.page), STROKES, 'what is open stays');
     }
     const [download] = await Promise.all([next.page.waitForEvent('download'), next.page.click('[data-about=other] button')]);
@@ -179,7 +187,8 @@ test('names are data: a control character, quotes, a path, an empty one; all are
   const { page, context } = await drawn(1);
   const names = ['a\u0000b\u0007.svg', '"}\n{".svg', '../../x.svg', '<b>.svg', '가나.svg', 'x'.repeat(3000)];
   await page.evaluate(async (all) => {
-    const { keeper, engine } = batten;
+    const { keeper, engine, drawings } = batten;
+    drawings.moving = true; // the page itself keeps nothing more
     for (const name of all) {
       keeper.begin(-5);
       keeper.note(name, '', 1, engine.journal);
@@ -213,7 +222,7 @@ test('the store cannot be read for a moment: tried again; for long: said, and no
   assert.equal(await curves(soon.page), STROKES);
   await soon.page.close();
   const never = await another(context, fails(1e9));
-  assert.match(await said(never.page), /can't be read now/);
+  await says(never.page, /can't be read now/);
   await never.hand.stroke(line(0));
   await never.page.evaluate(() => batten.keeper.settled());
   const files = await filesOf(never.page);
@@ -229,7 +238,7 @@ test('a file that is named as a kept drawing: both are kept', async () => {
   await page.evaluate(() => batten.drawings.openNew());
   await drop(page, 'drawing.svg', '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 900 900"><path d="M100 700H500" stroke="#000"/></svg>');
   await page.waitForFunction(() => batten.painter.list.length > 0);
-  assert.match(await said(page), /unsaved work on drawing.svg from before/);
+  await says(page, /unsaved work on drawing.svg from before/);
   await hand.stroke(line(1));
   const other = await state(page);
   await page.reload();
@@ -292,7 +301,7 @@ test('where the private file system cannot be written, the database keeps the sa
   await page.close();
   const next = await another(context);
   assert.equal((await state(next.page)).digest, before.digest);
-  assert.match(await said(next.page), /as you left it/);
+  await says(next.page, /as you left it/);
   await next.hand.stroke(line(STROKES));
   await next.page.evaluate(() => batten.drawings.openNew());
   await next.page.evaluate(() => batten.engine.command('open-kept') && batten.wake());

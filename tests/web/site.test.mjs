@@ -93,7 +93,7 @@ test('the editor is the front page; a touch stops the ghost, which leaves nothin
   assert.deepEqual(asked.filter((url) => url.includes('/peers/')), []);
 
   // Without its server: the drawing as it was left, then the drawings to begin with.
-  expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/);
+  expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/, /ERR_FAILED .*\/peers\//);
   await own.close();
   await open('');
   assert.equal((await state(page)).digest, drawn, 'kept as today');

@@ -60,7 +60,7 @@ for (const [locale, colorScheme, viewport] of [['en', 'light'], ['ko-KR', 'dark'
     await page.keyboard.press('Escape');
     await quiet(page);
     assert.equal(await digest(), first, 'Escape takes it back');
-    await hand.stroke([stroke[1], stroke[1]]); // where the pen lifts after it
+    await hand.lift(stroke[1]);
     await hand.stroke(stroke);
     await quiet(page);
     await shot('swell');

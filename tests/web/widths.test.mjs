@@ -56,7 +56,7 @@ test('the width tool pulls a stroke wider with the pen, and a number is typed', 
   await page.keyboard.press('Escape');
   await quiet(page);
   assert.equal((await state(page)).digest, first, 'Escape takes it back');
-  await hand.stroke([await place(page, 200, 130), await place(page, 200, 130)]); // where the pen lifts after it
+  await hand.lift(await place(page, 200, 130));
   await hand.stroke([await place(page, 200, 99), await place(page, 200, 130)]);
   await quiet(page);
   const wide = await stillColours(page, [[200, 124], [60, 94], [60, 116]]);

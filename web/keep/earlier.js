@@ -1,5 +1,5 @@
 // Drawings as earlier versions kept them, a folder of numbered journals each: taken over into the room, and removed only when
-// they have been read back there.
+// they have been read back there. Fetched when there are any.
 
 /** @typedef {import('./store.js').Store} Store */
 
@@ -31,17 +31,18 @@ function nameIn(journal) {
   }
 }
 
-/** Takes over what is there. A folder that cannot be read now, or that another page holds, is left for another time. @param {Store} store */
-export async function takeOver(store) {
-  const root = await navigator.storage.getDirectory();
-  const all = await root.getDirectoryHandle('journals').catch(() => null);
-  for await (const [key, folder] of /** @type {any} */ (all ?? new Map())) {
+/**
+ * Takes over what is there. A folder that cannot be read now, or that another page holds, is left for another time.
+ * @param {Store} store @param {FileSystemDirectoryHandle} all the folders
+ */
+export async function takeOver(store, all) {
+  for await (const [key, folder] of /** @type {any} */ (all)) {
     try {
       const journal = await newest(folder);
       if (journal) {
         await store.begin({ id: key, name: nameIn(journal) || key, place: '' }, journal);
         await store.release();
-        await all?.removeEntry(key, { recursive: true });
+        await all.removeEntry(key, { recursive: true });
       }
     } catch {
       await store.release().catch(() => {});

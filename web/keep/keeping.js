@@ -1,18 +1,19 @@
 // The worker of keep.js, which reads and writes what is kept, one job after the other.
 
-import { Database } from './database.js';
-import { takeOver } from './earlier.js';
 import { Opfs } from './opfs.js';
 import { Cleared, Full, Store } from './store.js';
 
 /** A call of the store. @typedef {{ call: 'list' | 'take' | 'begin' | 'append' | 'release' | 'remove' | 'mark' | 'purge', with: any[] }} Job */
 /** @typedef {{ value?: unknown, fault: import('./keep.js').Fault | '', why?: string }} Answer */
 
+const EARLIER = 'journals'; // the folder of earlier versions
+
 async function start() {
   const opfs = await Opfs.find().catch(() => null);
-  const store = new Store(opfs ?? await Database.find());
-  if (opfs) {
-    await takeOver(store).catch(() => {});
+  const store = new Store(opfs ?? await (await import('./database.js')).Database.find());
+  const folders = await opfs?.root.getDirectoryHandle(EARLIER).catch(() => null);
+  if (folders) {
+    await (await import('./earlier.js')).takeOver(store, folders).catch(() => {});
   }
   await store.purge().catch(() => {});
   return store;

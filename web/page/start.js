@@ -68,25 +68,22 @@ export class Start {
   }
 
   #listen() {
-    const { stage, engine, notices, wake } = this.shell;
+    const { stage, input, notices } = this.shell;
     stage.addEventListener('pointerdown', ({ target, clientX, clientY }) => {
       const on = target instanceof Element ? /** @type {HTMLElement | null} */ (target.closest('.start-button')) : null;
       this.press = on && { button: on, x: clientX, y: clientY };
       this.tapped = false;
     }, true);
-    stage.addEventListener('pointerup', ({ clientX, clientY }) => {
+    stage.addEventListener('pointerup', (event) => {
       const { press } = this;
       this.press = null;
-      if (press && Math.hypot(clientX - press.x, clientY - press.y) < SLACK) {
+      if (press && Math.hypot(event.clientX - press.x, event.clientY - press.y) < SLACK) {
+        input.take(event); // no dot is drawn
         this.tapped = true;
-        requestAnimationFrame(() => { // after the drawing has seen it: a tool may have begun something
-          engine.command('cancel');
-          wake();
-          requestAnimationFrame(() => {
-            this.tapped = false;
-            press.button.dispatchEvent(new Event('tap'));
-            notices.pass(); // that it was too short for a stroke
-          });
+        requestAnimationFrame(() => { // after the click that may follow
+          this.tapped = false;
+          press.button.dispatchEvent(new Event('tap'));
+          notices.pass(); // that nothing was drawn
         });
       }
     }, true);

@@ -103,7 +103,7 @@ function ready() {
   });
 }
 
-const [shell] = await Promise.all([ready(), learn()]);
+const [shell] = await Promise.all([ready(), learn('front')]);
 // A link to another drawing: what is open is kept by the browser first.
 addEventListener('hashchange', async () => {
   await shell.pack();

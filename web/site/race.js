@@ -168,7 +168,7 @@ class Race {
 }
 
 async function start() {
-  await learn();
+  await learn('race');
   document.documentElement.lang = navigator.language.startsWith('ko') ? 'ko' : 'en';
   for (const id of ['back', 'heading', 'draw', 'tolerance-label', 'clear', 'note', 'missing']) {
     part(id).textContent = say(`race.${id}`);

@@ -1,4 +1,4 @@
-// What the front page and the race of fits say: words.json, English and Korean. They are parts of a static host's page
+// What the front page and the race of fits say: front.json and race.json, English and Korean. They are parts of a static host's page
 // alone, so these words are not in the engine's table.
 
 import { get } from '../page/build.js';
@@ -6,9 +6,9 @@ import { get } from '../page/build.js';
 /** @type {Record<string, [string, string]>} */
 let words = {};
 
-/** Fetches the words. */
-export async function learn() {
-  words = await (await get('site/words.json')).json();
+/** Fetches the words of a page. @param {'front' | 'race'} page */
+export async function learn(page) {
+  words = await (await get(`site/${page}.json`)).json();
 }
 
 /** @param {string} key @returns {string} in the language of the page */

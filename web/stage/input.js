@@ -219,10 +219,16 @@ export class Input {
 
   /** It was long: it is taken back as a stroke. @param {PointerEvent} event */
   #pressed(event) {
+    this.take(event);
+    this.onpress(event.clientX, event.clientY, true);
+  }
+
+  /** Takes a contact back as a stroke: it was for something else. @param {PointerEvent} event */
+  take(event) {
+    clearTimeout(this.press?.timer);
     this.press = null;
     this.#drop(event);
     this.#tell([this.#sample(event, Phase.CANCEL)]);
-    this.onpress(event.clientX, event.clientY, true);
   }
 
   /** A press goes on. @param {PointerEvent} event */
