@@ -93,9 +93,13 @@ export async function kills(count, seed) {
       }
       const begun = await page.evaluate(() => globalThis.steps());
       const whole = random() < 0.2;
+      let over = false;
       const drawing = (async () => {
         for (let n = 0; n < MOST; n++) {
           await hand.stroke(line(begun + n), { step: 40 });
+          while (told.kept < begun + n + 1 && !over) { // a machine under load may keep it later than a hand draws on
+            await new Promise((done) => setTimeout(done, 1));
+          }
         }
       })().catch(() => {}); // the browser is gone
       const stop = Math.floor(MOST * random());
@@ -105,6 +109,7 @@ export async function kills(count, seed) {
       await new Promise((done) => setTimeout(done, random() < 0.5 ? 0 : 40 * random()));
       const [now, ups, kept] = [Date.now(), told.up.slice(), told.kept];
       processesOf(profile).filter((pid) => whole || isRenderer(pid)).forEach(kill);
+      over = true;
       await soon(drawing);
       if (whole) {
         await soon(context.close());

@@ -153,3 +153,16 @@ test('a new visitor to a page that is older than its files: said, and cured when
   await tryAgain(page);
   assert.equal(await version(page), '2');
 });
+
+test('a server that does not know what a .wasm file is', async (t) => {
+  const { server, context } = await begun(t, browser);
+  await context.route('**/*.wasm', async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, headers: { ...response.headers(), 'content-type': 'application/octet-stream' } });
+  });
+  const page = await context.newPage();
+  await page.goto(server.address);
+  await ready(page);
+  await page.evaluate(() => batten.engine.module.complete());
+  assert.equal(await page.locator('[data-about=missing]').count(), 0);
+});

@@ -7,6 +7,13 @@ import { addressOf, get, Missing } from '../page/build.js';
 const FIRST = 'batten.wasm';
 const LATER = 'batten-later.wasm';
 
+/** Fetches a part; also from a server that does not know what a .wasm file is. @param {string} name */
+async function compiled(name) {
+  const response = await get(name);
+  return response.headers.get('content-type') === 'application/wasm' ? WebAssembly.compileStreaming(response) :
+    WebAssembly.compile(await response.arrayBuffer());
+}
+
 /** Fetches the second part synchronously: an engine in the middle of a call cannot be left. */
 function compileNow() {
   const request = new XMLHttpRequest();
@@ -31,12 +38,12 @@ export class Module {
   }
 
   static async load() {
-    return new Module(await WebAssembly.compileStreaming(get(FIRST)));
+    return new Module(await compiled(FIRST));
   }
 
   /** Fetches the second part. @returns {Promise<void>} */
   complete() {
-    this.coming ??= WebAssembly.compileStreaming(get(LATER)).then((second) => this.#take(second)).catch((error) => {
+    this.coming ??= compiled(LATER).then((second) => this.#take(second)).catch((error) => {
       this.coming = null;
       throw new Missing(`${LATER}: ${error}`);
     });
