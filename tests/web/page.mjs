@@ -314,17 +314,19 @@ export class Hand {
   }
 
   /** Fingers: an array of frames 8 ms apart, each an array of positions; they lift at the end, unless `lift` is false.
-   * `radius` in pixels: of a finger's contact, or a palm's. `down`: how many are down already. */
+   * Sent without waiting for each other: a page under load would take them for fingers that rest. `radius` in pixels: of a finger's contact, or a palm's. `down`: how many are down already. */
   async fingers(frames, { lift = true, radius = 6, down = 0 } = {}) {
     let before = down;
+    const sent = [];
     for (const frame of frames) {
       const touchPoints = frame.map(([x, y], id) => ({ x, y, id, force: 0.5, radiusX: radius, radiusY: radius }));
-      await this.#touch(before < frame.length ? 'touchStart' : 'touchMove', touchPoints);
+      sent.push(this.#touch(before < frame.length ? 'touchStart' : 'touchMove', touchPoints));
       before = frame.length;
     }
     if (lift) {
-      await this.#touch('touchEnd', []);
+      sent.push(this.#touch('touchEnd', []));
     }
+    await Promise.all(sent);
     await settle(this.page);
   }
 
