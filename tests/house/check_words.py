@@ -77,6 +77,16 @@ for path in files:
     own = site.get(path.with_suffix(".json"), {})
     told = re.findall(r"\bsay\('([a-z.-]+)'\)", path.read_text("utf-8"))
     faults += [f"{path.relative_to(root)}: {key} is not in its words" for key in told if own and key not in own]
+# What is searched is found by the words of others: each command and each setting has some, and none is left over.
+defs = (root / "src/editor/tables/commands.def").read_text("utf-8")
+commands = set(re.findall(r'^(?:COMMAND|HELD)\(\w+, "([^"]+)"', defs, re.M))
+rows = re.findall(r'^PROPERTY\(\w+, "([^"]+)".*?([A-Z]+)\)$', re.sub(r",\n\s+", ", ", defs), re.M)
+settings = {name for name, group in rows if group != "LEVELS"} - commands
+keywords = (root / "web/sheets/keywords.js").read_text("utf-8")
+for names, table in ((commands, "COMMANDS"), (settings, "SETTINGS")):
+    listed = set(re.findall(r"^  '([a-z0-9-]+)': '\S", re.search(rf"const {table} = {{(.*?)^}};", keywords, re.M | re.S)[1], re.M))
+    faults += [f"web/sheets/keywords.js: {table} have no {name}" for name in sorted(names - listed)]
+    faults += [f"web/sheets/keywords.js: {table} have {name}, which there is not" for name in sorted(listed - names)]
 faults += [f"{key}: not in strings.def" for key in sorted(asked - keys)]
 print("\n".join(faults))
 print(f"{len(files)} scripts and the page read, {len(faults)} faults")

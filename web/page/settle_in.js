@@ -48,6 +48,7 @@ export async function settleIn(shell) {
       void shell.whole.complete().then((whole) => void (whole && shell.panel.fetchChips()));
       void shell.mirrorDrawing();
       void want(import('./tips.js')).then(({ tips }) => tips());
+      void want(import('../sheets/typed.js')).then(({ keepTyped }) => keepTyped(shell));
     }, { signal: seen.signal });
   }
   // A screen reader may read without any input.

@@ -1,11 +1,15 @@
-// The sheet of all commands, by sections: for running them, finding them and changing their keys. Loaded when it is
-// first opened.
+// The sheet of all commands, by sections: for running them and changing their keys, and for finding them, settings and formats
+// by the words that one has. Fetched at the first sign of a user.
 
+import { found } from './finder.js';
+import { COMMANDS } from './keywords.js';
+import { shortcutOf } from './keys.js';
 import { keyName, tell, word } from '../page/words.js';
 
 /** @typedef {import('../engine/types.js').CommandRow} CommandRow */
 /** @typedef {import('../page/words.js').Words} Words */
 /** @typedef {import('../page/settings.js').Settings} Settings */
+/** What can be found beside commands. @typedef {{ name: string, label: string, of: string, words: string, help: string, run: () => void }} Other */
 
 /**
  * @template {keyof HTMLElementTagNameMap} K
@@ -33,23 +37,6 @@ function button(label, act, ...content) {
 
 /** A help text without its full stop, for a button. @param {string} key @param {string} [value] */
 const brief = (key, value) => word(`shell.${key}.help`, value).replace(/[.。]$/, '');
-
-/**
- * The shortcut that was pressed, as written in the tables; '' when it is none by itself. Only letters and named keys
- * include Shift: whether a sign needs Shift depends on the keyboard layout.
- * @param {KeyboardEvent} event
- */
-function shortcutOf(event) {
-  const latin = /^Key[A-Z]$/.test(event.code) && (event.key > '~' || event.altKey);
-  const key = latin ? event.code[3] : event.key === ' ' ? 'Space' : event.key;
-  if (/^(Shift|Control|Alt|AltGraph|Meta|CapsLock|Dead|Process|Unidentified|Tab|Escape)$/.test(key)) {
-    return '';
-  }
-  const letter = /^[a-z]$/i.test(key);
-  const typed = event.getModifierState('AltGraph'); // AltGr types a sign; it is not Ctrl and Alt
-  return [(event.ctrlKey || event.metaKey) && !typed && 'Ctrl', event.shiftKey && (letter || key.length > 1) && 'Shift',
-    event.altKey && !typed && 'Alt', letter ? key.toUpperCase() : key].filter(Boolean).join('+');
-}
 
 const STORE = 'batten-commands'; // names of the commands that were last run from here, the latest first
 const LAST = 5;
@@ -79,12 +66,14 @@ export class CommandSheet {
    * @param {Words} words
    * @param {Settings} settings
    * @param {(command: string) => void} run
+   * @param {() => Other[]} others what else can be found
    */
-  constructor(sheet, words, settings, run) {
+  constructor(sheet, words, settings, run, others) {
     this.sheet = sheet;
     this.words = words;
     this.settings = settings;
     this.run = run;
+    this.others = others;
     this.commands = words.tables.commands;
     /** The command whose keys are being changed. */
     this.editing = '';
@@ -94,7 +83,7 @@ export class CommandSheet {
     this.last = lastUsed();
     this.search = make('input', 'search');
     this.search.type = 'search';
-    this.search.addEventListener('input', () => this.#sift());
+    this.search.addEventListener('input', () => this.fill());
     this.body = make('div', 'command-list');
     sheet.replaceChildren(tell(make('h2', ''), { text: 'shell.menu' }), this.search, this.body);
     sheet.addEventListener('toggle', (event) => {
@@ -108,11 +97,22 @@ export class CommandSheet {
     this.fill();
   }
 
-  /** Rebuilds the sheet from the tables when texts or keys have changed. */
+  /** Rebuilds the sheet when texts or keys have changed, or something else is searched. */
   fill() {
     const focus = document.activeElement instanceof HTMLElement && this.body.contains(document.activeElement) ?
       document.activeElement.dataset.focus : undefined;
     this.commands = this.words.tables.commands;
+    this.body.replaceChildren(...this.search.value.trim() ? this.#found() : this.#all());
+    this.search.placeholder = brief('search');
+    this.search.setAttribute('aria-label', brief('search'));
+    const again = focus && this.body.querySelector(`[data-focus="${focus}"]`);
+    if (again instanceof HTMLElement) {
+      again.focus();
+    }
+  }
+
+  /** All commands by their sections, after those that were last used. */
+  #all() {
     const last = this.last.flatMap((name) => this.commands.filter((row) => row.name === name));
     /** @type {HTMLElement[]} */
     const parts = last.length > 0 ? [make('h3', '', word('shell.last-used')), make('ul', 'commands last', ...last.map((row) => this.#row(row)))] : [];
@@ -129,35 +129,37 @@ export class CommandSheet {
         brief('keys-default'));
       parts.push(all);
     }
-    this.body.replaceChildren(...parts);
-    this.search.placeholder = brief('search');
-    this.search.setAttribute('aria-label', brief('search'));
-    this.#sift();
-    const again = focus && this.body.querySelector(`[data-focus="${focus}"]`);
-    if (again instanceof HTMLElement) {
-      again.focus();
+    return parts;
+  }
+
+  /** What fits the search, the best first: Enter runs that. */
+  #found() {
+    const commands = this.commands.map((row) => ({ label: row.label, words: COMMANDS[row.name] ?? '',
+      help: [word(`command.${row.name}.help`), ...row.keys, ...row.keys.map(keyName)].join(' '), make: () => this.#row(row) }));
+    const others = this.others().map((other) => ({ ...other, make: () => this.#other(other) }));
+    const entries = found([...commands, ...others].map((one) => ({ ...one, label: one.label.toLowerCase(), more: one.help.toLowerCase() })),
+      this.search.value).map((one) => one.make());
+    entries[0]?.classList.add('best');
+    return entries.length > 0 ? [make('ul', 'commands', ...entries)] : [make('p', 'none', word('shell.found-nothing', this.search.value.trim()))];
+  }
+
+  /** Leaves the sheet, and what has the focus in it: or the next key is the hidden sheet's. */
+  #leave() {
+    this.sheet.hidePopover();
+    if (document.activeElement instanceof HTMLElement && this.sheet.contains(document.activeElement)) {
+      document.activeElement.blur();
     }
   }
 
-  /** Shows the commands whose name, help or keys contain all words searched for. */
-  #sift() {
-    const wanted = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const found = new Set();
-    for (const entry of this.body.querySelectorAll('li')) {
-      const { said = '', command } = entry.dataset;
-      entry.hidden = !wanted.every((part) => said.includes(part)) || (wanted.length > 0 && found.has(command));
-      found.add(entry.hidden ? '' : command);
-    }
-    // What Enter runs: the first that has the words in its name.
-    const shown = [...this.body.querySelectorAll('li')].filter((entry) => !entry.hidden && wanted.length > 0);
-    const best = shown.find((entry) => wanted.every((part) => entry.dataset.label?.includes(part))) ?? shown[0];
-    this.body.querySelector('.best')?.classList.remove('best');
-    best?.classList.add('best');
-    for (const list of this.body.querySelectorAll('ul')) {
-      const empty = !list.querySelector('li:not([hidden])');
-      list.hidden = empty;
-      /** @type {HTMLElement} */ (list.previousElementSibling).hidden = empty;
-    }
+  /** @param {Other} other */
+  #other(other) {
+    const label = button(other.label, () => {
+      this.#leave();
+      other.run();
+    }, other.label, make('small', '', other.of));
+    label.title = other.help;
+    label.dataset.command = other.name;
+    return make('li', '', make('div', 'command', label));
   }
 
   /** @param {CommandRow} row */
@@ -165,10 +167,7 @@ export class CommandSheet {
     const label = button(row.label, () => {
       this.last = [row.name, ...this.last.filter((name) => name !== row.name)].slice(0, LAST);
       remember(this.last);
-      this.sheet.hidePopover();
-      if (document.activeElement instanceof HTMLElement && this.sheet.contains(document.activeElement)) {
-        document.activeElement.blur(); // or the next key is the hidden sheet's
-      }
+      this.#leave();
       this.run(row.name);
     }, row.label);
     const help = word(`command.${row.name}.help`);
@@ -186,9 +185,6 @@ export class CommandSheet {
     keys.dataset.focus = row.name;
     keys.setAttribute('aria-pressed', String(editing));
     const entry = make('li', '', make('div', 'command', label, keys));
-    entry.dataset.command = row.name;
-    entry.dataset.label = row.label.toLowerCase();
-    entry.dataset.said = [row.label, help, ...row.keys, ...names].join(' ').toLowerCase();
     if (editing) {
       entry.append(this.#editor(row));
     }
@@ -240,7 +236,7 @@ export class CommandSheet {
     /** @type {HTMLElement | null} */ (this.body.querySelector(`[data-focus="${editing}"]`))?.focus();
   }
 
-  /** Arrows go through what was found, from the search on; Enter there runs the first. @param {KeyboardEvent} event */
+  /** Arrows go through what was found, from the marked one on; Enter in the search runs that. @param {KeyboardEvent} event */
   #walk(event) {
     const by = event.key === 'ArrowDown' ? 1 : event.key === 'ArrowUp' ? -1 : 0;
     const first = event.key === 'Enter' && event.target === this.search && !event.isComposing;
@@ -250,7 +246,8 @@ export class CommandSheet {
     event.preventDefault();
     /** @type {HTMLElement[]} */
     const all = [this.search, .../** @type {NodeListOf<HTMLElement>} */ (this.body.querySelectorAll('li:not([hidden]) [data-command]'))];
-    const at = all.indexOf(/** @type {HTMLElement} */ (document.activeElement));
+    const best = this.body.querySelector('.best') && by > 0 && document.activeElement === this.search && all.length > 2;
+    const at = best ? 1 : all.indexOf(/** @type {HTMLElement} */ (document.activeElement));
     if (first) {
       /** @type {HTMLElement | null} */ (this.body.querySelector('.best [data-command]'))?.click();
     } else {

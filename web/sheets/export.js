@@ -4,6 +4,7 @@
 import { answer, question } from './question.js';
 import { Measure } from '../page/measure.js';
 import { pictureOf, print } from './picture.js';
+import { FORMATS, PNG } from './formats.js';
 import { Refusal, word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
@@ -11,22 +12,6 @@ import { Refusal, word } from '../page/words.js';
 
 const STORE = 'batten-export';
 const WIDEST = 16384; // pixels that browsers paint
-const PNG = 'image/png';
-/** Of each format: its name in the engine's table, the end of the file's name, its media type. */
-const FORMATS = [
-  { name: 'SVG', of: 'svg', end: 'svg', type: 'image/svg+xml' },
-  { name: '', of: 'plain', end: 'svg', type: 'image/svg+xml' },
-  { name: 'PDF', of: 'pdf', end: 'pdf', type: '' },
-  { name: 'PNG', of: 'png', end: 'png', type: PNG },
-  { name: 'DXF', of: 'dxf', end: 'dxf', type: 'image/vnd.dxf' },
-  { name: 'G-code', of: 'gcode', end: 'gcode', type: 'text/plain' },
-  { name: 'GLIF', of: 'glif', end: 'glif', type: 'application/xml' },
-  { name: 'GeoJSON', of: 'geojson', end: 'geojson', type: 'application/geo+json' },
-  { name: 'CSV', of: 'csv', end: 'csv', type: 'text/csv' },
-  { name: 'BVH', of: 'bvh', end: 'bvh', type: 'text/plain' },
-  { name: 'OBJ', of: 'obj', end: 'obj', type: 'model/obj' },
-  { name: 'Batten', of: 'batten', end: 'batten', type: 'application/json' },
-];
 /** As bat_excerpt counts them. */
 const PARTS = ['shell.the-page', 'shell.everything', 'shell.selection'];
 const SELECTION = 2;
@@ -128,9 +113,9 @@ async function carryOut({ engine, files, notices }, choice, copied) {
   }
 }
 
-/** Asks what, and makes it. @param {Shell} shell */
-export async function exportDrawing(shell) {
-  const choice = remembered();
+/** Asks what, and makes it. @param {Shell} shell @param {string} [format] to begin with; the last one without */
+export async function exportDrawing(shell, format) {
+  const choice = { ...remembered(), ...format ? { format } : {} };
   const selected = shell.loop.selected > 0;
   const { box, read } = fields({ ...choice, part: selected ? choice.part : choice.part % SELECTION }, selected);
   const chosen = await question('export', word('command.export'), [box], [answer('file', word('command.export')),

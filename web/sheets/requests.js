@@ -22,7 +22,7 @@ export class Requests {
     this.context = undefined;
     shell.input.onpress = (x, y, there) => void this.#menu(x, y, there);
     part('unkept').addEventListener('click', () => void this.#losses());
-    part('menu').addEventListener('beforetoggle', () => void this.#commandSheet());
+    part('menu').addEventListener('beforetoggle', () => void this.commandSheet());
   }
 
   /** @param {number} requests */
@@ -90,18 +90,18 @@ export class Requests {
   }
 
   /** The sheet of commands, made on demand. */
-  async #commandSheet() {
-    const { CommandSheet } = await want(import('./commands.js'));
+  async commandSheet() {
+    const [{ CommandSheet }, { others }] = await Promise.all([want(import('./commands.js')), want(import('./others.js'))]);
     const { engine, settings, wake, words } = this.shell;
     this.commands ??= new CommandSheet(part('menu'), words, settings, (command) => {
       engine.command(command);
       wake();
-    });
+    }, () => others(this.shell));
     return this.commands;
   }
 
   async #shortcuts() {
-    const sheet = await this.#commandSheet();
+    const sheet = await this.commandSheet();
     sheet.sheet.showPopover();
     sheet.search.focus();
   }

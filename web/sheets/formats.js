@@ -1,0 +1,18 @@
+// The formats that a drawing can be exported in.
+
+export const PNG = 'image/png';
+/** Of each format: its name in the engine's table, the end of the file's name, its media type. */
+export const FORMATS = [
+  { name: 'SVG', of: 'svg', end: 'svg', type: 'image/svg+xml' },
+  { name: '', of: 'plain', end: 'svg', type: 'image/svg+xml' },
+  { name: 'PDF', of: 'pdf', end: 'pdf', type: '' },
+  { name: 'PNG', of: 'png', end: 'png', type: PNG },
+  { name: 'DXF', of: 'dxf', end: 'dxf', type: 'image/vnd.dxf' },
+  { name: 'G-code', of: 'gcode', end: 'gcode', type: 'text/plain' },
+  { name: 'GLIF', of: 'glif', end: 'glif', type: 'application/xml' },
+  { name: 'GeoJSON', of: 'geojson', end: 'geojson', type: 'application/geo+json' },
+  { name: 'CSV', of: 'csv', end: 'csv', type: 'text/csv' },
+  { name: 'BVH', of: 'bvh', end: 'bvh', type: 'text/plain' },
+  { name: 'OBJ', of: 'obj', end: 'obj', type: 'model/obj' },
+  { name: 'Batten', of: 'batten', end: 'batten', type: 'application/json' },
+];
