@@ -74,9 +74,11 @@ static void arrow(FILE *file, const double *at, const double *d, const char *col
 static void draw(FILE *file, double x, double y, const double *points, double asked[2][2],
                  const double *tangents, const bat_joint *joints) {
     bat_spline spline = {2, false, POINTS, points, tangents, NULL};
+    bat_tangents_options options = bat_tangents_defaults();
+    options.mode = BAT_TANGENTS_FAITHFUL;
     double *bezier = NULL;
     int segments = 0;
-    if (!file || bat_tangents(&spline, NULL, NULL, &segments, &bezier, NULL) != BAT_OK) return;
+    if (!file || bat_tangents(&spline, &options, NULL, &segments, &bezier, NULL) != BAT_OK) return;
     fprintf(file, "<g transform='translate(%g %g) scale(62)' fill='none' stroke-width='.03'>\n<path d='", x,
             y);
     for (int i = 0; i < POINTS; i++)
@@ -116,9 +118,11 @@ static int check(int figure, FILE *file) {
     }
     bat_joint as_asked[POINTS], as_printed[POINTS];
     bat_spline spline = {2, false, POINTS, points, right, NULL};
-    if (bat_tangents(&spline, NULL, as_asked, NULL, NULL, NULL) != BAT_OK) return 2;
+    bat_tangents_options options = bat_tangents_defaults();
+    options.mode = BAT_TANGENTS_FAITHFUL;
+    if (bat_tangents(&spline, &options, as_asked, NULL, NULL, NULL) != BAT_OK) return 2;
     spline.tangents = wrong;
-    if (bat_tangents(&spline, NULL, as_printed, NULL, NULL, NULL) != BAT_OK) return 3;
+    if (bat_tangents(&spline, &options, as_printed, NULL, NULL, NULL) != BAT_OK) return 3;
     printf("%-32s", FIGURES[figure].caption);
     for (int which = 0; which < 2; which++) {
         int i = 2 + which;

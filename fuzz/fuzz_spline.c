@@ -43,9 +43,10 @@ static void check_base(const bat_spline *spline) {
 }
 
 static void check_spline(const bat_spline *spline) {
-    for (int choice = 0; choice < 9; choice++) {
-        bat_tangents_options options = {sizeof options, (bat_tangents_mode)(choice % 3),
-                                        (bat_tangents_default)(choice / 3)};
+    for (int choice = 0; choice < 10; choice++) {
+        bat_tangents_options options = {sizeof options,
+                                        choice < 9 ? (bat_tangents_mode)(choice % 3) : BAT_TANGENTS_ROUND,
+                                        (bat_tangents_default)(choice / 3 % 3)};
         bat_joint *joints = malloc((spline->count + 1) * sizeof *joints);
         double *bezier = NULL;
         int segments = 0, size = spline->dimension;

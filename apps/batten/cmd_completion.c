@@ -40,7 +40,7 @@ static const char *choices_of(const cli_command *command, const cli_option *opti
         const cli_command *command;
         const char *option, *words;
     } told[] = {{&command_frames, "--kind", "rmf|frenet|fixed"},
-                {&command_tangents, "--mode", "faithful|paper"},
+                {&command_tangents, "--mode", "round|faithful|paper|even"},
                 {&command_tangents, "--default", "centripetal|uniform|chordal"},
                 {&command_render, "--look", "shaded|zebra|curvature|mean|lines"},
                 {&command_render, "--to", "svg|png|pdf|eps"},

@@ -4,6 +4,7 @@
 #include "results.h"
 
 #include "format/json/curve.h"
+#include "format/json/spline.h"
 
 #include <batten/bezier.h>
 #include <batten/tangents.h>
@@ -39,12 +40,22 @@ static int print(const bat_curve *curve, const bat_joint *joints, int count, con
     return write_text(&text);
 }
 
+/* The spline in a text, and how it says that it is made. */
+static bat_status read_spline(const char *text, size_t size, bat_spline *spline, void **block,
+                              bat_tangents_options *options, bat_problem *problem) {
+    bat_json json;
+    bat_status status = bat_json_parse(text, size, &json, problem);
+    if (status != BAT_OK) return status;
+    status = bat_spline_from_json(&json, 1, spline, block, options, problem);
+    bat_json_free(&json);
+    return status;
+}
+
 static int run(const cli_arguments *arguments) {
-    static const char *const modes[] = {"faithful", "paper", "even"}, *const defaults[] = {"centripetal",
-                                                                                           "uniform",
-                                                                                           "chordal"};
-    int mode = 0, missing = 0;
-    int failed = arguments_choice(arguments, "--mode", modes, 3, &mode);
+    static const char *const modes[] = {"faithful", "paper", "even", "round"};
+    static const char *const defaults[] = {"centripetal", "uniform", "chordal"};
+    int mode = -1, missing = -1;
+    int failed = arguments_choice(arguments, "--mode", modes, 4, &mode);
     if (!failed) failed = arguments_choice(arguments, "--default", defaults, 3, &missing);
     char *data;
     size_t size;
@@ -54,10 +65,13 @@ static int run(const cli_arguments *arguments) {
     bat_spline spline;
     void *block;
     bat_problem problem = {.place = ""};
-    bat_status status = bat_spline_read(data, size, &spline, &block, &problem);
+    bat_tangents_options options = bat_tangents_defaults();
+    bat_status status = read_spline(data, size, &spline, &block, &options, &problem);
     free(data);
     if (status != BAT_OK) return fail_problem(name, status, &problem);
-    bat_tangents_options options = {sizeof options, (bat_tangents_mode)mode, (bat_tangents_default)missing};
+    if (missing >= 0) options.mode = BAT_TANGENTS_FAITHFUL; /* whose rule it is */
+    if (mode >= 0) options.mode = (bat_tangents_mode)mode;
+    if (missing >= 0) options.missing = (bat_tangents_default)missing;
     bat_joint *joints = malloc((spline.count + 1) * sizeof *joints);
     double *bezier = NULL;
     int segments = 0;
@@ -80,17 +94,19 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_tangents = {
     .name = "tangents",
-    .usage = "SPLINE [--mode faithful|paper|even] [--default centripetal|uniform|chordal]",
+    .usage = "SPLINE [--mode round|faithful|paper|even] [--default centripetal|uniform|chordal]",
     .summary = "A spline through points: G1 in the directions given at them, or of even curvature.",
-    .details =
-        "SPLINE is {\"points\", \"tangents\", \"closed\", \"tension\"}, all but points optional. The "
-        "result is a\n"
-        "CURVE with \"k\" (null where the formula does not apply) and \"bezier\", the cubic segments.\n"
-        "Of even curvature it is quadratic, one segment around each point but the ends.",
+    .details = "SPLINE is {\"points\", \"tangents\", \"closed\", \"tension\", \"mode\", \"default\"}, all "
+               "but points "
+               "optional. The\n"
+               "result is a CURVE with \"k\" (null where the formula does not apply) and \"bezier\", the "
+               "cubic segments.\n"
+               "Of even curvature it is quadratic, one segment around each point but the ends.",
     .example = "batten tangents spline.json --default chordal > curve.json",
     .operands = 1,
     .options = {{"--mode", "MODE",
-                 "faithful (any direction, the default), paper (within the wedge) or even (curvature)"},
-                {"--default", "RULE", "where no direction is given: centripetal, uniform or chordal"}},
+                 "round (the default), faithful (to the paper), paper (within the wedge), even (curvature)"},
+                {"--default", "RULE",
+                 "where no direction is given: centripetal, uniform or chordal (faithful and paper)"}},
     .run = run,
 };

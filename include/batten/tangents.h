@@ -12,13 +12,16 @@ extern "C" {
 #endif
 
 typedef enum bat_tangents_mode {
-    BAT_TANGENTS_FAITHFUL, /* any direction is honoured exactly */
+    BAT_TANGENTS_FAITHFUL, /* the paper's formula; any direction is honoured exactly */
     BAT_TANGENTS_PAPER, /* directions are clamped to the wedge that the formula reaches, k to [0.02, 0.98] */
-    BAT_TANGENTS_EVEN /* even curvature: directions and tension stay unused; curvature is continuous but for its sign,
-                       * and is greatest at the points. Source: kappa-Curves, Yan et al. 2017; math 1.5 */
+    BAT_TANGENTS_EVEN, /* even curvature: directions and tension stay unused; curvature is continuous but for its sign,
+                        * and is greatest at the points. Source: kappa-Curves, Yan et al. 2017; math 1.5 */
+    BAT_TANGENTS_ROUND /* any direction is honoured exactly, and handles are as round as their two directions allow;
+                        * where no direction is given, curvature is continuous, and nothing beyond the next given
+                        * direction matters. Source: Hobby 1986; math 1.6 */
 } bat_tangents_mode;
 
-/* What stands in for a direction that the user did not give. */
+/* What stands in for a direction that the user did not give, in FAITHFUL and PAPER. */
 typedef enum bat_tangents_default {
     BAT_TANGENTS_CENTRIPETAL, /* k = sqrt(d0) / (sqrt(d0) + sqrt(d1)): the bisector of the chords */
     BAT_TANGENTS_UNIFORM,     /* k = 1/2: Catmull-Rom */
@@ -53,7 +56,7 @@ typedef struct bat_joint {
     bool dropped; /* the point repeats the one before it and was left out */
 } bat_joint;
 
-/* The defaults: faithful, centripetal. */
+/* The defaults: round, centripetal. */
 BAT_API void bat_tangents_options_init(bat_tangents_options *options, size_t size);
 static inline bat_tangents_options bat_tangents_defaults(void) {
     bat_tangents_options options;
@@ -75,14 +78,16 @@ BAT_API double bat_tangents_k(int dimension, const double *c0, const double *c1,
  * of the inner points; two points are a line), so *segments is count - 2, or count when closed, k is NaN, and *out is
  * quadratic, with single knots inside, double where C1 is out of reach. Cost O(count) a step, some 40 steps, at most
  * 1,000; the points are met to rounding however many are taken. Two points, closed, are the oval of FAITHFUL.
+ * ROUND: cost O(count) a step, some ten steps, at most 40. Where the points are too wild for continuous curvature,
+ * Hobby's mock curvature is continuous; directions and points are met all the same.
  */
 BAT_API bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *options,
                                 bat_joint *joints, int *segments, double **bezier, bat_curve **out);
 
 /*
  * Puts a point on the curve: on cubic segment `segment` (as bat_tangents numbers them) at t, 0 < t < 1. The points
- * beside it are given the directions that the curve has there and tensions that keep the shape; in FAITHFUL mode it
- * is kept to rounding; in EVEN mode a point more is a place more of greatest curvature, and the curve moves. *out: the
+ * beside it are given the directions that the curve has there and tensions that keep the shape; in ROUND and FAITHFUL
+ * it is kept to rounding; in EVEN mode a point more is a place more of greatest curvature, and the curve moves. *out: the
  * new spline, all its arrays in *block (bat_free); *index: the new point. *deviation (may be NULL): a bound on how far
  * the curve has moved; EVEN: how far, to 1e-6 of its size. BAT_ARGUMENT: no such segment or t.
  */

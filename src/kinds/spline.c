@@ -212,6 +212,7 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
     uint32_t member = bat_json_member(f->json, node, "spline");
     if (!member) return bat_fields_complain(f, node, "spline", "an object");
     bat_tangents_options options = bat_tangents_defaults();
+    options.mode = BAT_TANGENTS_FAITHFUL; /* what a file means that says none */
     bat_spline spline;
     void *block = NULL;
     status = bat_spline_from_json(f->json, member, &spline, &block, &options, f->problem);

@@ -171,7 +171,7 @@ class Completions(ProgramTest):
 
     def words_of_help(self):
         """Options whose words the help names: each is proposed, and is one that the command takes."""
-        return {("frames", "--kind"): "rmf frenet fixed", ("tangents", "--mode"): "faithful paper",
+        return {("frames", "--kind"): "rmf frenet fixed", ("tangents", "--mode"): "round faithful paper even",
                 ("tangents", "--default"): "centripetal uniform chordal", ("render", "--to"): "svg png pdf eps",
                 ("render", "--look"): "shaded zebra curvature mean lines", ("sketch", "--pins"): "2 3",
                 ("curve", "region", "--operation"): "union difference intersection exclusion"}

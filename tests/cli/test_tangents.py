@@ -97,10 +97,43 @@ class Tangents(ProgramTest):
                     if after is not None:
                         self.assertLess(angle(b[3] - b[2], after[1] - after[0]), 1e-9)
 
+    def test_no_hooks(self):
+        """A sine at seven points with its own directions: no segment turns a radian more than the sine there."""
+        u = 0.3 + math.pi / 3 * numpy.arange(7)
+        given = numpy.column_stack([numpy.full(7, 2 / 3), numpy.cos(u)])
+        points = numpy.column_stack([20 + 100 * (u - 0.3), 100 * numpy.sin(u)])
+        bezier = self.as_segments(self.spline({"points": points.tolist(), "tangents": given.tolist()}))
+        for i, b in enumerate(bezier):
+            t = numpy.linspace(0, 1, 200)
+            built = numpy.array([cubic(b, s) for s in t])
+            x = numpy.interp(t, [0, 1], [u[i], u[i + 1]])
+            sine = numpy.column_stack([x, numpy.sin(x)])
+            def turn(p):
+                ways = numpy.unwrap(numpy.arctan2(*numpy.diff(p, axis=0).T[::-1]))
+                return numpy.abs(numpy.diff(ways)).sum()
+            self.assertLess(turn(built), turn(sine) + 1)
+
+    def test_directions_found_together(self):
+        """At points without a direction scipy's B-spline turns as much before as after; a given one stops every influence."""
+        rng = random.Random(42)
+        angles = numpy.linspace(0, 2 * math.pi, 9, endpoint=False)
+        points = [[rng.uniform(80, 100) * math.cos(a), rng.uniform(80, 100) * math.sin(a)] for a in angles]
+
+        def bend(p, q, r):
+            a, b = q - p, r - q
+            return 2 / 3 * (a[0] * b[1] - a[1] * b[0]) / numpy.linalg.norm(a) ** 3
+        bezier = self.as_segments(self.spline({"points": points, "closed": True}))
+        for b, after in zip(bezier, numpy.roll(bezier, -1, axis=0)):
+            self.assertAlmostEqual(-bend(*b[:0:-1]) / bend(*after[:3]), 1, delta=1e-9)
+        given = [None if i % 4 else [-math.sin(a), math.cos(a)] for i, a in enumerate(angles)]
+        first = self.spline({"points": points, "tangents": given})["bezier"]
+        turned = given[:-1] + [[-1, 3]]
+        self.assertEqual(first[:4], self.spline({"points": points, "tangents": turned})["bezier"][:4])
+
     def test_k_and_where_there_is_none(self):
         points = numpy.array([[0, 0], [100, 0], [150, 80], [300, 60]], float)
         given = [[1, 0], [1, 0.5], [0, -1], None]
-        result = self.spline({"points": points.tolist(), "tangents": given})
+        result = self.spline({"points": points.tolist(), "tangents": given}, "--mode", "faithful")
         self.assertIsNone(result["k"][0])
         self.assertIsNone(result["k"][3])
         self.assertIsNone(result["k"][2])  # outside the wedge
@@ -108,10 +141,14 @@ class Tangents(ProgramTest):
         self.assertAlmostEqual(result["k"][1], expected, delta=1e-12)
 
     def test_modes_and_defaults(self):
-        corner = {"points": [[0, 0], [4, 0], [4, 9]]}
+        corner = {"points": [[0, 0], [4, 0], [4, 9]], "mode": "faithful"}
         for rule, k in (("centripetal", 0.4), ("uniform", 0.5), ("chordal", 4 / 13)):
             self.assertAlmostEqual(self.spline(corner, "--default", rule)["k"][1], k, delta=1e-12)
         self.assertEqual(self.spline(corner), self.spline(corner, "--mode", "faithful", "--default", "centripetal"))
+        self.assertEqual(self.spline(corner), self.spline({"points": corner["points"]}, "--default", "centripetal"))
+        plain = {"points": corner["points"]}
+        self.assertEqual(self.spline(plain), self.spline(corner, "--mode", "round"))
+        self.assertNotEqual(self.spline(plain), self.spline(corner))
         outside = dict(corner, tangents=[None, [0.5, -1], None])
         self.assertIsNone(self.spline(outside)["k"][1])
         self.assertAlmostEqual(self.spline(outside, "--mode", "paper")["k"][1], 0.02, delta=1e-12)

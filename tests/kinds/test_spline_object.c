@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
@@ -39,7 +40,7 @@ static void random_setup(random_source *r, setup *s, int round) {
                              s->points,
                              round % 5 ? s->tangents : NULL,
                              round % 3 ? s->tension : NULL};
-    s->options = (bat_tangents_options){sizeof(bat_tangents_options), (bat_tangents_mode)(round % 3),
+    s->options = (bat_tangents_options){sizeof(bat_tangents_options), (bat_tangents_mode)(round % 4),
                                         (bat_tangents_default)(round % 3)};
 }
 
@@ -117,6 +118,7 @@ static void round_trip(void **state) {
         assert_null(bat_document_check(document));
         assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
         assert_null(strstr(text, "curves"));
+        assert_non_null(strstr(text, "\"mode\":"));
         assert_int_equal(bat_document_read(text, size, &again, &problem), BAT_OK);
         assert_true(bat_document_digest(document) == bat_document_digest(again));
         assert_int_equal(bat_object_kind(bat_document_at(again, 0)), BAT_KIND_SPLINE);
@@ -125,6 +127,28 @@ static void round_trip(void **state) {
         bat_document_free(document);
         bat_document_free(again);
     }
+}
+
+/* A file that says no mode means the paper's, as it did before there was another default. */
+static void no_mode_is_faithful(void **state) {
+    (void)state;
+    const char *const texts[] = {"", ",\"mode\":\"faithful\"", ",\"mode\":\"round\""};
+    uint64_t digests[3];
+    for (int i = 0; i < 3; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "{\"batten\":1,\"objects\":[{\"id\":1,\"kind\":\"spline\",\"spline\":{\"points\":"
+                 "[[0,0],[40,30],[90,0]]%s}}]}",
+                 texts[i]);
+        bat_document *document = NULL;
+        bat_problem problem;
+        assert_int_equal(bat_document_read(text, strlen(text), &document, &problem), BAT_OK);
+        assert_int_equal(bat_object_spline_options(bat_document_at(document, 0))->mode,
+                         i < 2 ? BAT_TANGENTS_FAITHFUL : BAT_TANGENTS_ROUND);
+        digests[i] = bat_document_digest(document);
+        bat_document_free(document);
+    }
+    assert_true(digests[0] == digests[1] && digests[1] != digests[2]);
 }
 
 /* Each of a spline's parts counts for the digest: no two of these are the same document. */
@@ -208,6 +232,7 @@ int main(void) {
         cmocka_unit_test(its_curve_is_what_the_hand_makes),
         cmocka_unit_test(another_hand_makes_it_a_path),
         cmocka_unit_test(round_trip),
+        cmocka_unit_test(no_mode_is_faithful),
         cmocka_unit_test(digest_tells_apart),
         cmocka_unit_test(bad_splines_are_refused),
         cmocka_unit_test(memory_may_end_anywhere),

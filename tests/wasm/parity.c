@@ -308,7 +308,10 @@ static void tangents(parity_sink *sink) {
         for (int i = 0; i < 3 * COUNT; i++) tangents[i] = i / 3 % 3 ? random_between(&r, -1, 1) : 0;
         for (int i = 0; i < 2 * COUNT; i++) tension[i] = random_between(&r, 0.5, 2);
         bat_spline spline = {2 + k % 2, k % 3 == 0, COUNT, points, tangents, k % 4 ? tension : NULL}, longer;
-        bat_tangents_options options = {sizeof options, (bat_tangents_mode)(k % 5 > 2 ? k % 5 - 2 : 0),
+        bat_tangents_options options = {sizeof options,
+                                        k % 5 == 2  ? BAT_TANGENTS_ROUND
+                                        : k % 5 > 2 ? (bat_tangents_mode)(k % 5 - 2)
+                                                    : BAT_TANGENTS_FAITHFUL,
                                         (bat_tangents_default)(k % 3)};
         bat_joint joints[COUNT];
         bat_curve *curve = NULL;

@@ -44,7 +44,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('Control+z');
     assert.equal((await state(page)).digest, digest);
     await page.keyboard.press('Control+z'); // the choice was a step
-    assert.equal((await newest(page)).spline.mode, undefined);
+    assert.equal((await newest(page)).spline.mode, 'round');
     await page.keyboard.press('Control+Shift+z');
     assert.equal((await state(page)).digest, digest);
 

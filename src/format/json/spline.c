@@ -1,7 +1,7 @@
 /*
  * SPLINE as JSON:
  *   {"points":[...], "tangents":[null or [dx,dy], ...], "closed":false,
- *    "tension":[t or [in,out] or null, ...], "mode":"faithful", "default":"centripetal"}
+ *    "tension":[t or [in,out] or null, ...], "mode":"round", "default":"centripetal"}
  */
 #include "format/json/spline.h"
 
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const MODES[] = {"faithful", "paper", "even", NULL};
+static const char *const MODES[] = {"faithful", "paper", "even", "round", NULL};
 static const char *const DEFAULTS[] = {"centripetal", "uniform", "chordal", NULL};
 
 static bool is(const bat_json *json, uint32_t node, bat_json_type type) {
@@ -65,8 +65,8 @@ static bat_status read_closed(const bat_json *json, uint32_t object, bool *out, 
 static bat_status read_options(const bat_json *json, uint32_t object, bat_tangents_options *options,
                                bat_problem *problem) {
     int mode = (int)options->mode, missing = (int)options->missing;
-    bat_status status = bat_word_from_json(json, object, "mode", MODES, "faithful, paper or even", &mode,
-                                           problem);
+    bat_status status = bat_word_from_json(json, object, "mode", MODES, "faithful, paper, even or round",
+                                           &mode, problem);
     if (status == BAT_OK)
         status = bat_word_from_json(json, object, "default", DEFAULTS, "centripetal, uniform or chordal",
                                     &missing, problem);
@@ -171,7 +171,7 @@ void bat_spline_to_json(const bat_spline *spline, const bat_tangents_options *op
     if (spline->tension && !all_are(spline->tension, 2 * count, 1))
         write_vectors(text, ",\"tension\":[", spline->tension, count, 2, false);
     bat_text_string(text, spline->closed ? ",\"closed\":true" : ",\"closed\":false");
-    if (options && options->mode != BAT_TANGENTS_FAITHFUL) {
+    if (options) {
         bat_text_string(text, ",\"mode\":\"");
         bat_text_string(text, MODES[options->mode]);
         bat_text_string(text, "\"");

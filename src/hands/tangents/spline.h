@@ -3,9 +3,18 @@
 #define BATTEN_SRC_SPLINE_H
 
 #include "base/count.h"
+#include "base/vec.h"
 #include <batten/tangents.h>
 
 static inline int bat_spline_count(const bat_spline *spline) { return bat_count_inside(spline->count); }
+
+/* The direction that is given at a point, of length 1; false: none is. */
+static inline bool bat_spline_direction(const bat_spline *spline, int point, vec *out) {
+    *out = (vec){0, 0, 0};
+    if (spline->tangents)
+        *out = vec_unit(vec_load(spline->tangents + point * spline->dimension, spline->dimension));
+    return vec_norm(*out) > 0;
+}
 
 /* The options as this version has them, whatever the caller's; NULL: the defaults. */
 bat_status bat_tangents_options_read(const bat_tangents_options *given, bat_tangents_options *own);

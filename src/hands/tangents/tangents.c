@@ -8,6 +8,7 @@
 #include "curve/curve.h"
 #include "base/options.h"
 #include "hands/tangents/even.h"
+#include "hands/tangents/round.h"
 #include "hands/tangents/spline.h"
 #include "base/vec.h"
 
@@ -184,12 +185,6 @@ static int distinct(const bat_spline *s, int *keep) {
     return n;
 }
 
-static bool direction_at(const bat_spline *s, int i, vec *out) {
-    if (!s->tangents) return false;
-    *out = vec_unit(vec_load(s->tangents + i * s->dimension, s->dimension));
-    return vec_norm(*out) > 0;
-}
-
 /* The derivative at an open end. Given a direction: ROUND. Without one: the rest of the quadratic that ends
  * in the neighbour's handle, q = P_1 - D_L / 2 (math 1.4); without a neighbour's either: a line. Derivatives
  * are those of the segment run from the end inwards, so that one rule serves both ends. */
@@ -204,7 +199,7 @@ static void solve_ends(const bat_spline *s, const int *keep, int n, bat_joint *j
     bat_joint *first = &joints[keep[0]], *last = &joints[keep[n - 1]];
     vec start = point_at(s, keep[0]), second = point_at(s, keep[1]);
     vec end = point_at(s, keep[n - 1]), before = point_at(s, keep[n - 2]), t0, t1;
-    bool has0 = direction_at(s, keep[0], &t0), has1 = direction_at(s, keep[n - 1], &t1);
+    bool has0 = bat_spline_direction(s, keep[0], &t0), has1 = bat_spline_direction(s, keep[n - 1], &t1);
     vec back = vec_scale(t1, has1 ? -1 : 0);
     vec from_start, from_end;
     if (n > 2) {
@@ -225,18 +220,40 @@ static void solve_ends(const bat_spline *s, const int *keep, int n, bat_joint *j
 
 static void solve(const bat_spline *s, const bat_tangents_options *options, const int *keep, int n,
                   bat_joint *joints) {
-    for (int i = 0; i < bat_spline_count(s); i++)
-        joints[i] = (bat_joint){.k = NAN, .angle_in = NAN, .angle_out = NAN, .dropped = true};
     for (int i = 0; i < n; i++) {
-        joints[keep[i]].dropped = false;
         if (!s->closed && (i == 0 || i == n - 1)) continue;
         vec here = point_at(s, keep[i]), given;
         wedge w = wedge_of(vec_sub(here, point_at(s, keep[(i + n - 1) % n])),
                            vec_sub(point_at(s, keep[(i + 1) % n]), here));
-        bool has = direction_at(s, keep[i], &given);
+        bool has = bat_spline_direction(s, keep[i], &given);
         solve_joint(&w, has ? &given : NULL, options, s->dimension, &joints[keep[i]]);
     }
     if (!s->closed) solve_ends(s, keep, n, joints);
+}
+
+/* Joints before anything is known of them. */
+static void begin_joints(const bat_spline *s, const int *keep, int n, bat_joint *joints) {
+    for (int i = 0; i < bat_spline_count(s); i++)
+        joints[i] = (bat_joint){.k = NAN, .angle_in = NAN, .angle_out = NAN, .dropped = true};
+    for (int i = 0; i < n; i++) joints[keep[i]].dropped = false;
+}
+
+/* Where directions that are known lie between their chords. */
+static void place_in_wedges(const bat_spline *s, const int *keep, int n, bat_joint *joints) {
+    for (int i = s->closed ? 0 : 1; i < (s->closed ? n : n - 1); i++) {
+        const vec here = point_at(s, keep[i]);
+        const wedge w = wedge_of(vec_sub(here, point_at(s, keep[(i + n - 1) % n])),
+                                 vec_sub(point_at(s, keep[(i + 1) % n]), here));
+        bat_joint *joint = &joints[keep[i]];
+        const vec along = vec_load(joint->left, 3);
+        joint->k = k_inside(&w, vec_unit(along));
+        joint->angle_in = vec_angle(along, w.c0);
+        joint->angle_out = vec_angle(along, w.c1);
+        joint->inside = !isnan(joint->k) || (joint->angle_in <= FLAT && joint->angle_out <= FLAT);
+    }
+}
+
+static void stretch(const bat_spline *s, bat_joint *joints) {
     for (int i = 0; s->tension && i < bat_spline_count(s); i++)
         for (int d = 0; d < 3; d++)
             joints[i].left[d] *= s->tension[2 * i], joints[i].right[d] *= s->tension[2 * i + 1];
@@ -307,8 +324,7 @@ static bat_status assemble(const bat_spline *s, int segments, const double *bezi
     return bat_curve_finish(curve, out);
 }
 
-static const bat_tangents_options DEFAULTS = {sizeof DEFAULTS, BAT_TANGENTS_FAITHFUL,
-                                              BAT_TANGENTS_CENTRIPETAL};
+static const bat_tangents_options DEFAULTS = {sizeof DEFAULTS, BAT_TANGENTS_ROUND, BAT_TANGENTS_CENTRIPETAL};
 enum { LEAST = sizeof DEFAULTS }; /* as of 0.2: a member that is added begins there */
 
 void bat_tangents_options_init(bat_tangents_options *options, size_t size) {
@@ -326,7 +342,7 @@ bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *op
     bat_tangents_options chosen;
     bat_status status = bat_tangents_options_read(options, &chosen);
     if (status != BAT_OK) return status;
-    if ((unsigned)chosen.mode > BAT_TANGENTS_EVEN || (unsigned)chosen.missing > BAT_TANGENTS_CHORDAL)
+    if ((unsigned)chosen.mode > BAT_TANGENTS_ROUND || (unsigned)chosen.missing > BAT_TANGENTS_CHORDAL)
         return BAT_ARGUMENT;
     status = check(spline);
     if (status != BAT_OK) return status;
@@ -347,10 +363,17 @@ bat_status bat_tangents(const bat_spline *spline, const bat_tangents_options *op
         } else if (even) {
             status = bat_even(spline, keep, n, solved, cubics, out ? &curve : NULL);
         } else {
-            solve(spline, &chosen, keep, n, solved);
+            begin_joints(spline, keep, n, solved);
+            if (chosen.mode == BAT_TANGENTS_ROUND) {
+                status = bat_round(spline, keep, n, solved);
+                place_in_wedges(spline, keep, n, solved);
+            } else {
+                solve(spline, &chosen, keep, n, solved);
+            }
+            stretch(spline, solved);
             make_segments(spline, keep, n, solved, cubics);
             plan_knots(spline, keep, n, solved, breaks, times);
-            if (out) status = assemble(spline, count, cubics, breaks, times, &curve);
+            if (status == BAT_OK && out) status = assemble(spline, count, cubics, breaks, times, &curve);
         }
     }
     if (status == BAT_OK) {

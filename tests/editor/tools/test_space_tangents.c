@@ -27,7 +27,8 @@ static bat_object *spline_object(bool planar) {
         points[3 * i + 2] = planar ? 1.5 * (points[3 * i + 1] - 400) : 60.0 * (i % 3);
     }
     const bat_spline spline = {.dimension = 3, .count = COUNT, .points = points};
-    assert_int_equal(bat_object_create_spline(1, NULL, &style, &spline, NULL, &object), BAT_OK);
+    const bat_tangents_options options = {sizeof options, BAT_TANGENTS_FAITHFUL, BAT_TANGENTS_CENTRIPETAL};
+    assert_int_equal(bat_object_create_spline(1, NULL, &style, &spline, &options, &object), BAT_OK);
     return object;
 }
 
@@ -55,6 +56,11 @@ static const bat_spline *newest(const bat_editor *editor) {
     return bat_object_spline(bat_document_at(document, bat_document_count(document) - 1));
 }
 
+static const bat_tangents_options *options_of(const bat_editor *editor) {
+    const bat_document *document = bat_editor_document(editor);
+    return bat_object_spline_options(bat_document_at(document, bat_document_count(document) - 1));
+}
+
 static void seen(const bat_editor *editor, int dimension, const double *point, double pixel[2]) {
     double at[2];
     bat_stage_look(&editor->stage, dimension, point, at);
@@ -77,7 +83,7 @@ static void arrow_at(bat_editor *editor, int point, double pixel[2]) {
     bat_context *c = &editor->context;
     bat_joint joints[COUNT];
     double way[2], at[2], place[3];
-    assert_int_equal(bat_tangents(spline, NULL, joints, NULL, NULL, NULL), BAT_OK);
+    assert_int_equal(bat_tangents(spline, options_of(editor), joints, NULL, NULL, NULL), BAT_OK);
     const vec here = bat_splining_point(spline, point);
     bat_splining_seen_way(c, here, bat_splining_direction(spline, joints, point), way);
     vec_store(here, place);
@@ -176,7 +182,8 @@ static void directions_turn_in_their_plane(void **state) {
             const double cross = (pixel[0] - at[0]) * (y - at[1]) - (pixel[1] - at[1]) * (x - at[0]);
             assert_true(fabs(cross) < 1e-6 && (pixel[0] - at[0]) * (x - at[0]) > 0);
             bat_joint joints[COUNT];
-            assert_int_equal(bat_tangents(newest(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
+            assert_int_equal(bat_tangents(newest(editor), options_of(editor), joints, NULL, NULL, NULL),
+                             BAT_OK);
             assert_true(vec_angle(vec_load(joints[1].left, 3), turned) < 1e-9);
             assert_true(vec_angle(vec_load(joints[1].right, 3), turned) < 1e-9);
             assert_int_equal(round_trip(editor, first), 1);
@@ -290,7 +297,7 @@ static void keys_do_the_same(void **state) {
     expect_seen(editor, newest(editor)->points + 3, at[0] + 10, at[1]);
     assert_true(bat_editor_key(editor, "Tab", true, 0, 0));
     bat_joint joints[COUNT];
-    assert_int_equal(bat_tangents(newest(editor), NULL, joints, NULL, NULL, NULL), BAT_OK);
+    assert_int_equal(bat_tangents(newest(editor), options_of(editor), joints, NULL, NULL, NULL), BAT_OK);
     const vec was = bat_splining_direction(newest(editor), joints, 1);
     assert_true(bat_editor_key(editor, "ArrowRight", true, BAT_SHIFT, 0));
     const vec now = vec_load(newest(editor)->tangents + 3, 3);

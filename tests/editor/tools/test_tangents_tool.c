@@ -190,21 +190,25 @@ static void a_drag_while_placing_gives_the_direction(void **state) {
     bat_editor_free(editor);
 }
 
-/* The built tangent is the asked one, to 1e-9 rad, wherever the arrow points; only the two segments beside move. */
-static void the_arrow_turns_the_direction(void **state) {
-    (void)state;
+/* The built tangent is the asked one, to 1e-9 rad, wherever the arrow points; only the two segments beside move, in the
+ * paper's mode always, in the round one where the directions beside are given. */
+static void turn_the_arrow(bat_tangents_mode mode) {
     bat_editor *editor;
     pen p = begin(&editor);
-    for (int i = 0; i < 6; i++) tap(&p, 100 + 150 * i, i % 2 ? 500 : 320);
+    const bat_tangents_options options = {sizeof options, mode, BAT_TANGENTS_CENTRIPETAL};
+    assert_int_equal(bat_editor_set(editor, "spline-mode", mode), BAT_OK);
+    for (int i = 0; i < 6 && mode == BAT_TANGENTS_ROUND; i++)
+        drag(&p, 100 + 150 * i, i % 2 ? 500 : 320, 130 + 150 * i, (i % 2 ? 500 : 320) + 2 * i);
+    for (int i = 0; i < 6 && mode == BAT_TANGENTS_FAITHFUL; i++) tap(&p, 100 + 150 * i, i % 2 ? 500 : 320);
     key(editor, "Enter", 0);
     tap(&p, 400, 320);      /* choose the third */
     p.modifiers = BAT_CTRL; /* no snapping */
     for (int round = 0; round < 24; round++) {
         bat_joint before[6], after[6];
-        double *b0, *b1, angle = round * 15 + 8, x = 400 + 44 * cos(angle * PI / 180),
+        double *b0, *b1, angle = round * 15 + 18, x = 400 + 44 * cos(angle * PI / 180),
                          y = 320 + 44 * sin(angle * PI / 180);
         int n0, n1;
-        assert_int_equal(bat_tangents(spline_of(editor), NULL, before, &n0, &b0, NULL), BAT_OK);
+        assert_int_equal(bat_tangents(spline_of(editor), &options, before, &n0, &b0, NULL), BAT_OK);
         double d[3], start[2];
         vec_store(bat_splining_direction(spline_of(editor), before, 2), d);
         for (int k = 0; k < 2; k++) start[k] = (k ? 320 : 400) + 44 * d[k];
@@ -219,7 +223,7 @@ static void the_arrow_turns_the_direction(void **state) {
         pen_event(&p, BAT_POINTER_UP, x, y);
         const bat_spline *s = spline_of(editor);
         assert_true(fabs(remainder(angle_of(s->tangents + 4) - angle, 360)) < 0.02); /* pixels are rounded */
-        assert_int_equal(bat_tangents(s, NULL, after, &n1, &b1, NULL), BAT_OK);
+        assert_int_equal(bat_tangents(s, &options, after, &n1, &b1, NULL), BAT_OK);
         double cross = after[2].right[0] * s->tangents[5] - after[2].right[1] * s->tangents[4];
         double dot = after[2].right[0] * s->tangents[4] + after[2].right[1] * s->tangents[5];
         assert_true(fabs(atan2(cross, dot)) < 1e-9);
@@ -230,6 +234,12 @@ static void the_arrow_turns_the_direction(void **state) {
     }
     replays(editor, 0);
     bat_editor_free(editor);
+}
+
+static void the_arrow_turns_the_direction(void **state) {
+    (void)state;
+    turn_the_arrow(BAT_TANGENTS_FAITHFUL);
+    turn_the_arrow(BAT_TANGENTS_ROUND);
 }
 
 static void directions_snap(void **state) {
@@ -495,7 +505,7 @@ static void wild_sessions(void **state) {
         uint8_t data[4000];
         bat_editor *editor;
         pen p = begin(&editor);
-        bat_editor_set(editor, "spline-mode", round % 3);
+        bat_editor_set(editor, "spline-mode", round % 4);
         if (round % 2) four_points(&p);
         session_bytes bytes = session_random(data, sizeof data, &seed);
         double time = 1e6;
@@ -513,6 +523,26 @@ static void wild_sessions(void **state) {
         replays(editor, 0);
         bat_editor_free(editor);
     }
+}
+
+/* A new spline is round, which the journal says; directions are offered and taken as ever. */
+static void new_splines_are_round(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    const bat_tangents_options *options = bat_object_spline_options(newest(editor));
+    assert_int_equal(options->mode, BAT_TANGENTS_ROUND);
+    bat_curve *curve = NULL;
+    assert_int_equal(bat_tangents(spline_of(editor), options, NULL, NULL, NULL, &curve), BAT_OK);
+    assert_true(bat_curve_is_equal(curve, bat_object_curve(newest(editor), 0)));
+    bat_curve_free(curve);
+    size_t size;
+    assert_non_null(strstr(bat_editor_journal(editor, &size), "\"mode\":\"round\""));
+    tap(&p, 350, 500);
+    assert_non_null(pen_live(show(editor), BAT_ROLE_PROMPT));
+    replays(editor, 0);
+    bat_editor_free(editor);
 }
 
 /* Even curvature: chosen for the spline at hand in one step, for the next one as well; no directions are shown or
@@ -599,6 +629,7 @@ int main(void) {
         cmocka_unit_test(other_tools_say_so_too),
         cmocka_unit_test(another_tap_chooses),
         cmocka_unit_test(two_equal_points_are_no_curve),
+        cmocka_unit_test(new_splines_are_round),
         cmocka_unit_test(curvature_is_even),
         cmocka_unit_test(wild_sessions),
     };

@@ -13,6 +13,8 @@
 #include <batten/bezier.h>
 #include <batten/tangents.h>
 
+static const bat_tangents_options FAITHFUL = {sizeof FAITHFUL, BAT_TANGENTS_FAITHFUL,
+                                              BAT_TANGENTS_CENTRIPETAL};
 static const double PI = 3.14159265358979323846;
 
 static uint64_t seed;
@@ -146,7 +148,7 @@ static void faithful(void **state) {
         double *bezier;
         int segments;
         bat_curve *curve;
-        assert_int_equal(bat_tangents(&s.spline, NULL, joints, &segments, &bezier, &curve), BAT_OK);
+        assert_int_equal(bat_tangents(&s.spline, &FAITHFUL, joints, &segments, &bezier, &curve), BAT_OK);
         assert_int_equal(segments, s.spline.closed ? count : count - 1);
         double size = 900;
         for (int i = 0; i < segments; i++) {
@@ -206,9 +208,9 @@ static void local(void **state) {
         if (s.spline.count < 4) continue;
         int n = s.spline.dimension, count = (int)s.spline.count, segments, moved = (int)uniform(0, count);
         double *before, *after;
-        assert_int_equal(bat_tangents(&s.spline, NULL, NULL, &segments, &before, NULL), BAT_OK);
+        assert_int_equal(bat_tangents(&s.spline, &FAITHFUL, NULL, &segments, &before, NULL), BAT_OK);
         for (int d = 0; d < n; d++) s.tangents[moved * n + d] = uniform(-1, 1);
-        assert_int_equal(bat_tangents(&s.spline, NULL, NULL, &segments, &after, NULL), BAT_OK);
+        assert_int_equal(bat_tangents(&s.spline, &FAITHFUL, NULL, &segments, &after, NULL), BAT_OK);
         for (int i = 0; i < segments; i++) {
             bool beside = i == moved || (i + 1) % count == moved;
             if (!beside)
@@ -227,7 +229,7 @@ static void continuous_round_the_clock(void **state) {
         double a = 2 * PI * i / 36000, tangents[6] = {0, 0, cos(a), sin(a), 0, 0};
         bat_spline spline = {.dimension = 2, .count = 3, .points = points, .tangents = tangents};
         bat_joint joints[3];
-        assert_int_equal(bat_tangents(&spline, NULL, joints, NULL, NULL, NULL), BAT_OK);
+        assert_int_equal(bat_tangents(&spline, &FAITHFUL, joints, NULL, NULL, NULL), BAT_OK);
         double left = length(joints[1].left, 2), right = length(joints[1].right, 2);
         if (i > 0) assert_true(fabs(left - previous[0]) < 8 && fabs(right - previous[1]) < 8);
         previous[0] = left, previous[1] = right;
@@ -241,7 +243,7 @@ static void circle(void **state) {
     double *bezier, worst = 0;
     int segments;
     bat_spline two = {.dimension = 2, .closed = true, .count = 2, .points = (double[]){-1, 0, 1, 0}};
-    assert_int_equal(bat_tangents(&two, NULL, NULL, &segments, &bezier, NULL), BAT_OK);
+    assert_int_equal(bat_tangents(&two, &FAITHFUL, NULL, &segments, &bezier, NULL), BAT_OK);
     for (double s = 0; s <= 1; s += 0.01) {
         double x[2];
         cubic(bezier, 2, s, x);
@@ -255,7 +257,7 @@ static void circle(void **state) {
     const double expected[2] = {0.000273, 0.1161};
     for (int i = 0; i < 2; i++) {
         worst = 0;
-        assert_int_equal(bat_tangents(&arcs[i], NULL, NULL, &segments, &bezier, NULL), BAT_OK);
+        assert_int_equal(bat_tangents(&arcs[i], &FAITHFUL, NULL, &segments, &bezier, NULL), BAT_OK);
         for (double s = 0; s <= 1; s += 0.001) {
             double x[2];
             cubic(bezier, 2, s, x);
@@ -273,29 +275,29 @@ static void degenerate(void **state) {
     bat_curve *curve = NULL;
     double same[6] = {5, 5, 5, 5, 5, 5}, line[6] = {0, 0, 3, 0, 9, 0}, twice[8] = {0, 0, 3, 1, 3, 1, 9, 0};
     bat_spline s = {.dimension = 2, .count = 3, .points = same};
-    assert_int_equal(bat_tangents(&s, NULL, NULL, &segments, &bezier, &curve), BAT_COUNT);
+    assert_int_equal(bat_tangents(&s, &FAITHFUL, NULL, &segments, &bezier, &curve), BAT_COUNT);
     s.count = 1;
-    assert_int_equal(bat_tangents(&s, NULL, NULL, NULL, NULL, NULL), BAT_COUNT);
+    assert_int_equal(bat_tangents(&s, &FAITHFUL, NULL, NULL, NULL, NULL), BAT_COUNT);
     assert_null(curve);
     s = (bat_spline){.dimension = 2, .count = 3, .points = line};
-    assert_int_equal(bat_tangents(&s, NULL, NULL, &segments, &bezier, &curve), BAT_OK);
+    assert_int_equal(bat_tangents(&s, &FAITHFUL, NULL, &segments, &bezier, &curve), BAT_OK);
     for (int i = 0; i < 8 * segments; i += 2)
         assert_true(bezier[i + 1] == 0 && bezier[i] >= 0 && bezier[i] <= 9);
     bat_free(bezier);
     bat_curve_free(curve);
     bat_joint joints[4];
     s = (bat_spline){.dimension = 2, .count = 4, .points = twice};
-    assert_int_equal(bat_tangents(&s, NULL, joints, &segments, &bezier, NULL), BAT_OK);
+    assert_int_equal(bat_tangents(&s, &FAITHFUL, joints, &segments, &bezier, NULL), BAT_OK);
     assert_int_equal(segments, 2);
     assert_true(joints[2].dropped && !joints[1].dropped && isnan(joints[0].k) && joints[1].k > 0);
     bat_free(bezier);
     s.count = 2; /* a line, handles at thirds */
-    assert_int_equal(bat_tangents(&s, NULL, NULL, &segments, &bezier, NULL), BAT_OK);
+    assert_int_equal(bat_tangents(&s, &FAITHFUL, NULL, &segments, &bezier, NULL), BAT_OK);
     assert_true(fabs(bezier[2] - 1) < 1e-15 && fabs(bezier[5] - 2.0 / 3) < 1e-15);
     bat_free(bezier);
     double bad[4] = {0, 0, NAN, 1};
     s.points = bad;
-    assert_int_equal(bat_tangents(&s, NULL, NULL, NULL, NULL, NULL), BAT_NUMBER);
+    assert_int_equal(bat_tangents(&s, &FAITHFUL, NULL, NULL, NULL, NULL), BAT_NUMBER);
     /* Reversals, opposite directions, tensions of zero: finite. */
     seed = 5;
     for (int round = 0; round < 2000; round++) {
@@ -349,16 +351,17 @@ static void insertion_keeps_the_shape(void **state) {
         if (round % 3 == 0) s.spline.tension = tension;
         int n = s.spline.dimension, segments, more, index;
         double *before, *after, deviation, t = uniform(0.05, 0.95);
-        assert_int_equal(bat_tangents(&s.spline, NULL, NULL, &segments, &before, NULL), BAT_OK);
+        assert_int_equal(bat_tangents(&s.spline, &FAITHFUL, NULL, &segments, &before, NULL), BAT_OK);
         int segment = (int)uniform(0, segments);
         bat_spline longer;
         void *block;
         assert_int_equal(
-            bat_tangents_insert(&s.spline, segment, t, NULL, &longer, &block, &index, &deviation), BAT_OK);
+            bat_tangents_insert(&s.spline, segment, t, &FAITHFUL, &longer, &block, &index, &deviation),
+            BAT_OK);
         assert_true(deviation < 1e-10 * 900);
         assert_int_equal(longer.count, s.spline.count + 1);
         assert_int_equal(index, segment + 1);
-        assert_int_equal(bat_tangents(&longer, NULL, NULL, &more, &after, NULL), BAT_OK);
+        assert_int_equal(bat_tangents(&longer, &FAITHFUL, NULL, &more, &after, NULL), BAT_OK);
         assert_int_equal(more, segments + 1);
         for (int i = 0; i < segments; i++)
             for (double x = 0.1; x < 1; x += 0.2) {
@@ -379,10 +382,10 @@ static void insertion_keeps_the_shape(void **state) {
     bat_spline s = {.dimension = 2, .count = 3, .points = points}, out;
     void *block;
     int index;
-    assert_int_equal(bat_tangents_insert(&s, 2, 0.5, NULL, &out, &block, &index, NULL), BAT_ARGUMENT);
-    assert_int_equal(bat_tangents_insert(&s, -1, 0.5, NULL, &out, &block, &index, NULL), BAT_ARGUMENT);
-    assert_int_equal(bat_tangents_insert(&s, 0, 1, NULL, &out, &block, &index, NULL), BAT_ARGUMENT);
-    assert_int_equal(bat_tangents_insert(&s, 0, NAN, NULL, &out, &block, &index, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tangents_insert(&s, 2, 0.5, &FAITHFUL, &out, &block, &index, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tangents_insert(&s, -1, 0.5, &FAITHFUL, &out, &block, &index, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tangents_insert(&s, 0, 1, &FAITHFUL, &out, &block, &index, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_tangents_insert(&s, 0, NAN, &FAITHFUL, &out, &block, &index, NULL), BAT_ARGUMENT);
 }
 
 int main(void) {

@@ -91,7 +91,7 @@ static void handles(const bat_context *c, bat_overlay *list, vec at, const bat_j
         if (vec_norm(d[side]) > 0) bat_overlay_mark(list, ends[side], HANDLE_RADIUS * pixel);
 }
 
-/* The segments on both sides of a point of the draft, as one path. */
+/* What of the draft feels one of its points, as one path. */
 static void beside(bat_overlay *list, const bat_draft *draft, int point,
                    const bat_tangents_options *options) {
     bat_spline spline = bat_draft_spline(draft);
@@ -100,7 +100,8 @@ static void beside(bat_overlay *list, const bat_draft *draft, int point,
     int segments = 0;
     if (joints && bat_tangents(&spline, options, joints, &segments, &bezier, NULL) == BAT_OK &&
         !joints[point].dropped) {
-        const bool all = options->mode == BAT_TANGENTS_EVEN; /* every piece feels every point */
+        /* Every piece feels every point; in a round spline, up to the next direction that is given. */
+        const bool all = options->mode == BAT_TANGENTS_EVEN || options->mode == BAT_TANGENTS_ROUND;
         int after = -1;
         for (int i = 0; i <= point; i++) after += !joints[i].dropped;
         for (int which = all ? 0 : after - 1; which <= (all ? segments - 1 : after); which++) {

@@ -152,6 +152,7 @@ vec bat_splining_normal(bat_context *c, const bat_spline *spline, const bat_join
 }
 
 vec bat_splining_turned(vec d, vec axis, double cosine, double sine) {
+    axis = vec_unit(vec_reject(axis, vec_unit(d)));
     const vec aside = vec_cross(axis, d);
     return (vec){cosine * d.x + sine * aside.x, cosine * d.y + sine * aside.y, cosine * d.z + sine * aside.z};
 }

@@ -97,7 +97,7 @@ bool bat_splining_chord(const bat_spline *spline, const bat_joint *joints, int p
 /* The normal of the plane of the chords at a point, turned away from the eye; where they have none, of the whole
  * spline's plane, or else the gaze. */
 vec bat_splining_normal(bat_context *c, const bat_spline *spline, const bat_joint *joints, int point);
-/* A direction turned about an axis of length 1 at right angles to it; positive turns are clockwise on the page. */
+/* A direction turned about that which is at right angles to it in an axis of length 1; positive turns are clockwise on the page. */
 vec bat_splining_turned(vec direction, vec axis, double cosine, double sine);
 
 /* Where a place is seen, drawing coordinates; where a direction there is seen to go, of length 1 (0 0: at the eye). */
