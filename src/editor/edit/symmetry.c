@@ -59,6 +59,7 @@ static unsigned ways_of(bat_string label) {
                 {BAT_STRING_STEP_POINT, BAT_MIRROR_TWINS},
                 {BAT_STRING_STEP_MOVE_POINT, BAT_MIRROR_TWINS},
                 {BAT_STRING_STEP_DIRECTION, BAT_MIRROR_TWINS},
+                {BAT_STRING_STEP_SPLINE_MODE, BAT_MIRROR_TWINS},
                 {BAT_STRING_STEP_INSERT_POINT, BAT_MIRROR_TWINS},
                 {BAT_STRING_STEP_DELETE_POINT, BAT_MIRROR_TWINS},
                 {BAT_STRING_STEP_CLOSE, BAT_MIRROR_TWINS},

@@ -11,6 +11,8 @@
 #include <cmocka.h>
 #include "support/editing.h"
 #include <batten/nearest.h>
+#include <batten/tangents.h>
+#include "curve/mirror.h"
 
 static int count(const bat_editor *editor) { return bat_document_count(bat_editor_document(editor)); }
 
@@ -417,6 +419,79 @@ static void splines_and_lines_have_images_that_follow(void **state) {
     bat_editor_free(editor);
 }
 
+/* A spline that is its own image stays so: points, directions, tension, points put in and taken out; one on the axis keeps
+ * to it. */
+static void whole_splines_stay_whole(void **state) {
+    (void)state;
+    for (int closed = 0; closed < 2; closed++) {
+        bat_editor *editor = symmetric();
+        const uint64_t first = digest(editor);
+        bat_editor_command(editor, "tool-tangents");
+        bat_editor_set(editor, "symmetry", 0);
+        pen p = pen_for(editor);
+        p.time = 1e6;
+        const double places[5][2] = {{200, 500}, {300, 200}, {500, 100}, {700, 200}, {800, 500}};
+        for (int i = 0; i < 5; i++) tap(&p, places[i][0], places[i][1]), p.time += 1000;
+        if (closed) tap(&p, 200, 500);
+        bat_editor_command(editor, "accept");
+        bat_editor_set(editor, "symmetry", 1);
+        const bat_curve *own = curve(editor, 0);
+        assert_true(bat_mirror_twins(&(bat_mirror){true, {500, 0}, {0, 1}}, own, own, 1e-6));
+        uint64_t last = digest(editor);
+        for (int step = 0; step < 8; step++) {
+            p.time += 1000;
+            switch (step) {
+            case 0: drag(&p, 300, 200, 250, 230); break;
+            case 1: bat_editor_key(editor, "ArrowUp", true, BAT_SHIFT, p.time); break;
+            case 2: drag(&p, 500, 100, 530, 60); break;
+            case 3:
+                bat_editor_command(editor, "point-next"),
+                    bat_editor_key(editor, "ArrowUp", true, BAT_SHIFT, 0);
+                break;
+            case 4: bat_editor_command(editor, "point-next"), bat_editor_command(editor, "point-add"); break;
+            case 5: bat_editor_key(editor, "ArrowLeft", true, BAT_SHIFT, p.time); break;
+            case 6: bat_editor_command(editor, "point-delete"); break;
+            default: bat_editor_set(editor, "spline-mode", 0); break;
+            }
+            bat_editor_frame(editor);
+            assert_int_equal(count(editor), 1);
+            assert_true(digest(editor) != last);
+            last = digest(editor);
+            own = curve(editor, 0);
+            assert_true(bat_mirror_twins(&(bat_mirror){true, {500, 0}, {0, 1}}, own, own, 1e-6));
+            const bat_spline *s = bat_object_spline(object(editor, 0));
+            assert_int_equal(s->count, step == 4 || step == 5 ? 7 : 5);
+            if (step == 2) assert_true(s->points[4] == 500 && s->points[5] == 60);
+        }
+        assert_true(round_trip(editor, first) >= 8);
+        bat_editor_free(editor);
+    }
+}
+
+/* Points placed a few pixels beside the axis are on it; the mode of one of two twins is that of both. */
+static void splines_meet_on_the_axis(void **state) {
+    (void)state;
+    bat_editor *editor = symmetric();
+    bat_editor_command(editor, "tool-tangents");
+    pen p = pen_for(editor);
+    p.time = 1e6;
+    tap(&p, 498, 200);
+    p.time += 1000;
+    tap(&p, 300, 300);
+    p.time += 1000;
+    tap(&p, 502, 600);
+    bat_editor_command(editor, "accept");
+    const bat_spline *s = bat_object_spline(object(editor, 0));
+    assert_int_equal(count(editor), 2);
+    assert_true(s->points[0] == 500 && s->points[4] == 500);
+    are_twins(NULL, curve(editor, 0), curve(editor, 1));
+    bat_editor_set(editor, "spline-mode", 0);
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(bat_object_spline_options(object(editor, i))->mode, BAT_TANGENTS_FAITHFUL);
+    are_twins(NULL, curve(editor, 0), curve(editor, 1));
+    bat_editor_free(editor);
+}
+
 static void levels_follow_as_levels(void **state) {
     (void)state;
     bat_editor *editor = symmetric();
@@ -653,6 +728,8 @@ int main(void) {
                                        cmocka_unit_test(the_eraser_works_on_both_sides),
                                        cmocka_unit_test(points_and_smoothing_follow),
                                        cmocka_unit_test(splines_and_lines_have_images_that_follow),
+                                       cmocka_unit_test(whole_splines_stay_whole),
+                                       cmocka_unit_test(splines_meet_on_the_axis),
                                        cmocka_unit_test(levels_follow_as_levels),
                                        cmocka_unit_test(on_a_plane_nothing_is_mirrored),
                                        cmocka_unit_test(the_selection_is_moved_alone),

@@ -242,6 +242,27 @@ static void the_arrow_turns_the_direction(void **state) {
     turn_the_arrow(BAT_TANGENTS_ROUND);
 }
 
+/* The arrow is taken by its shaft as by its head. */
+static void the_shaft_takes_the_arrow(void **state) {
+    (void)state;
+    bat_editor *editor;
+    pen p = begin(&editor);
+    four_points(&p);
+    tap(&p, 350, 500);
+    const bat_spline *s = spline_of(editor);
+    const size_t count = s->count;
+    bat_joint joints[8];
+    double d[3];
+    assert_int_equal(bat_tangents(s, NULL, joints, NULL, NULL, NULL), BAT_OK);
+    vec_store(bat_splining_direction(s, joints, 1), d);
+    p.modifiers = BAT_CTRL;
+    drag(&p, s->points[2] + 22 * d[0], s->points[3] + 22 * d[1], s->points[2] + 40, s->points[3] + 30);
+    s = spline_of(editor);
+    assert_int_equal(s->count, count);
+    assert_true(fabs(s->tangents[2] - 0.8) < 1e-9 && fabs(s->tangents[3] - 0.6) < 1e-9);
+    bat_editor_free(editor);
+}
+
 static void directions_snap(void **state) {
     (void)state;
     bat_editor *editor;
@@ -630,6 +651,7 @@ int main(void) {
         cmocka_unit_test(another_tap_chooses),
         cmocka_unit_test(two_equal_points_are_no_curve),
         cmocka_unit_test(new_splines_are_round),
+        cmocka_unit_test(the_shaft_takes_the_arrow),
         cmocka_unit_test(curvature_is_even),
         cmocka_unit_test(wild_sessions),
     };

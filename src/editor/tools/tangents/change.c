@@ -18,6 +18,7 @@
 #include <math.h>
 #include <stdio.h>
 
+static const double MIDDLE = 0.05; /* of a segment across the axis: a point so near its middle is put there */
 static const double TENSION_MIN = 0.02, TENSION_MAX = 50;
 
 void bat_splining_tell(bat_context *c, bat_status status, bat_string done) {
@@ -76,7 +77,9 @@ bat_status bat_splining_make(bat_context *c, const bat_spline *spline) {
 
 bat_status bat_splining_load(bat_context *c) {
     const bat_spline *spline = bat_splining_spline(c);
-    return spline ? bat_draft_load(&bat_splining_of(c)->draft, spline) : BAT_STATE;
+    bat_status status = spline ? bat_draft_load(&bat_splining_of(c)->draft, spline) : BAT_STATE;
+    if (status == BAT_OK) bat_splining_pair(c);
+    return status;
 }
 
 static bat_status remove_object(bat_context *c) {
@@ -91,7 +94,9 @@ bat_status bat_splining_remove_point(bat_context *c, int point) {
     bat_splining *s = bat_splining_of(c);
     bat_status status = bat_splining_load(c);
     if (status != BAT_OK) return status;
+    const int other = bat_splining_partner(s, point);
     bat_draft_remove(&s->draft, point);
+    if (other >= 0 && other != point) bat_draft_remove(&s->draft, other > point ? other - 1 : other);
     status = s->draft.count < 2 ? BAT_COUNT : bat_splining_commit(c, BAT_STRING_STEP_DELETE_POINT);
     if (status != BAT_COUNT) {
         bat_splining_tell(c, status, BAT_STRING_NOTICE_DELETED);
@@ -108,23 +113,28 @@ bat_status bat_splining_default(bat_context *c, int point) {
     if (status != BAT_OK) return status;
     for (int k = 0; k < s->draft.dimension; k++) s->draft.tangents[s->draft.dimension * point + k] = 0;
     for (int k = 0; k < 2; k++) s->draft.tension[2 * point + k] = 1;
+    bat_splining_follow(s, point);
     status = bat_splining_commit(c, BAT_STRING_STEP_DIRECTION);
     bat_splining_tell(c, status, BAT_STRING_NOTICE_DEFAULT);
     return status;
 }
 
-/* Adds a point on the curve to the draft; *index: its index. */
+/* Adds a point on the curve to the draft, and the one that mirrors it where the spline is its own image; *index: its
+ * index. */
 bat_status bat_splining_draft_insert(bat_context *c, int segment, double t, int *index, double *deviation) {
+    bat_status status = bat_splining_load(c);
+    if (status != BAT_OK) return status;
+    const bat_tangents_options options = bat_splining_options(c);
     const bat_spline *spline = bat_splining_spline(c);
-    if (!spline) return BAT_STATE;
+    const bool across = bat_splining_twin_segment(c, segment) == segment;
+    if (across && fabs(t - 0.5) < MIDDLE) t = 0.5;
     bat_spline longer;
     void *block = NULL;
-    bat_status status = bat_tangents_insert(spline, segment, t,
-                                            bat_object_spline_options(bat_splining_object(c)), &longer,
-                                            &block, index, deviation);
-    if (status != BAT_OK) return status;
-    status = bat_draft_load(&bat_splining_of(c)->draft, &longer);
-    bat_free(block);
+    status = bat_tangents_insert(spline, segment, t, &options, &longer, &block, index, deviation);
+    if (status == BAT_OK) {
+        status = bat_splining_insert_twin(c, &longer, segment, t, &options, index);
+        bat_free(block);
+    }
     return status;
 }
 

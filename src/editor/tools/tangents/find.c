@@ -12,8 +12,9 @@
 #include "editor/pick/pick.h"
 #include <math.h>
 
-static const double POINT_REACH = 9, RING_REACH = 7, HANDLE_REACH = 8, CURVE_REACH = 8; /* px */
-static const double TOUCH = 1.8; /* factor on the reach for fingers */
+static const double POINT_REACH = 9, RING_REACH = 7, HANDLE_REACH = 8, CURVE_REACH = 8,
+                    SHAFT_REACH = 4; /* px */
+static const double TOUCH = 1.8;     /* factor on the reach for fingers */
 
 typedef struct place {
     const bat_context *c;
@@ -61,7 +62,7 @@ static bool on_handle(const place *p, const bat_spline *s, int i, const double d
     return away(p, end) <= HANDLE_REACH * p->reach;
 }
 
-/* Whether the pen is on the head of the arrow, which stands on the ring. */
+/* Whether the pen is on the arrow: its head, which stands on the ring, or its shaft. */
 static bool on_arrow(const place *p, const bat_spline *s, const bat_joint *joints, int i) {
     const vec at = bat_splining_point(s, i);
     double from[2], way[2];
@@ -69,7 +70,10 @@ static bool on_arrow(const place *p, const bat_spline *s, const bat_joint *joint
     bat_splining_seen_way(p->c, at, bat_splining_direction(s, joints, i), way);
     const double radius = BAT_PROMPT_RADIUS * p->pixel;
     const double x = from[0] + way[0] * radius - p->point[0], y = from[1] + way[1] * radius - p->point[1];
-    return bat_hypot(x, y) / p->pixel <= POINT_REACH * p->reach;
+    if (bat_hypot(x, y) / p->pixel <= POINT_REACH * p->reach) return true;
+    const double along = way[0] * (p->point[0] - from[0]) + way[1] * (p->point[1] - from[1]);
+    const double aside = way[0] * (p->point[1] - from[1]) - way[1] * (p->point[0] - from[0]);
+    return along > 0 && along <= radius && fabs(aside) / p->pixel <= SHAFT_REACH * p->reach;
 }
 
 /* The place on the spline's segments for a parameter of its curve. */
@@ -113,6 +117,8 @@ bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_devi
                 hit.part = BAT_PART_RIGHT;
             else if (on_handle(&p, spline, chosen, joints[chosen].left, -1))
                 hit.part = BAT_PART_LEFT;
+            else if (on_arrow(&p, spline, joints, chosen))
+                hit.part = BAT_PART_DIRECTION;
             if (hit.part) return hit;
         }
         if (s->near >= 0 && on_ring(&p, spline, s->near))

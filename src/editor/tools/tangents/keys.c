@@ -62,6 +62,7 @@ static bat_status nudge(bat_context *c, double x, double y) {
     else
         for (int k = 0; k < s->draft.dimension; k++)
             s->draft.points[s->draft.dimension * s->point + k] += moves[k];
+    bat_splining_follow(s, s->point);
     status = bat_splining_commit(c, s->on_direction ? BAT_STRING_STEP_DIRECTION : BAT_STRING_STEP_MOVE_POINT);
     bat_splining_tell(c, status, BAT_STRING_COUNT);
     return BAT_OK;

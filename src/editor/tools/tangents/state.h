@@ -4,6 +4,7 @@
 #define BATTEN_EDITOR_TOOLS_TANGENTS_STATE_H
 
 #include "base/vec.h"
+#include "curve/mirror.h"
 #include "editor/view/stage.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
@@ -52,7 +53,9 @@ typedef struct bat_splining {
     double base[3], base_tension[2];   /* of the point at the start of the drag */
     double plane[3], rise[3]; /* normals: of the plane that the point moves in (none: across the gaze) or its
                                         * direction turns in; of the direction that Alt moves it in */
-    bool due, failed;         /* the document lacks the draft's last change; putting it there failed */
+    bat_mirror mirror;        /* on: points i and pair_sum - i of the draft mirror each other */
+    int pair_sum;
+    bool due, failed; /* the document lacks the draft's last change; putting it there failed */
     bool snapped;
     double guide[3]; /* the direction that was snapped to */
 
@@ -112,6 +115,17 @@ bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_devi
 /* change.c: loading the chosen spline's values into the draft, and committing them as one step. */
 bat_status bat_splining_load(bat_context *c);
 bat_status bat_splining_commit(bat_context *c, bat_string step);
+/* whole.c: finds out whether the draft as loaded is its own mirror image; the point that mirrors another (-1: it is
+ * not); after a change of a point, the one that mirrors it follows. */
+void bat_splining_pair(bat_context *c);
+/* The segment that mirrors another; -1: none does. */
+int bat_splining_twin_segment(bat_context *c, int segment);
+/* The draft becomes `longer`, which has a point more at t on a segment, and the one that mirrors it; *index: of the
+ * first, which that may move. */
+bat_status bat_splining_insert_twin(bat_context *c, const bat_spline *longer, int segment, double t,
+                                    const bat_tangents_options *options, int *index);
+int bat_splining_partner(const bat_splining *s, int point);
+void bat_splining_follow(bat_splining *s, int point);
 /* Notifies the user of what was done, or why it was not. */
 void bat_splining_tell(bat_context *c, bat_status status, bat_string done);
 double bat_splining_tension(double value); /* clamped to its limits */

@@ -14,6 +14,7 @@
 #include "curve/frames/walk.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/style.h"
+#include "editor/edit/symmetry.h"
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
 #include "editor/pick/snap.h"
@@ -39,6 +40,7 @@
 static const double TAP = 4;                  /* px that a tap may travel */
 static const double DOUBLE_TAP = 400;         /* ms */
 static const double SNAP = 3 * BAT_PI / 180;  /* radians: reach of a chord or a neighbour's direction */
+static const double AXIS_REACH = 6;           /* px: a point so near the axis of symmetry is put on it */
 static const double STEP = 15 * BAT_PI / 180; /* with Shift */
 
 /* ---- drags ---- */
@@ -138,6 +140,14 @@ static void pull(bat_context *c, vec way, double pixels) {
     }
 }
 
+/* With symmetry, a place near the axis is on it, unless Ctrl is held. */
+static void to_axis(bat_context *c, double at[2]) {
+    const bat_mirror axis = bat_symmetry(c);
+    if (!axis.on || c->modifiers & (BAT_CTRL | BAT_META | BAT_SHIFT)) return;
+    if (fabs(bat_mirror_side(&axis, at)) <= AXIS_REACH * bat_stage_pixel(c->stage))
+        bat_mirror_place(&axis, bat_mirror_along(&axis, at), at);
+}
+
 /* Moves the grabbed point with the pen; false: the pen cannot tell where. */
 static bool drag_point(bat_context *c, bat_splining *s) {
     const bool rise = c->modifiers & BAT_ALT && s->draft.dimension == 3;
@@ -158,7 +168,7 @@ static bool drag_point(bat_context *c, bat_splining *s) {
     if (c->modifiers & BAT_SHIFT)
         bat_snap_angle(c, s->base, own);
     else
-        bat_snap_point(c, 1, &index, own);
+        bat_snap_point(c, 1, &index, own), to_axis(c, own);
     return true;
 }
 
@@ -193,6 +203,7 @@ static void apply(bat_context *c) {
         return;
     }
     if (!(s->press.part == BAT_PART_POINT ? drag_point(c, s) : drag_direction(c, s))) return;
+    bat_splining_follow(s, s->press.point);
     bat_spline spline = bat_draft_spline(&s->draft);
     bat_object *after = NULL;
     int at = bat_document_find(c->session->document, s->object);
@@ -272,6 +283,7 @@ static bat_status add_point(bat_context *c, const double *point) {
         status = bat_splining_load(c);
     } else {
         bat_draft_begin(&s->draft, s->dimension);
+        s->mirror.on = false;
         status = bat_draft_insert(&s->draft, 0, s->first);
         if (status == BAT_OK)
             memcpy(s->draft.tangents, s->first_direction, (size_t)s->dimension * sizeof *s->first_direction);
@@ -363,7 +375,9 @@ static bat_status place_at(bat_context *c, const double pixel[2], double at[3]) 
               last);
     bat_status status = bat_stage_place(c->stage, pixel, NULL, &hit);
     if (status == BAT_OK) memcpy(s->plane, hit.normal, sizeof s->plane);
-    return status == BAT_OK ? bat_spot(c, pixel, own >= 0, &own, s->placing ? last : NULL, at) : status;
+    if (status == BAT_OK) status = bat_spot(c, pixel, own >= 0, &own, s->placing ? last : NULL, at);
+    if (status == BAT_OK && bat_stage_dimension(c->stage) == 2) to_axis(c, at);
+    return status;
 }
 
 /* A spline of the page goes on on the page only; elsewhere a new one begins. */
