@@ -13,6 +13,7 @@
 #include <string.h>
 
 enum { STEPS = 40, HALVINGS = 10 };
+static const double DONE = 1e-13;  /* of curvature times length: no step is made any more */
 static const double CLOSE = 1e-10; /* of curvature times length: then curvature is continuous */
 static const double STRIDE = 0.5;  /* radians: the longest step of a direction */
 static const double NUDGE = 1e-6;  /* radians: for differences */
@@ -261,7 +262,7 @@ static double improve(const chain *c, double off) {
 /* True curvature made continuous; false: it does not come close, or goes too far. */
 static bool settle(const chain *c) {
     double off = jumps(c, true_bends, c->row->directions);
-    for (int step = 0; step < STEPS && off > 0; step++) {
+    for (int step = 0; step < STEPS && off > DONE * DONE; step++) {
         const double now = improve(c, off);
         if (!(now < off)) break;
         keep(c, c->tried, c->row->directions);

@@ -117,11 +117,10 @@ bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_devi
                 hit.part = BAT_PART_RIGHT;
             else if (on_handle(&p, spline, chosen, joints[chosen].left, -1))
                 hit.part = BAT_PART_LEFT;
-            else if (on_arrow(&p, spline, joints, chosen))
-                hit.part = BAT_PART_DIRECTION;
+            if (!hit.part && on_arrow(&p, spline, joints, chosen)) hit.part = BAT_PART_DIRECTION;
             if (hit.part) return hit;
         }
-        if (s->near >= 0 && on_ring(&p, spline, s->near))
+        if (s->near >= 0 && (on_ring(&p, spline, s->near) || on_arrow(&p, spline, joints, s->near)))
             return (bat_spline_hit){.part = BAT_PART_DIRECTION, .point = s->near};
     }
     bat_seen_sync(c);
