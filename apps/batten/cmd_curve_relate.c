@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+/* By bat_contact_kind. */
+static const char *const CONTACTS[] = {"crosses", "touches", "ends", "overlaps"};
 static const double CORNER = 0.02; /* radians */
 
 static int flatten(const cli_arguments *arguments, const bat_curve *a, const bat_curve *b) {
@@ -74,6 +76,10 @@ static void put_meeting(bat_text *text, const bat_meeting *meeting, size_t size)
         bat_text_number(text, at->v);
         bat_text_string(text, ",\"point\":");
         put_numbers(text, at->point, size);
+        bat_text_string(text, ",\"kind\":\"");
+        bat_text_string(text, CONTACTS[at->kind]);
+        bat_text_string(text, "\"");
+        if (at->sign) bat_text_string(text, at->sign > 0 ? ",\"sign\":1" : ",\"sign\":-1");
         bat_text_string(text, "}");
     }
     bat_text_string(text, "],\n\"overlaps\":[");
@@ -169,9 +175,14 @@ const cli_command command_curve_intersect = {
     .name = "curve intersect",
     .usage = "CURVE [CURVE] [--tolerance T]",
     .summary = "Where two curves meet, or one meets itself.",
-    .details = "The result is {\"hits\", \"overlaps\"}: {\"u\", \"v\", \"point\"} for each place, and [u0, "
-               "u1, v0, v1] for each stretch\n"
-               "over which they run together.",
+    .details =
+        "The result is {\"hits\", \"overlaps\"}: {\"u\", \"v\", \"point\", \"kind\"} for each contact, and "
+        "[u0, u1, v0, v1]\n"
+        "for each stretch over which they run together. The kind is crosses, with the sign 1 where the "
+        "first\n"
+        "goes to the left of the second and -1 where it goes to the right, touches, ends (a curve ends "
+        "there),\n"
+        "or overlaps (all of a curve is there).",
     .example = "batten curve intersect first.json second.json",
     .operands = 1,
     .more = 1,

@@ -29,9 +29,19 @@ BAT_API bat_status bat_curve_hausdorff(const bat_curve *a, const bat_curve *b, d
 
 /* ---- where curves meet ---- */
 
+/* What two curves do at a contact, a stretch over which they stay within the tolerance. */
+typedef enum bat_contact_kind {
+    BAT_CONTACT_CROSSES, /* a goes from one side of b to the other; in space: they meet at an angle */
+    BAT_CONTACT_TOUCHES, /* a stays on its side; in space: they meet with parallel tangents */
+    BAT_CONTACT_ENDS,    /* an open curve begins or ends within the contact */
+    BAT_CONTACT_OVERLAPS /* all of a curve lies within the contact */
+} bat_contact_kind;
+
 typedef struct bat_crossing {
     double u, v;                     /* on a and on b */
     double point[BAT_DIMENSION_MAX]; /* halfway between the two */
+    bat_contact_kind kind;
+    int sign; /* of a crossing in the plane, where y points up: 1 a goes to the left of b, -1 to the right; else 0 */
 } bat_crossing;
 
 typedef struct bat_overlap {
@@ -48,8 +58,8 @@ typedef struct bat_meeting {
 
 /*
  * Where two curves, in the plane or in space, come within tolerance (document units, > 0; what rounding hides at their
- * coordinates counts as met, too). Curves that cross or touch at a place give one crossing there; where they run
- * together for longer than the tolerance, an overlap, and no crossings within it. A crossing at the seam of a closed
+ * coordinates counts as met, too). One contact is one crossing: all places between which the curves stay within the
+ * tolerance; where two polynomials are one, an overlap, and no crossings within it. As many whichever curve comes first. A crossing at the seam of a closed
  * curve has the start of its domain. *out is the caller's (bat_meeting_free). BAT_DIMENSION: the dimensions differ;
  * BAT_COUNT: over two million pairs of pieces would have to be looked at. docs/math/relate.md 2.
  */

@@ -5,6 +5,8 @@
 #include <batten/nearest.h>
 
 #include "base/real.h"
+#include "base/vec.h"
+#include "relate/contact.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -48,42 +50,63 @@ static double apart_at(const bat_encounter *m, double u, double v, double *gap, 
 
 static double clamp(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
-/* From the middle of both pieces to a place where they meet; false: there is none, as far as Newton's steps see. */
-static bool newton(const bat_encounter *m, const bat_segment *a, const bat_segment *b, bat_candidate *out) {
+typedef enum newton_end { FOUND, NONE, UNKNOWN } newton_end;
+
+/* From the middle of both pieces to the place where they meet, which their directions let be one at most. NONE: they come
+ * nearest within, but not within the gap (in space); UNKNOWN: the steps led to the border. */
+static newton_end newton(const bat_encounter *m, const bat_segment *a, const bat_segment *b,
+                         bat_candidate *out) {
     const int size = a->size;
     const double width = a->to - a->from, wide = b->to - b->from;
     double u = 0.5 * a->from + 0.5 * a->to, v = 0.5 * b->from + 0.5 * b->to, gap[3], da[3], db[3], point[3];
-    for (int step = 0; step < NEWTON_STEPS; step++) {
+    bool inside = false, settled = false;
+    for (int step = 0; step < NEWTON_STEPS && !settled; step++) {
         apart_at(m, u, v, gap, da, db, point);
         const double aa = dot(da, da, size), bb = dot(db, db, size), ab = dot(da, db, size);
         const double det = aa * bb - ab * ab, ga = dot(gap, da, size), gb = dot(gap, db, size);
         if (!(det > 1e-24 * aa * bb)) break;
-        const double du = (-ga * bb + gb * ab) / det, dv = (gb * aa - ga * ab) / det;
-        u = clamp(u + du, a->from, a->to), v = clamp(v + dv, b->from, b->to);
-        if (fabs(du) <= 1e-15 * width && fabs(dv) <= 1e-15 * wide) break;
+        const double du = (-ga * bb + gb * ab) / det, dv = (gb * aa - ga * ab) / det, x = u + du, y = v + dv;
+        u = clamp(x, a->from, a->to), v = clamp(y, b->from, b->to);
+        inside = u == x && v == y;
+        settled = fabs(du) <= 1e-14 * width && fabs(dv) <= 1e-14 * wide;
+        if (step > 2 && !inside && fmax(fabs(u - x) / width, fabs(v - y) / wide) > 0.5)
+            break; /* far outside */
     }
-    *out = (bat_candidate){.u = {u, u}, .v = {v, v}, .at = {.u = u, .v = v}};
+    *out = (bat_candidate){.u = {u, u}, .v = {v, v}, .at = {.u = u, .v = v}, .exact = true};
     out->distance = apart_at(m, u, v, gap, NULL, NULL, out->at.point);
-    return out->distance <= m->gap;
+    if (!inside) return UNKNOWN;
+    if (out->distance <= m->gap) return FOUND;
+    return settled && size == 3 ? NONE : UNKNOWN;
 }
 
-/* Two straight pieces side by side: as near as the ends and middles come. */
-static bat_candidate side_by_side(const bat_encounter *m, const bat_segment *a, const bat_segment *b) {
-    bat_candidate best = {.u = {a->from, a->to}, .v = {b->from, b->to}, .distance = INFINITY};
-    for (int i = 0; i <= 2; i++)
-        for (int j = 0; j <= 2; j++) {
-            double gap[3];
-            bat_crossing at = {.u = a->from + (a->to - a->from) * i / 2,
-                               .v = b->from + (b->to - b->from) * j / 2};
-            const double d = apart_at(m, at.u, at.v, gap, NULL, NULL, at.point);
-            if (d < best.distance) best.distance = d, best.at = at;
-        }
+/* Two straight pieces: as near as an end of one comes to the other. `angle`: their directions differ, so that no other place
+ * of theirs is as near. */
+static bat_candidate side_by_side(const bat_encounter *m, const bat_segment *a, const bat_segment *b,
+                                  bool angle) {
+    bat_candidate best = {.distance = INFINITY};
+    for (int i = 0; i < 4; i++) {
+        const bat_segment *own = i < 2 ? a : b, *other = i < 2 ? b : a;
+        const int p = own->degree * own->size, q = other->degree * other->size;
+        const vec from = vec_load(other->b, other->size),
+                  chord = vec_sub(vec_load(other->b + q, other->size), from),
+                  x = vec_sub(vec_load(own->b + (i % 2 ? p : 0), own->size), from);
+        const double length = vec_dot(chord, chord), share = length > 0 ? vec_dot(x, chord) / length : 0;
+        const double here = i % 2 ? own->to : own->from,
+                     there = other->from + clamp(share, 0, 1) * (other->to - other->from);
+        double gap[3];
+        bat_crossing at = {.u = i < 2 ? here : there, .v = i < 2 ? there : here};
+        const double d = apart_at(m, at.u, at.v, gap, NULL, NULL, at.point);
+        if (d < best.distance) best.distance = d, best.at = at;
+    }
+    best.u[0] = angle ? best.at.u : a->from, best.u[1] = angle ? best.at.u : a->to;
+    best.v[0] = angle ? best.at.v : b->from, best.v[1] = angle ? best.at.v : b->to;
     return best;
 }
 
 /* The angle between the axes of two cones, 0 to a right angle: which way they run does not matter. */
 static double angle_of(const double *a, const double *b, int size) {
-    return bat_acos(clamp(fabs(dot(a, b, size)), 0, 1));
+    const double angle = vec_angle(vec_load(a, size), vec_load(b, size));
+    return fmin(angle, BAT_PI - angle);
 }
 
 /* Both within one overlap, and turning so little that they can meet nowhere else. */
@@ -126,12 +149,19 @@ static bat_status split(bat_encounter *m, const bat_segment *a, const bat_segmen
     const bool first = bat_segment_reach(a) >= bat_segment_reach(b);
     bat_segment_halve(first ? a : b, &left, &right);
     if (!(left.from < left.to && right.from < right.to)) { /* no number lies between */
-        const bat_candidate candidate = side_by_side(m, a, b);
+        const bat_candidate candidate = side_by_side(m, a, b, false);
         return candidate.distance <= m->gap ? add(m, &candidate) : BAT_OK;
     }
     const bat_status status = first ? pair(m, &left, b, depth + 1) : pair(m, a, &left, depth + 1);
     if (status != BAT_OK) return status;
     return first ? pair(m, &right, b, depth + 1) : pair(m, a, &right, depth + 1);
+}
+
+/* Both straight within a quarter of the gap, and of like length. */
+static bool are_straight(const bat_segment *a, const bat_segment *b, double gap) {
+    return bat_segment_bulge(a) <= 0.25 * gap && bat_segment_bulge(b) <= 0.25 * gap &&
+           bat_segment_reach(a) <= 2 * bat_segment_reach(b) &&
+           bat_segment_reach(b) <= 2 * bat_segment_reach(a);
 }
 
 static bat_status pair(bat_encounter *m, const bat_segment *a, const bat_segment *b, int depth) {
@@ -142,18 +172,15 @@ static bat_status pair(bat_encounter *m, const bat_segment *a, const bat_segment
     const double angle = angle_of(axis, other, a->size), turn = half + wide;
     if (joined(m, a, b) && dot(axis, other, a->size) > 0 && angle + turn < 0.49 * BAT_PI) return BAT_OK;
     if (run_together(m, a, b, angle, turn)) return BAT_OK;
-    const bool dots = is_point(a, m->gap) && is_point(b, m->gap);
+    const bool dots = is_point(a, m->gap) && is_point(b, m->gap), once = !dots && angle > turn + 1e-9;
     bat_candidate candidate;
-    if (!dots && angle > turn + 1e-9) { /* they meet once at most */
-        if (newton(m, a, b, &candidate)) return add(m, &candidate);
-    } else if (dots || depth == DEPTH_MAX ||
-               (bat_segment_bulge(a) <= 0.25 * m->gap && bat_segment_bulge(b) <= 0.25 * m->gap &&
-                bat_segment_reach(a) <= 2 * bat_segment_reach(b) &&
-                bat_segment_reach(b) <= 2 * bat_segment_reach(a))) {
-        candidate = side_by_side(m, a, b);
-        return add(m, &candidate);
+    if (once) { /* they meet once at most */
+        const newton_end end = newton(m, a, b, &candidate);
+        if (end != UNKNOWN) return end == FOUND ? add(m, &candidate) : BAT_OK;
     }
-    return depth == DEPTH_MAX ? BAT_OK : split(m, a, b, depth);
+    if (!dots && depth < DEPTH_MAX && !are_straight(a, b, m->gap)) return split(m, a, b, depth);
+    candidate = side_by_side(m, a, b, once);
+    return once && !(candidate.distance <= m->gap) ? BAT_OK : add(m, &candidate);
 }
 
 /* A piece that turns by less than half a turn does not meet itself. */
@@ -251,10 +278,9 @@ static bool touch(const bat_curve *curve, const double *x, const double *y, doub
 }
 
 static void merge(bat_candidate *into, const bat_candidate *other) {
-    /* what a step of Newton's found is better than the nearest of nine */
-    const bool exact = into->u[0] == into->u[1], more = other->u[0] == other->u[1];
-    if (more != exact ? more : other->distance < into->distance)
-        into->at = other->at, into->distance = other->distance;
+    /* what Newton's steps found is better than an end */
+    if (other->exact != into->exact ? other->exact : other->distance < into->distance)
+        into->at = other->at, into->distance = other->distance, into->exact = other->exact;
     for (int i = 0; i < 2; i++) {
         into->u[i] = i ? fmax(into->u[i], other->u[i]) : fmin(into->u[i], other->u[i]);
         into->v[i] = i ? fmax(into->v[i], other->v[i]) : fmin(into->v[i], other->v[i]);
@@ -367,17 +393,30 @@ static double nearest_of(const bat_encounter *m, const bat_candidate *x, bat_cro
     return best;
 }
 
+/* Takes the contacts over. */
+static bat_status hand_over(bat_encounter *m, size_t count, bat_contact *all, bat_meeting *out) {
+    count = bat_contacts_settle(m->a, m->b, m->gap, count, all);
+    bat_crossing *crossings = malloc((count + 1) * sizeof *crossings);
+    for (size_t i = 0; i < count && crossings; i++) crossings[i] = all[i].at;
+    free(all);
+    if (!crossings) return BAT_MEMORY;
+    qsort(crossings, count, sizeof *crossings, by_crossing); /* no ties but of equals */
+    *out = (bat_meeting){count, crossings, m->overlap_count, m->overlaps};
+    m->overlaps = NULL;
+    return BAT_OK;
+}
+
 bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
     gather(m);
     size_t count = 0;
-    bat_crossing *all = malloc((m->count + 1) * sizeof *all);
+    bat_contact *all = malloc((m->count + 1) * sizeof *all);
     if (!all) return BAT_MEMORY;
     for (size_t i = 0; i < m->count; i++) {
         if (within(m, m->candidates + i) || trivial(m, m->candidates + i)) continue;
         bat_crossing at = m->candidates[i].at;
-        if (m->candidates[i].u[0] < m->candidates[i].u[1] &&
-            !(nearest_of(m, m->candidates + i, &at) <= m->gap))
-            continue;
+        const bat_candidate *from = m->candidates + i;
+        const double distance = from->exact ? from->distance : nearest_of(m, from, &at);
+        if (!(distance <= m->gap)) continue;
         const bool a_seam = home(m->a, m->gap, &at.u), b_seam = home(m->b, m->gap, &at.v);
         if (m->a == m->b && at.u > at.v) {
             const double u = at.u;
@@ -385,11 +424,8 @@ bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
         }
         bool known = false;
         for (size_t j = 0; j < count && !known && (a_seam || b_seam); j++)
-            known = same_crossing(m, all + j, &at);
-        if (!known) all[count++] = at;
+            known = same_crossing(m, &all[j].at, &at);
+        if (!known) all[count++] = (bat_contact){.at = at, .distance = distance, .exact = from->exact};
     }
-    qsort(all, count, sizeof *all, by_crossing); /* no ties but of equals */
-    *out = (bat_meeting){count, all, m->overlap_count, m->overlaps};
-    m->overlaps = NULL;
-    return BAT_OK;
+    return hand_over(m, count, all, out);
 }

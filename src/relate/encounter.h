@@ -8,10 +8,10 @@
 
 /* A place where pieces come within the gap. */
 typedef struct bat_candidate {
-    double u[2],
-        v[2]; /* the ranges of the pieces; equal where a step of Newton's has found the place itself */
+    double u[2], v[2]; /* the ranges of the pieces; equal where the place itself is known */
     bat_crossing at;
     double distance;
+    bool exact; /* they cross there, as Newton's steps have found */
 } bat_candidate;
 
 typedef struct bat_encounter {

@@ -206,6 +206,7 @@ class Operations(ProgramTest):
             self.assertAlmostEqual(hit["point"][0], x, 12)
             self.assertAlmostEqual(hit["u"], (x + 1) / 2, 12)
             self.assertAlmostEqual(hit["v"], (x + 2) / 4, 12)
+            self.assertEqual((hit["kind"], hit["sign"]), ("crosses", -1 if x < 0 else 1))
         c, d = self.file("c.json", line([0, 0], [4, 4])), self.file("d.json", line([6, 6], [2, 2]))
         result = self.json("curve", "intersect", c, d)
         self.assertEqual((result["hits"], result["overlaps"]), ([], [[0.5, 1, 1, 0.5]]))

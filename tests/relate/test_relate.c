@@ -217,6 +217,76 @@ static void ends_that_touch_count_once(void **state) {
     bat_curve_free(ring), bat_curve_free(a), bat_curve_free(b), bat_curve_free(c), bat_curve_free(d);
 }
 
+/* The parabola y = x^2 with lines: which way the first goes over the second, and what ends there. */
+static void contacts_have_kinds(void **state) {
+    (void)state;
+    bat_curve *parabola = bezier(2, (const double[]){-1, 1, 0, -1, 1, 1});
+    const struct {
+        double line[4];
+        size_t count;
+        bat_contact_kind kinds[2];
+        int signs[2]; /* of the parabola, first */
+    } cases[] = {
+        {{-2, 0.25, 2, 0.25}, 2, {BAT_CONTACT_CROSSES, BAT_CONTACT_CROSSES}, {-1, 1}},
+        {{2, 0.25, -2, 0.25}, 2, {BAT_CONTACT_CROSSES, BAT_CONTACT_CROSSES}, {1, -1}},
+        {{-2, 0, 2, 0}, 1, {BAT_CONTACT_TOUCHES}, {0}},
+        {{-2, -1e-5, 2, -1e-5}, 1, {BAT_CONTACT_TOUCHES}, {0}},
+        {{0, -1, 0, 1}, 1, {BAT_CONTACT_CROSSES}, {-1}},
+        {{0, -1, 0, 0}, 1, {BAT_CONTACT_ENDS}, {0}},
+        {{-2, 1, 2, 1}, 2, {BAT_CONTACT_ENDS, BAT_CONTACT_ENDS}, {0, 0}},
+        {{-1e-5, 0, 1e-5, 0}, 1, {BAT_CONTACT_OVERLAPS}, {0}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int turned = 0; turned < 2; turned++) {
+            const double *x = cases[i].line;
+            bat_curve *other = line(x[0], x[1], x[2], x[3]);
+            bat_meeting meeting;
+            assert_int_equal(
+                bat_curve_intersect(turned ? other : parabola, turned ? parabola : other, 1e-4, &meeting),
+                BAT_OK);
+            assert_int_equal(meeting.count, cases[i].count);
+            for (size_t k = 0; k < meeting.count; k++) {
+                const size_t at = turned && x[0] > x[2] ? meeting.count - 1 - k
+                                                        : k; /* ascending in u of the first */
+                assert_int_equal(meeting.crossings[k].kind, cases[i].kinds[at]);
+                assert_int_equal(meeting.crossings[k].sign,
+                                 turned ? -cases[i].signs[at] : cases[i].signs[at]);
+            }
+            bat_meeting_free(&meeting), bat_curve_free(other);
+        }
+    bat_curve_free(parabola);
+}
+
+/* A cubic arch and the line through its top; a circle whose ends meet and its tangent, and a line a little within. */
+static void one_touch_is_one_crossing(void **state) {
+    (void)state;
+    bat_curve *arch = bezier(3, (const double[]){0, 0, 40, 80, 100, 80, 140, 0}), *top = line(0, 60, 140, 60);
+    const double k = 27.61423749153968;
+    const double points[] = {50, 0,   50, k,  k,   50, 0,   50, -k,  50, -50, k,  -50,
+                             0,  -50, -k, -k, -50, 0,  -50, k,  -50, 50, -k,  50, 0};
+    const double knots[] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4};
+    bat_curve *circle, *tangent = line(50, -100, 50, 100), *within = line(50 - 1e-4, -100, 50 - 1e-4, 100);
+    assert_int_equal(bat_curve_create(2, 3, false, 13, points, 17, knots, &circle), BAT_OK);
+    for (double tolerance = 1e-2; tolerance > 1e-13; tolerance *= 0.1) {
+        const struct {
+            const bat_curve *a, *b;
+            size_t least, most;
+        } cases[] = {
+            {arch, top, 1, 1}, {circle, tangent, 1, 1}, {circle, within, tolerance < 1e-4 ? 2 : 1, 2}};
+        for (int i = 0; i < 6; i++) {
+            bat_meeting meeting;
+            const bat_curve *a = cases[i % 3].a, *b = cases[i % 3].b;
+            assert_int_equal(bat_curve_intersect(i < 3 ? a : b, i < 3 ? b : a, tolerance, &meeting), BAT_OK);
+            assert_in_range(meeting.count, cases[i % 3].least, cases[i % 3].most);
+            for (size_t n = 0; n < meeting.count && cases[i % 3].most == 1; n++)
+                assert_int_equal(meeting.crossings[n].kind, BAT_CONTACT_TOUCHES);
+            bat_meeting_free(&meeting);
+        }
+    }
+    bat_curve_free(arch), bat_curve_free(top), bat_curve_free(circle), bat_curve_free(tangent),
+        bat_curve_free(within);
+}
+
 /* Crossings of two polylines, by signs of areas. */
 static size_t polyline_crossings(size_t n, const double *a, size_t m, const double *b) {
     size_t found = 0;
@@ -497,6 +567,8 @@ int main(void) {
         cmocka_unit_test(distance_is_that_of_the_furthest_samples),
         cmocka_unit_test(crossings_have_closed_forms),
         cmocka_unit_test(ends_that_touch_count_once),
+        cmocka_unit_test(contacts_have_kinds),
+        cmocka_unit_test(one_touch_is_one_crossing),
         cmocka_unit_test(crossings_are_those_of_fine_polylines),
         cmocka_unit_test(space_curves_meet_where_they_were_made_to),
         cmocka_unit_test(overlaps_are_found),
