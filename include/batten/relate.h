@@ -127,9 +127,11 @@ typedef struct bat_nib {
  * The outline of a stroke along a planar curve: closed curves that do not cross and have the stroke to the left where y
  * points up (both fill rules give the same), smooth where the curve is. The stroke is all that lies within half the width of
  * the curve; caps, mitres and bevels are added or cut off as SVG draws them. tolerance, corner, *max_error, *count and *out as
- * bat_curve_offset. No curve is made of a point. A bevel that another stretch of the curve covers in part is cut off all the
- * same, by less than half a width. BAT_ARGUMENT: a width or a limit out of range; BAT_SINGULAR: the pieces do not
- * fit together, as where a wide stroke with ends lies over itself; bat_curve_outline_width then goes another, slower way.
+ * bat_curve_offset. A point with round caps gives a circle; of others no curve is made. Cusps within a span are round whatever the
+ * joins are. Where the parallels of the curve do not fit together, or an end with a butt cap bends more than a circle of half the
+ * width, the outline is what the lines across the curve cover, as bat_curve_outline_width makes it. A bevel that another stretch of the curve covers in part is cut off all the
+ * same, by less than half a width. BAT_ARGUMENT: a width or a limit out of range; BAT_SINGULAR: no way
+ * was found.
  * docs/math/relate.md 7.
  */
 BAT_API bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance,

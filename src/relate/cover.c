@@ -1,6 +1,7 @@
 /* Strokes of varying width: sides, corners and ends put together (docs/math/relate.md 8). */
 #include "base/gauss.h"
 #include "base/real.h"
+#include "relate/segment.h"
 #include "relate/widen.h"
 
 #include <batten/bezier.h>
@@ -9,6 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { LOOKS = 32, GOLDEN_STEPS = 48, HALVINGS = 60 };
+
+static const double CUT_OUT = 0.05;  /* tolerances: how much of a curve a cusp may take */
 static const double FIT = 0.4;       /* of the tolerance: what the sides may take */
 static const double NOTHING = 1e-12; /* of the length: a stretch that is a point */
 
@@ -19,12 +23,16 @@ typedef struct stroke {
     bat_border main, over;
 } stroke;
 
-static double speed_at(const void *cubic, double t) {
-    const double *b = cubic, u = 1 - t;
-    double d[2];
+static void velocity(const double *b, double t, double d[2]) {
+    const double u = 1 - t;
     for (int c = 0; c < 2; c++)
         d[c] = 3 * (u * u * (b[2 + c] - b[c]) + 2 * u * t * (b[4 + c] - b[2 + c]) +
                     t * t * (b[6 + c] - b[4 + c]));
+}
+
+static double speed_at(const void *cubic, double t) {
+    double d[2];
+    velocity(cubic, t, d);
     return bat_hypot(d[0], d[1]);
 }
 
@@ -36,25 +44,75 @@ static void measure(bat_wide_stretch *s) {
     s->length = s->steps[BAT_STRETCH_STEPS];
 }
 
+/* ---- cusps ---- */
+
+/* The shares of a cubic between which it turns back within little of the tolerance, near the place between low and high where it
+ * is slowest; false: it does not. */
+static bool find_cusp(const double *b, double low, double high, double tolerance, double cusp[2]) {
+    const double golden = 0.6180339887498949;
+    for (int k = 0; k < GOLDEN_STEPS; k++) {
+        const double x = high - golden * (high - low), y = low + golden * (high - low);
+        *(speed_at(b, x) < speed_at(b, y) ? &high : &low) = speed_at(b, x) < speed_at(b, y) ? y : x;
+    }
+    const double t = 0.5 * (low + high);
+    double reach = fmin(fmin(t, 1 - t), 0.25);
+    for (int k = 0;
+         k < HALVINGS &&
+         bat_gauss(speed_at, b, t - reach, t) + bat_gauss(speed_at, b, t, t + reach) > CUT_OUT * tolerance;
+         k++)
+        reach *= 0.5;
+    double from[2], to[2];
+    velocity(b, t - reach, from), velocity(b, t + reach, to);
+    cusp[0] = t - reach, cusp[1] = t + reach;
+    return reach > 0 && from[0] * to[0] + from[1] * to[1] < 0;
+}
+
+/* The piece of a cubic between two shares. */
+static void part_of(const double *b, double from, double to, double *out) {
+    bat_segment whole = {.degree = 3, .size = 2, .from = 0, .to = 1}, part;
+    memcpy(whole.b, b, 8 * sizeof *b);
+    bat_segment_part(&whole, from, to, &part);
+    memcpy(out, part.b, 8 * sizeof *b);
+}
+
+/* A cubic without its cusps, two at most: up to three stretches; returns how many. */
+static int part_at_cusps(const double *b, double tolerance, bat_wide_stretch *out) {
+    double from = 0, speeds[LOOKS + 1];
+    int count = 0;
+    for (int k = 0; k <= LOOKS; k++) speeds[k] = speed_at(b, (double)k / LOOKS);
+    for (int k = 0; k <= LOOKS && count < 2; k++) {
+        const int before = k > 0 ? k - 1 : 0, after = k < LOOKS ? k + 1 : LOOKS;
+        double cusp[2];
+        if (speeds[k] > speeds[before] || (k < LOOKS && speeds[k] >= speeds[after]) ||
+            !find_cusp(b, (double)before / LOOKS, (double)after / LOOKS, tolerance, cusp) ||
+            !(cusp[0] > from))
+            continue;
+        out[count].cusp = true;
+        part_of(b, from, cusp[0], out[count++].b);
+        from = cusp[1];
+    }
+    out[count].cusp = false;
+    part_of(b, from, 1, out[count++].b);
+    return count;
+}
+
 /* The curve's stretches. */
 static bat_status prepare(bat_widening *w, const bat_curve *curve) {
     int count = 0;
     double *cubics = NULL;
     bat_status status = bat_curve_to_cubics(curve, FIT * w->tolerance, &count, &cubics);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;
-    w->stretches = malloc(((size_t)count + 1) * sizeof *w->stretches);
+    w->stretches = malloc((3 * (size_t)count + 1) * sizeof *w->stretches);
     if (!w->stretches) {
         bat_free(cubics);
         return BAT_MEMORY;
     }
-    for (int i = 0; i < count; i++) {
-        memcpy(w->stretches[i].b, cubics + 8 * i, sizeof w->stretches[i].b);
-        measure(&w->stretches[i]);
-        w->length += w->stretches[i].length;
-    }
+    int all = 0;
+    for (int i = 0; i < count; i++) all += part_at_cusps(cubics + 8 * i, w->tolerance, w->stretches + all);
     bat_free(cubics);
+    for (int i = 0; i < all; i++) measure(&w->stretches[i]), w->length += w->stretches[i].length;
     double before = 0;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < all; i++) {
         bat_wide_stretch s = w->stretches[i];
         s.before = before, before += s.length;
         if (s.length > NOTHING * w->length) w->stretches[w->count++] = s;
@@ -67,8 +125,9 @@ static void end_of(const stroke *k, int stretch, int end, bat_wide *out) {
 }
 
 /* From one stretch to the next, on one side: nothing on a smooth curve; at a corner round the outside, and through the corner on
- * the inside. */
-static void join(const stroke *k, const bat_wide *a, const bat_wide *b, int side, bat_border *border) {
+ * the inside. A cusp is round whatever the joins are, as browsers paint it. */
+static void join(const stroke *k, const bat_wide *a, const bat_wide *b, bool cusp, int side,
+                 bat_border *border) {
     const double cross = a->tangent[0] * b->tangent[1] - a->tangent[1] * b->tangent[0],
                  dot = a->tangent[0] * b->tangent[0] + a->tangent[1] * b->tangent[1];
     const double turn = bat_atan2(cross, dot);
@@ -83,7 +142,7 @@ static void join(const stroke *k, const bat_wide *a, const bat_wide *b, int side
     }
     bat_border_line(border, from);
     const double half = bat_cos(0.5 * turn); /* 1 / how many widths a mitre is long */
-    if (k->nib.join == BAT_JOIN_ROUND)
+    if (k->nib.join == BAT_JOIN_ROUND || cusp)
         bat_border_arc(border, b->point, turn, FIT * k->w.tolerance);
     else if (k->nib.join == BAT_JOIN_MITER && half * k->nib.miter_limit >= 1) {
         const double out = side * b->half / (1 + dot);
@@ -102,7 +161,7 @@ static void follow(stroke *k, int side, bat_border *border) {
         if (i + 1 == w->count && !w->closed) break;
         end_of(k, i, 1, &a);
         end_of(k, (i + 1) % w->count, 0, &b);
-        join(k, &a, &b, side, border);
+        join(k, &a, &b, w->stretches[i].cusp, side, border);
     }
 }
 

@@ -34,9 +34,10 @@ typedef struct envelope {
 
 bool bat_is_spot(const bat_curve *curve, const bat_nib *nib, double corner) {
     const double size = bat_curve_size(curve);
-    if (!(size > 0 && size <= TINY * 0.5 * nib->width)) return false;
+    if (!(size <= TINY * 0.5 * nib->width)) return false;
     if (!curve->closed && nib->cap != BAT_CAP_ROUND) return false;
     if (nib->join == BAT_JOIN_ROUND) return true;
+    if (!(size > 0)) return !curve->closed; /* a dot */
     for (int i = curve->degree; i < curve->spread; i++)
         if (curve->knots[i] < curve->knots[i + 1] && (curve->closed || i > curve->degree) &&
             bat_curve_corner_at(curve, i, corner))

@@ -5,9 +5,11 @@
 #include <batten/refine.h>
 #include <batten/relate.h>
 
+#include "base/real.h"
 #include "curve/curve.h"
 #include "relate/disks.h"
 #include "relate/offset.h"
+#include "relate/outline.h"
 #include "relate/segment.h"
 
 #include <math.h>
@@ -17,6 +19,7 @@ enum { STEPS = 64, PLACES = 7, TRIES = 5 };
 
 static const double FINER = 0.3;   /* of the tolerance, where the pieces did not fit together */
 static const double SAME = 4;      /* tolerances: as near to another outline, one says nothing new */
+static const double STILL = 1e-9;  /* of the size: a curve that moves less in its whole domain stands still */
 static const double BEHIND = 1.01; /* half widths: what is further behind an end does not reach beyond it */
 
 typedef struct outline {
@@ -206,7 +209,23 @@ static bat_status opened(outline *o, const bat_nib *nib, int attempt) {
 }
 
 /* Stretches too short for a curve do not fit together either. */
-static bat_status unfit(bat_status status) { return status == BAT_KNOTS ? BAT_SINGULAR : status; }
+static bat_status unfit(bat_status status) {
+    return status == BAT_KNOTS || status == BAT_NUMBER ? BAT_SINGULAR : status;
+}
+
+/* Whether an end with a butt cap bends more than a circle of the half width: the nearest place of the curve does not tell then
+ * what the cap cuts off. A handle of no length is such a bend. */
+static bool has_tight_end(const bat_curve *curve, const bat_nib *nib) {
+    double domain[2], x[6];
+    bat_curve_domain(curve, domain);
+    for (int e = 0; e < 2 && !bat_curve_is_closed(curve) && nib->cap == BAT_CAP_BUTT; e++) {
+        bat_curve_eval(curve, domain[e], 2, x);
+        const double v = bat_hypot(x[2], x[3]), period = domain[1] - domain[0];
+        if (!(v * period > STILL * bat_curve_size(curve))) return bat_curve_degree(curve) > 1;
+        if (fabs(x[2] / v * x[5] - x[3] / v * x[4]) * 0.5 * nib->width > v * v) return true;
+    }
+    return false;
+}
 
 static bat_status spot(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
                        size_t *count, bat_curve ***out, double *max_error) {
@@ -234,11 +253,11 @@ static bat_status outline_large(const bat_curve *large, double factor, const voi
     const outline_asked *asked = about;
     bat_nib wide = *asked->nib;
     wide.width *= factor;
-    return bat_curve_outline(large, &wide, asked->tolerance * factor, asked->corner, count, out, error);
+    return bat_outline_parallels(large, &wide, asked->tolerance * factor, asked->corner, count, out, error);
 }
 
-bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
-                             size_t *count, bat_curve ***out, double *max_error) {
+bat_status bat_outline_parallels(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
+                                 size_t *count, bat_curve ***out, double *max_error) {
     if (!curve || !nib || !count || !out || !(tolerance > 0) || !(corner >= 0) || !(nib->width > 0) ||
         !(nib->width <= BAT_COORDINATE_MAX) || !(nib->miter_limit >= 1) || (unsigned)nib->cap > 2 ||
         (unsigned)nib->join > 2)
@@ -254,6 +273,7 @@ bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double 
         return bat_offset_enlarged(curve, bat_segments_reach_of(curve) + nib->width, outline_large,
                                    &(outline_asked){nib, tolerance, corner}, count, out, max_error);
     if (bat_is_spot(curve, nib, corner)) return spot(curve, nib, tolerance, corner, count, out, max_error);
+    if (has_tight_end(curve, nib)) return BAT_SINGULAR;
     bat_status status = bat_finder_create(curve, &o.finder), made = BAT_SINGULAR;
     for (int i = 0; i < TRIES && status == BAT_OK && made == BAT_SINGULAR; i++) {
         forget(&o);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH = 12, LOOKS = 32, BISECTIONS = 48, EVOLUTE_DEPTH = 7, CUTS = BAT_WIDTHS_MAX + LOOKS + 2 };
+enum { DEPTH = 12, LOOKS = 32, BISECTIONS = 48, EVOLUTE_DEPTH = 4, CUTS = BAT_WIDTHS_MAX + LOOKS + 2 };
 
 static const double CUSP = 1e-9;   /* of a stretch's length: as slow, the tangent is taken from beside */
 static const double BESIDE = 1e-4; /* of its parameter */

@@ -31,6 +31,7 @@ typedef struct bat_wide_stretch {
     double b[8];
     double before, length;               /* of the curve in front of it, and of itself */
     double steps[BAT_STRETCH_STEPS + 1]; /* its length up to each eighth of its parameter */
+    bool cusp;                           /* behind it the curve turns back on the spot */
 } bat_wide_stretch;
 
 typedef struct bat_widening {

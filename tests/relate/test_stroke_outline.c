@@ -96,6 +96,86 @@ static int winding(size_t count, bat_curve *const *curves, const double *x, doub
     return sum;
 }
 
+/* Cubics with cusps, folds, and handles of no length: each kind of them. */
+static bat_curve *hard_cubic(random_source *r, int kind) {
+    double x[8];
+    const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    bat_curve *curve;
+    for (int i = 0; i < 8; i++) x[i] = random_between(r, 0, 100);
+    const double s = random_between(r, -1, 2), t = random_between(r, -1, 2);
+    for (int c = 0; c < 2; c++) {
+        if (kind == 0) x[2 + c] = x[c];
+        if (kind == 1) x[4 + c] = x[6 + c];
+        if (kind == 3) x[2 + c] = x[c] + s * (x[6 + c] - x[c]), x[4 + c] = x[c] + t * (x[6 + c] - x[c]);
+    }
+    if (kind == 2) { /* a cusp in the middle */
+        const double a[2] = {x[0], x[1]}, b[2] = {x[2], x[3]};
+        x[2] = b[0], x[3] = b[1], x[4] = a[0], x[5] = b[1], x[6] = b[0], x[7] = a[1];
+    }
+    assert_int_equal(bat_curve_create(2, 3, false, 4, x, 8, knots, &curve), BAT_OK);
+    return curve;
+}
+
+/* With round caps and joins inside is what is near, whatever the curve does; none is refused, with no cap. */
+static void hard_strokes(void **state) {
+    (void)state;
+    random_source r = {1613};
+    int inside = 0, outside = 0;
+    for (int round = 0; round < 120; round++) {
+        bat_curve *curve = hard_cubic(&r, round % 4), **out;
+        const double size = bat_curve_size(curve),
+                     half = size * bat_exp(-random_between(&r, 0.4, 1.8) * LN_10);
+        double low[2], high[2], error;
+        size_t count;
+        bat_curve_bounds(curve, low, high);
+        for (int cap = 0; cap < 3; cap++) {
+            const bat_nib nib = {2 * half, (bat_cap)cap, BAT_JOIN_ROUND, 4};
+            assert_int_equal(bat_curve_outline(curve, &nib, 1e-4 * size, CORNER, &count, &out, &error),
+                             BAT_OK);
+            assert_true(cap != BAT_CAP_ROUND || error <= 3e-4 * size);
+            for (int k = 0; k < 40 && cap == BAT_CAP_ROUND; k++) {
+                double x[2];
+                bat_near near;
+                for (int c = 0; c < 2; c++)
+                    x[c] = random_between(&r, low[c] - 1.5 * half, high[c] + 1.5 * half);
+                assert_int_equal(bat_curve_nearest(curve, x, &near), BAT_OK);
+                if (fabs(near.distance - half) < 1e-3 * size) continue;
+                assert_int_equal(winding(count, out, x, 1e-4 * size), near.distance < half);
+                ++*(near.distance < half ? &inside : &outside);
+            }
+            bat_curves_free(count, out);
+        }
+        bat_curve_free(curve);
+    }
+    assert_true(inside > 500 && outside > 500);
+}
+
+/* A dot with round caps is a circle. */
+static void dots(void **state) {
+    (void)state;
+    bat_curve *dot = polyline(2, (const double[]){3, 4, 3, 4}, false);
+    assert_true(fabs(area_of(dot, &(bat_nib){8, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4}, 1e-6) - 16 * PI) < 1e-4);
+    bat_curve_free(dot);
+}
+
+/* A handle of no length bends endlessly: with a butt cap, too, it takes some thousand allocations, not a million. */
+static void retracted_ends(void **state) {
+    (void)state;
+    enum { FEW = 12000 };
+    random_source r = {1619};
+    for (int round = 0; round < 60; round++) {
+        bat_curve *curve = hard_cubic(&r, round % 2), **out;
+        const double size = bat_curve_size(curve),
+                     half = size * bat_exp(-random_between(&r, 0.9, 2.5) * LN_10);
+        const bat_nib nib = {2 * half, BAT_CAP_BUTT, BAT_JOIN_MITER, 4};
+        size_t count;
+        alloc_fail_at(FEW);
+        assert_int_equal(bat_curve_outline(curve, &nib, 2e-3 * half, CORNER, &count, &out, NULL), BAT_OK);
+        assert_false(alloc_fail_reached());
+        bat_curves_free(count, out), bat_curve_free(curve);
+    }
+}
+
 /* Random curves, a good part of which cross themselves: with round caps and joins, inside is what is near. */
 static void inside_is_near(void **state) {
     (void)state;
@@ -285,6 +365,9 @@ int main(void) {
         cmocka_unit_test(areas_of_caps),
         cmocka_unit_test(areas_of_joins),
         cmocka_unit_test(inside_is_near),
+        cmocka_unit_test(hard_strokes),
+        cmocka_unit_test(dots),
+        cmocka_unit_test(retracted_ends),
         cmocka_unit_test(an_end_upon_the_stem),
         cmocka_unit_test(bad_data),
         cmocka_unit_test(spots),

@@ -12,6 +12,7 @@
 #include <batten/nearest.h>
 #include <batten/width.h>
 #include "base/real.h"
+#include "relate/outline.h"
 #include "support/random_curve.h"
 
 static const double CORNER = 0.02, PI = BAT_PI, LN_10 = 2.302585092994046;
@@ -386,7 +387,7 @@ static void even_strokes_over_themselves(void **state) {
         const bat_width_profile even = {0, NULL};
         size_t count = 0, cubics;
         double low[2], high[2], *points;
-        const bat_status plain = bat_curve_outline(curve, &nib, tolerance, CORNER, &count, &out, NULL);
+        const bat_status plain = bat_outline_parallels(curve, &nib, tolerance, CORNER, &count, &out, NULL);
         if (plain == BAT_OK) bat_curves_free(count, out);
         if (plain == BAT_SINGULAR) {
             other_way++;

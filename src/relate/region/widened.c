@@ -1,4 +1,5 @@
 /* The outline of a stroke of varying width: what its sheets cover together (docs/math/relate.md 8). */
+#include "relate/outline.h"
 #include "relate/widen.h"
 
 #include <batten/bezier.h>
@@ -7,11 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIES = 6 };
+enum { TRIES = 10 };
 
 static const double FIT = 0.4;   /* of the tolerance: what the sides may take */
 static const double JOINT = 0.1; /* what the regions may take */
-static const double FINER = 0.5; /* where the pieces did not fit together */
+/* Of the tolerance: how fine the tries are, and by how much they move the curve. */
+static const double SHARES[TRIES] = {1, 0.5, 0.5, 0.5, 0.25, 0.125, 0.0625, 0.03125, 4, 16};
+static const double SHAKEN[TRIES] = {0, 0, 0.2, 0.3, 0, 0, 0.2, 0, 1, 2};
 
 typedef struct covering {
     bool closed; /* the curve */
@@ -70,7 +73,72 @@ static bat_status combine(const covering *k, double corner, double tolerance, bo
     return status == BAT_KNOTS ? BAT_SINGULAR : status;
 }
 
-/* BAT_SINGULAR: what is left of the parallels does not close; the sheets may. */
+/* The curve with its control points moved by up to `far`, each another way: sides that run over each other part. */
+static bat_status shake(const bat_curve *curve, double far, bat_curve **out) {
+    const size_t n = 2 * bat_curve_count(curve);
+    const double *from = bat_curve_points(curve);
+    double *points = malloc(n * sizeof *points);
+    if (!points) return BAT_MEMORY;
+    unsigned state = 1;
+    for (size_t i = 0; i < n; i++) {
+        state = state * 1103515245u + 12345u;
+        points[i] = from[i] + far * ((double)(state >> 16 & 1023) / 511.5 - 1);
+    }
+    const bat_status status = bat_curve_create(2, bat_curve_degree(curve), bat_curve_is_closed(curve), n / 2,
+                                               points, bat_curve_knot_count(curve), bat_curve_knots(curve),
+                                               out);
+    free(points);
+    return status;
+}
+
+typedef struct sheets_asked {
+    const bat_nib *nib;
+    const bat_width_profile *profile;
+    double corner;
+} sheets_asked;
+
+static bat_status try_sheets(const bat_curve *curve, const sheets_asked *asked, double tolerance, bool apart,
+                             size_t *count, bat_curve ***out, double *error) {
+    covering k = {.closed = bat_curve_is_closed(curve)};
+    bat_status status = bat_widen_cover(curve, asked->nib, asked->profile, FIT * tolerance, asked->corner,
+                                        &k.count, &k.points, error);
+    if (status != BAT_OK) return status;
+    status = combine(&k, asked->corner, tolerance, apart, count, out);
+    bat_free(k.points);
+    *error += 2 * JOINT * tolerance;
+    return status;
+}
+
+/* What the sheets cover; where the pieces do not fit together, in other ways. */
+static bat_status outline_sheets(const bat_curve *curve, const bat_nib *nib, const bat_width_profile *profile,
+                                 double tolerance, double corner, size_t *count, bat_curve ***out,
+                                 double *max_error) {
+    const sheets_asked asked = {nib, profile, corner};
+    bat_status made = BAT_SINGULAR;
+    for (int i = 0; i < TRIES && made == BAT_SINGULAR; i++) {
+        bat_curve *shaken = NULL;
+        double error = 0;
+        const double far = SHAKEN[i] * tolerance;
+        if (far > 0 && shake(curve, far, &shaken) != BAT_OK) return BAT_MEMORY;
+        made = try_sheets(shaken ? shaken : curve, &asked, SHARES[i] * tolerance, i % 2 == 1, count, out,
+                          &error);
+        bat_curve_free(shaken);
+        if (made == BAT_OK && max_error) *max_error = error + 1.5 * far;
+    }
+    return made;
+}
+
+static const bat_width_profile EVEN = {0};
+
+bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
+                             size_t *count, bat_curve ***out, double *max_error) {
+    const bat_status status = bat_outline_parallels(curve, nib, tolerance, corner, count, out, max_error);
+    return status == BAT_SINGULAR
+               ? outline_sheets(curve, nib, &EVEN, tolerance, corner, count, out, max_error)
+               : status;
+}
+
+/* With the width that the profile has everywhere; nothing, where it is 0. */
 static bat_status outline_even(const bat_curve *curve, const bat_nib *nib, const bat_width_profile *profile,
                                double tolerance, double corner, size_t *count, bat_curve ***out,
                                double *max_error) {
@@ -91,18 +159,7 @@ bat_status bat_curve_outline_width(const bat_curve *curve, const bat_nib *nib,
     const bat_status status = bat_width_check(profile);
     if (status != BAT_OK) return status;
     if (!curve || !nib) return BAT_ARGUMENT;
-    bat_status made = BAT_SINGULAR;
-    if (bat_width_is_even(profile))
-        made = outline_even(curve, nib, profile, tolerance, corner, count, out, max_error);
-    const bool closed = bat_curve_is_closed(curve);
-    for (int i = 0; i < TRIES && made == BAT_SINGULAR; i++, tolerance *= FINER) {
-        covering k = {.closed = closed};
-        double error;
-        made = bat_widen_cover(curve, nib, profile, FIT * tolerance, corner, &k.count, &k.points, &error);
-        if (made != BAT_OK) break;
-        made = combine(&k, corner, tolerance, i % 2 == 1, count, out);
-        if (made == BAT_OK && max_error) *max_error = error + 2 * JOINT * tolerance;
-        bat_free(k.points);
-    }
-    return made;
+    return bat_width_is_even(profile)
+               ? outline_even(curve, nib, profile, tolerance, corner, count, out, max_error)
+               : outline_sheets(curve, nib, profile, tolerance, corner, count, out, max_error);
 }
