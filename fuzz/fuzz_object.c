@@ -356,6 +356,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_document_set_page(document, page);
     bat_document_page(document, page);
     demand(isfinite(page[2]) && page[2] >= 0);
+    bat_document_set_scale(document, number(&s), (bat_unit)byte(&s));
+    demand(bat_document_scale(document) > 0 && bat_document_unit(document) <= BAT_UNIT_NONE);
     for (int k = 0; k < 24 && s.left > 0; k++) {
         if (k == 12) demand(bat_document_copy(document, &copy) == BAT_OK);
         uint64_t before = copy ? bat_document_digest(copy) : 0;

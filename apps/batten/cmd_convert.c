@@ -104,12 +104,20 @@ static int glif(const cli_arguments *arguments, const bat_document *document, ch
 static const struct {
     const char *format;
     int (*print)(const cli_arguments *arguments, const bat_document *document, char **text, size_t *size);
+    bool sized; /* its lengths are millimetres */
     const char *options[4];
-} special[] = {{"svg", svg, {"--plain", "--precision"}},
-               {"dxf", dxf, {"--arcs"}},
-               {"gcode", gcode, {"--arcs", "--feed", "--up", "--down"}},
-               {"glif", glif, {"--extremes"}}};
+} special[] = {{"svg", svg, false, {"--plain", "--precision"}},
+               {"dxf", dxf, true, {"--arcs"}},
+               {"gcode", gcode, true, {"--arcs", "--feed", "--up", "--down"}},
+               {"glif", glif, false, {"--extremes"}}};
 enum { SPECIAL = sizeof special / sizeof *special };
+
+static bool is_sized(const char *format) {
+    bool sized = strcmp(format, "geojson") == 0;
+    for (int i = 0; i < SPECIAL; i++)
+        sized = sized || (special[i].sized && strcmp(format, special[i].format) == 0);
+    return sized;
+}
 
 static int print(const cli_arguments *arguments, const bat_document *document, const bat_format *format,
                  char **text, size_t *size) {
@@ -154,6 +162,7 @@ static int put_drawing(const cli_arguments *arguments, const drawing_file *drawi
     failed = io_write(out, text, size);
     bat_free(text);
     if (!failed && !(format->keeps && drawing_keeps_file(drawing))) drawing_remark(in, drawing);
+    if (!failed && is_sized(format->name)) drawing_remark_size(in, drawing->document);
     return failed;
 }
 
@@ -221,7 +230,7 @@ const cli_command command_convert = {
                 {"--tolerance", "T",
                  "knots of imported paths are removed within T units; 0: only where nothing changes"},
                 {"--arcs", "T",
-                 "to .dxf: curves as arcs and lines within T units, for cutters; to .gcode: 0.01"},
+                 "to .dxf: curves as arcs and lines within T mm, for cutters; to .gcode: 0.01"},
                 {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
                 {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},
                 {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},

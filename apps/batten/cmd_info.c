@@ -3,6 +3,8 @@
 #include "drawing.h"
 #include "io.h"
 #include "program.h"
+
+#include "document/scale.h"
 #include "results.h"
 
 #include "text/number.h"
@@ -92,6 +94,12 @@ static int print_json(const char *name, const drawing_file *drawing) {
         put_numbers(&text, page, 4);
     else
         bat_text_string(&text, "null");
+    if (bat_unit_is_said(document)) {
+        bat_text_string(&text, ",\"unit\":");
+        bat_text_json_string(&text, bat_unit_name(bat_document_unit(document)));
+        bat_text_string(&text, ",\"scale\":");
+        bat_text_number(&text, bat_document_scale(document));
+    }
     curve_totals totals = count(document);
     put_member(&text, "curves", (uint64_t)totals.curves);
     put_member(&text, "points", (uint64_t)totals.points);
@@ -122,6 +130,19 @@ static void put_line(bat_text *text, const char *left, const char *right) {
     bat_text_string(text, line);
     bat_text_string(text, right);
     bat_text_string(text, "\n");
+}
+
+/* The physical size, where the file says it: of the page, or of a unit. */
+static void put_scale(bat_text *text, const bat_document *document, const double page[4]) {
+    const bat_unit unit = bat_document_unit(document);
+    const double scale = bat_document_scale(document) / bat_unit_millimetres(unit);
+    char line[128];
+    if (!bat_unit_is_said(document)) return;
+    if (page[2] > 0)
+        snprintf(line, sizeof line, "%g x %g %s", page[2] * scale, page[3] * scale, bat_unit_name(unit));
+    else
+        snprintf(line, sizeof line, "a unit is %g %s", scale, bat_unit_name(unit));
+    put_line(text, "size", line);
 }
 
 /* Names come from files, so they are cleaned. */
@@ -179,6 +200,7 @@ static int print_text(const char *name, const drawing_file *drawing) {
     bat_document_page(document, page);
     if (page[2] > 0) snprintf(line, sizeof line, "%g %g, %g x %g", page[0], page[1], page[2], page[3]);
     put_line(&text, "page", page[2] > 0 ? line : "none");
+    put_scale(&text, document, page);
     curve_totals totals = count(document);
     snprintf(line, sizeof line, "%d objects, %d curves, %zu points, %d knots", bat_document_count(document),
              totals.curves, totals.points, totals.knots);

@@ -60,6 +60,11 @@ static int picture_of(const cli_arguments *arguments, picture_wanted *out) {
     *out = (picture_wanted){.view = arguments_value(arguments, "--view")};
     int failed = kind_of(arguments, &out->kind);
     if (!failed) failed = arguments_product(arguments, "--size", PAINT_SIZE_MAX, out->size);
+    if (!failed) failed = arguments_number(arguments, "--dpi", 1e-3, 1e6, &out->dpi);
+    if (!failed && out->dpi > 0 && (out->kind == PICTURE_PDF || out->kind == PICTURE_EPS))
+        return fail_usage(arguments->command, "--dpi is for .png and .svg: PDF and EPS have no pixels");
+    if (!failed && out->dpi > 0 && arguments_value(arguments, "--size"))
+        return fail_usage(arguments->command, "either --size or --dpi says how many pixels there are");
     if (out->kind == PICTURE_PNG) out->background = 0xffffffff;
     if (!failed) failed = background_of(arguments, &out->background);
     if (!failed) failed = look_of(arguments, &out->look);
@@ -88,12 +93,18 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_render = {
     .name = "render",
-    .usage = "IN OUT [--size WxH] [--background COLOUR] [--to KIND] [--view VIEW] [--look LOOK] "
-             "[--lossy]",
+    .usage = "IN OUT [--size WxH|--dpi N] [--background COLOUR] [--to KIND] [--view VIEW] "
+             "[--look LOOK] [--lossy]",
     .summary = "Makes a picture of a drawing or a curve: SVG, PNG, PDF or EPS.",
     .details =
-        "The page is shown, or the whole drawing when it has no page: one pixel a unit of the page, or 1000\n"
-        "pixels on the longer side. With --size the proportions are kept and the view is centred. Placed\n"
+        "The page is shown, or the whole drawing when it has no page. PDF and EPS have the drawing's own "
+        "size;\n"
+        "in pixels it is 96 an inch where the drawing says its size in mm, cm, in, pt or pc, otherwise one "
+        "pixel\n"
+        "a unit of the page, or 1000 on the longer side. A PNG of such a size, or by --dpi, says how large "
+        "a\n"
+        "pixel is. A drawing in px has 96 an inch, which is said in one line.\n"
+        "With --size the proportions are kept and the view is centred. Placed\n"
         "images are painted unless they are hidden; what could not be painted is said in one line.\n"
         "\n"
         "A drawing with anything outside its page is seen in space: from --view, else from its saved view\n"
@@ -110,6 +121,7 @@ const cli_command command_render = {
     .example = "batten render drawing.svg drawing.png --size 1600x900",
     .operands = 2,
     .options = {{"--size", "WxH", "in pixels; in points for PDF and EPS"},
+                {"--dpi", "N", "PNG, SVG: pixels an inch of the drawing's own size"},
                 {"--background", "COLOUR", "white, none, #rrggbb or #rrggbbaa; white for PNG, else none"},
                 {"--view", "VIEW",
                  "the eye, as JSON, whose size is the picture's; or a camera: NAME@SECONDS"},

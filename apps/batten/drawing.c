@@ -47,7 +47,8 @@ int drawing_read(const char *name, const bat_svg_options *options, drawing_file 
     int failed = io_read(name, &text, &size);
     if (failed) return failed;
     const bat_format *format = drawing_format(name);
-    if (pdf_is_one(text, size)) {
+    const bool pdf = pdf_is_one(text, size);
+    if (pdf) {
         failed = first_page(name, &text, &size);
         if (failed) return failed;
         format = bat_format_named("svg");
@@ -60,6 +61,9 @@ int drawing_read(const char *name, const bat_svg_options *options, drawing_file 
     bat_problem problem;
     bat_status status = drawing_parse(text, size, format, options, out, &problem);
     free(text);
+    if (status == BAT_OK && pdf &&
+        bat_document_unit(out->document) == BAT_UNIT_PX) /* its points, without a unit */
+        status = bat_document_set_scale(out->document, 25.4 / 72, BAT_UNIT_PT);
     return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
 }
 
@@ -71,6 +75,12 @@ int drawing_curve_count(const bat_document *document) {
         count += bat_object_curve_count(bat_document_at(document, i));
     }
     return count;
+}
+
+void drawing_remark_size(const char *name, const bat_document *document) {
+    if (bat_document_unit(document) == BAT_UNIT_PX)
+        remark("%s: it says no physical size: 96 px are an inch",
+               strcmp(name, "-") == 0 ? "standard input" : name);
 }
 
 void drawing_remark(const char *name, const drawing_file *drawing) {

@@ -26,6 +26,8 @@ int drawing_read(const char *name, const bat_svg_options *options, drawing_file 
 void drawing_free(drawing_file *drawing);
 
 int drawing_curve_count(const bat_document *document);
+/* Says on standard error that the drawing's size was taken to be 96 px an inch, where it says none itself. */
+void drawing_remark_size(const char *name, const bat_document *document);
 /* Prints a remark about what an import left out, if anything. */
 void drawing_remark(const char *name, const drawing_file *drawing);
 

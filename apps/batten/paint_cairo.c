@@ -7,6 +7,7 @@
 #include "document/kind.h"
 #include "document/markers.h"
 #include "document/nesting.h"
+#include "document/unit.h"
 
 #include <batten/bezier.h>
 #include <batten/paint.h>
@@ -15,6 +16,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#define ZLIB_CONST
+#include <zlib.h>
 
 /* At least how much wider the stroke is somewhere than the style says: by its pen, or its profile. */
 static double longest(const bat_paint *paint) {
@@ -37,28 +40,47 @@ static void grow(const bat_object *object, double box[4]) {
     bat_box_hold(box, own);
 }
 
-static int pixels(double length) { return (int)fmin(fmax(ceil(length - 1e-9), 1), PAINT_SIZE_MAX); }
+static double pixels(double length) { return fmin(fmax(ceil(length - 1e-9), 1), PAINT_SIZE_MAX); }
 
-void paint_area_of(const bat_document *document, int width, int height, paint_area *out) {
-    double page[4], scale = 1;
-    bat_document_page(document, page);
-    if (!(page[2] > 0 && page[3] > 0)) {
-        double box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
-        for (int i = 0; i < bat_document_count(document); i++) grow(bat_document_at(document, i), box);
-        if (!(box[0] <= box[2])) memcpy(box, (double[4]){0, 0, 1, 1}, sizeof box);
-        double size = fmax(box[2] - box[0], box[3] - box[1]);
-        if (size <= 0) size = 1; /* a single point drawn with a stroke of zero width */
-        page[2] = fmax(box[2] - box[0], size * 1e-3);
-        page[3] = fmax(box[3] - box[1], size * 1e-3);
-        page[0] = (box[0] + box[2] - page[2]) / 2;
-        page[1] = (box[1] + box[3] - page[3]) / 2;
-        scale = 1000 / size;
-    }
-    memcpy(out->view, page, sizeof page);
+/* The page, or the box of what is drawn; false: of what is drawn. */
+static bool view_of(const bat_document *document, double view[4]) {
+    double box[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+    bat_document_page(document, view);
+    if (view[2] > 0 && view[3] > 0) return true;
+    for (int i = 0; i < bat_document_count(document); i++) grow(bat_document_at(document, i), box);
+    if (!(box[0] <= box[2])) memcpy(box, (double[4]){0, 0, 1, 1}, sizeof box);
+    double size = fmax(box[2] - box[0], box[3] - box[1]);
+    if (size <= 0) size = 1; /* a single point drawn with a stroke of zero width */
+    view[2] = fmax(box[2] - box[0], size * 1e-3);
+    view[3] = fmax(box[3] - box[1], size * 1e-3);
+    view[0] = (box[0] + box[2] - view[2]) / 2;
+    view[1] = (box[1] + box[3] - view[3]) / 2;
+    return false;
+}
+
+static bool is_page(picture_kind kind) { return kind == PICTURE_PDF || kind == PICTURE_EPS; }
+
+/* Pixels, or points, of a unit of the document. */
+static double resolution(const bat_document *document, const picture_wanted *wanted, const double view[4],
+                         bool paged) {
+    const bat_unit unit = bat_document_unit(document);
+    const double inch = bat_document_scale(document) / 25.4, longer = fmax(view[2], view[3]);
+    if (is_page(wanted->kind) && unit != BAT_UNIT_NONE) return 72 * inch;
+    if (wanted->dpi > 0) return wanted->dpi * inch;
+    if (bat_unit_is_physical(unit)) return 96 * inch;
+    return paged ? 1 : 1000 / longer;
+}
+
+void paint_area_of(const bat_document *document, const picture_wanted *wanted, paint_area *out) {
+    const long *size = wanted->size;
+    const bool paged = view_of(document, out->view);
+    double scale = resolution(document, wanted, out->view, paged);
     /* A page that is too large keeps its proportions. */
-    scale = fmin(scale, PAINT_SIZE_MAX / fmax(page[2], page[3]));
-    out->width = width > 0 ? width : pixels(page[2] * scale);
-    out->height = height > 0 ? height : pixels(page[3] * scale);
+    scale = fmin(scale, PAINT_SIZE_MAX / fmax(out->view[2], out->view[3]));
+    const double wide = out->view[2] * scale, high = out->view[3] * scale;
+    const bool exact = is_page(wanted->kind);
+    out->width = size[0] > 0 ? (double)size[0] : exact ? wide : pixels(wide);
+    out->height = size[1] > 0 ? (double)size[1] : exact ? high : pixels(high);
 }
 
 static void set_colour(cairo_t *cairo, uint32_t colour) {
@@ -452,19 +474,47 @@ static bat_status paint(cairo_t *cairo, const bat_document *document, const pain
     return status;
 }
 
-const char *paint_document(const bat_document *document, const paint_area *area, picture_kind kind,
-                           uint32_t background, unsigned char **data, size_t *size, paint_left *left) {
+/* Adds what says how large a pixel is (pHYs), after the header. */
+static bool say_size(byte_list *png, double pixels_a_metre) {
+    enum { HEADER = 33, CHUNK = 21 };
+    const uint32_t per = (uint32_t)fmin(fmax(round(pixels_a_metre), 1), 0x7fffffff);
+    unsigned char chunk[CHUNK] = {0, 0, 0, 9, 'p', 'H', 'Y', 's', [16] = 1};
+    unsigned char *all = realloc(png->data, png->size + CHUNK);
+    if (!all || png->size < HEADER) return false;
+    png->data = all;
+    for (int k = 0; k < 8; k++) chunk[8 + k] = (unsigned char)(per >> (24 - 8 * (k % 4)));
+    const uint32_t check = (uint32_t)crc32(0, chunk + 4, 13);
+    for (int k = 0; k < 4; k++) chunk[17 + k] = (unsigned char)(check >> (24 - 8 * k));
+    memmove(all + HEADER + CHUNK, all + HEADER, png->size - HEADER);
+    memcpy(all + HEADER, chunk, CHUNK);
+    png->size += CHUNK;
+    return true;
+}
+
+/* The picture of pixels as a file. */
+static cairo_status_t write_png(const bat_document *document, const paint_area *area,
+                                const picture_wanted *wanted, cairo_surface_t *surface, byte_list *bytes) {
+    const cairo_status_t status = cairo_surface_write_to_png_stream(surface, collect_bytes, bytes);
+    const double scale = fmin(area->width / area->view[2], area->height / area->view[3]);
+    if (status != CAIRO_STATUS_SUCCESS) return status;
+    if (!bat_unit_is_physical(bat_document_unit(document)) && !(wanted->dpi > 0)) return status;
+    return say_size(bytes, 1000 * scale / bat_document_scale(document)) ? status : CAIRO_STATUS_NO_MEMORY;
+}
+
+const char *paint_document(const bat_document *document, const paint_area *area, const picture_wanted *wanted,
+                           unsigned char **data, size_t *size, paint_left *left) {
     byte_list bytes = {0};
-    cairo_surface_t *surface = kind == PICTURE_PNG ? cairo_image_surface_create(CAIRO_FORMAT_ARGB32,
-                                                                                area->width, area->height)
-                                                   : page_create(kind, &bytes, area->width, area->height);
+    const picture_kind kind = wanted->kind;
+    cairo_surface_t *surface = kind == PICTURE_PNG
+                                   ? cairo_image_surface_create(CAIRO_FORMAT_ARGB32, (int)area->width,
+                                                                (int)area->height)
+                                   : page_create(kind, &bytes, area->width, area->height);
     cairo_t *cairo = cairo_create(surface);
-    bat_status status = paint(cairo, document, area, background, left);
+    bat_status status = paint(cairo, document, area, wanted->background, left);
     cairo_status_t painted = cairo_status(cairo);
     cairo_destroy(cairo);
-    if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PICTURE_PNG) {
-        painted = cairo_surface_write_to_png_stream(surface, collect_bytes, &bytes);
-    }
+    if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PICTURE_PNG)
+        painted = write_png(document, area, wanted, surface, &bytes);
     cairo_surface_finish(surface); /* this writes a page */
     if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);
     cairo_surface_destroy(surface);

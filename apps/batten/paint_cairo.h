@@ -12,12 +12,13 @@ enum { PAINT_SIZE_MAX = 32767 }; /* pixels per side, cairo's limit */
  * The view is centred and keeps its proportions. */
 typedef struct paint_area {
     double view[4];
-    int width, height;
+    double width, height; /* whole numbers of pixels */
 } paint_area;
 
-/* The page, or without a page the box of the drawing with its strokes. width 0: one pixel per unit of the
- * page; without a page 1000 pixels for the longer side. */
-void paint_area_of(const bat_document *document, int width, int height, paint_area *out);
+/* The page, or without a page the box of the drawing with its strokes, in the size that is asked for. Without one PDF and EPS
+ * have the drawing's own size, and pictures in pixels that at wanted->dpi; without that, 96 pixels an inch where the
+ * document says its size in mm or the like, one a unit of the page where it does not, and without a page 1000 for the longer side. */
+void paint_area_of(const bat_document *document, const picture_wanted *wanted, paint_area *out);
 
 /* How many things could not be painted: there is no librsvg, or it cannot read them. What has such a mask is painted whole, and in
  * place of such a pattern a colour. */
@@ -25,9 +26,9 @@ typedef struct paint_left {
     int images, foreign, patterns, masks;
 } paint_left;
 
-/* Makes the bytes of the file, a PNG, a PDF or an EPS; *data is malloc'ed. background: 0xRRGGBBAA. *left: zeros before. Returns NULL, or what went wrong
- * (static storage). */
-const char *paint_document(const bat_document *document, const paint_area *area, picture_kind kind,
-                           uint32_t background, unsigned char **data, size_t *size, paint_left *left);
+/* Makes the bytes of the file, a PNG, a PDF or an EPS; *data is malloc'ed. *left: zeros before. A PNG says how large it is where
+ * the document does, or its resolution was asked for. Returns NULL, or what went wrong (static storage). */
+const char *paint_document(const bat_document *document, const paint_area *area, const picture_wanted *wanted,
+                           unsigned char **data, size_t *size, paint_left *left);
 
 #endif

@@ -1,6 +1,7 @@
 #include "picture.h"
 
 #include "draw_space.h"
+#include "drawing.h"
 #include "paint_cairo.h"
 #include "paint_space.h"
 #include "program.h"
@@ -8,7 +9,9 @@
 #include "views.h"
 
 #include "document/document.h"
+#include "document/unit.h"
 #include "format/seen/seen.h"
+#include "format/svg/markup.h"
 #include "text/number.h"
 #include "text/text.h"
 
@@ -40,8 +43,10 @@ static void put_attribute(bat_text *text, const char *name, double value) {
 }
 
 /* The library's SVG, with the size and view set on the root element, and the background behind everything. */
-static int svg_picture(const bat_document *document, const paint_area *area, uint32_t background,
+static int svg_picture(const bat_document *document, const paint_area *area, const picture_wanted *w,
                        const char *in, unsigned char **data, size_t *size) {
+    const uint32_t background = w->background;
+    const bool sized = w->size[0] > 0 || w->size[1] > 0 || w->dpi > 0;
     char *inner;
     size_t inner_size;
     bat_status status = bat_svg_write_within(document, false, 0, &inner, &inner_size);
@@ -49,9 +54,14 @@ static int svg_picture(const bat_document *document, const paint_area *area, uin
     if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
     bat_text text = {0};
     bat_text_string(&text, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
-    put_attribute(&text, "width", area->width);
-    put_attribute(&text, "height", area->height);
     const double *view = area->view;
+    if (!sized && bat_unit_is_physical(bat_document_unit(document))) {
+        bat_svg_write_size(&text, " width=\"", view[2], document);
+        bat_svg_write_size(&text, " height=\"", view[3], document);
+    } else {
+        put_attribute(&text, "width", area->width);
+        put_attribute(&text, "height", area->height);
+    }
     bat_text_string(&text, " viewBox=\"");
     for (int i = 0; i < 4; i++) {
         if (i) bat_text_string(&text, " ");
@@ -138,11 +148,13 @@ static void say_left(const char *in, const paint_left *left) {
 static int flat_picture(const char *in, bat_document *document, const picture_wanted *w, unsigned char **data,
                         size_t *size) {
     paint_area area;
-    paint_area_of(document, (int)w->size[0], (int)w->size[1], &area);
-    if (w->kind == PICTURE_SVG) return svg_picture(document, &area, w->background, in, data, size);
+    paint_area_of(document, w, &area);
+    if (w->kind == PICTURE_SVG) return svg_picture(document, &area, w, in, data, size);
     paint_left left = {0};
-    const char *wrong = paint_document(document, &area, w->kind, w->background, data, size, &left);
+    const char *wrong = paint_document(document, &area, w, data, size, &left);
     if (!wrong) say_left(in, &left);
+    const bool asked = w->dpi > 0 || (w->kind != PICTURE_PNG && !(w->size[0] > 0 && w->size[1] > 0));
+    if (!wrong && asked) drawing_remark_size(in, document);
     return wrong ? fail_data(in, NULL, "cannot be painted: %s", wrong) : EXIT_DONE;
 }
 

@@ -23,6 +23,7 @@ picture_kind picture_kind_called(const char *name);
 typedef struct picture_wanted {
     picture_kind kind;
     long size[2];        /* 0: not given */
+    double dpi;          /* pixels an inch; 0: not given */
     uint32_t background; /* 0xRRGGBBAA */
     bat_look look;
     const char *view; /* a VIEW, or NAME@SECONDS; NULL: not given */

@@ -280,11 +280,27 @@ BAT_API void bat_document_page(const bat_document *document, double page[4]);
 BAT_API bat_status bat_document_set_page(bat_document *document, const double page[4]);
 BAT_API void bat_document_bounds(const bat_document *document, double box[4]); /* empty: low > high */
 
+/* The physical size: how many millimetres one unit of the document is, and the unit in which its size is said. A document
+ * that says none is in px, of which an inch has 96; BAT_UNIT_NONE: its file holds bare numbers, which formats with a size
+ * take for millimetres. BAT_NUMBER: the scale is not from 1e-12 to 1e12. */
+typedef enum bat_unit {
+    BAT_UNIT_PX,
+    BAT_UNIT_MM,
+    BAT_UNIT_CM,
+    BAT_UNIT_IN,
+    BAT_UNIT_PT,
+    BAT_UNIT_PC,
+    BAT_UNIT_NONE
+} bat_unit;
+BAT_API double bat_document_scale(const bat_document *document); /* millimetres */
+BAT_API bat_unit bat_document_unit(const bat_document *document);
+BAT_API bat_status bat_document_set_scale(bat_document *document, double millimetres, bat_unit unit);
+
 /* The invariants: ids unique, from 1 to BAT_ID_MAX, below the next id; curves valid; splines and levels give their
  * curves; what is followed is there; styles in range; the contents of groups follow them, and layers are in nothing but layers. Returns NULL
  * when all hold, otherwise which one does not (static storage). */
 BAT_API const char *bat_document_check(const bat_document *document);
-/* 64-bit digest of the page and the objects: equal documents, equal digests, on every platform. The next id is
+/* 64-bit digest of the page, the physical size that was said and the objects: equal documents, equal digests, on every platform. The next id is
  * left out, so that undo brings the digest back. */
 BAT_API uint64_t bat_document_digest(const bat_document *document);
 

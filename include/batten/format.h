@@ -54,8 +54,9 @@ BAT_API bat_status bat_iges_read(const char *text, size_t size, bat_model *out, 
 BAT_API bat_status bat_iges_write(const bat_model *model, char **bytes, size_t *size);
 BAT_API bat_status bat_step_read(const char *text, size_t size, bat_model *out, bat_problem *problem);
 BAT_API bat_status bat_step_write(const bat_model *model, char **bytes, size_t *size);
-/* The curves of a drawing as DXF of release 2007, one unit a millimetre, y upwards: lines, polylines and splines, bit for bit
- * but for the knots that clamp ends and open what is closed, on the layers that they are on, with the colours and widths of their strokes. arcs: a tolerance in document units, above 0
+/* The curves of a drawing as DXF of release 2007, in millimetres from the page's lower left corner (without a page the document's
+ * origin), y upwards: lines, polylines and splines, bit for bit
+ * but for the knots that clamp ends and open what is closed, on the layers that they are on, with the colours and widths of their strokes. arcs: a tolerance in millimetres, above 0
  * planar curves are written as polylines of arcs and lines (bat_curve_arcs), for cutters; 0: as splines. BAT_COUNT: there
  * is no curve. Whatever has no curves is left out, as are fills. */
 BAT_API bat_status bat_dxf_write(const bat_document *document, double arcs, char **text, size_t *size);
@@ -69,12 +70,12 @@ BAT_API bat_status bat_glif_write(const bat_document *document, bool extremes, c
  * glyph. */
 BAT_API bat_status bat_glif_replace(const char *glyph, size_t glyph_size, const bat_document *document,
                                     bool extremes, char **text, size_t *size);
-/* G-code for mills, plotters and laser cutters (ISO 6983): one unit a millimetre, the page's lower left corner at (0, 0), or
+/* G-code for mills, plotters and laser cutters (ISO 6983): millimetres, the page's lower left corner at (0, 0), or
  * without a page the document's origin, y upwards. Visible curves of the plane become lines and arcs (G1, G2, G3) within the tolerance and four
  * decimals, in the drawing's order. */
 typedef struct bat_gcode_options {
     size_t size;      /* of this struct, as base.h says */
-    double tolerance; /* document units, above 0 */
+    double tolerance; /* millimetres, above 0 */
     double feed;      /* millimetres a minute, above 0 */
     const char *up,
         *down; /* lines that raise and lower the tool, or switch a laser off and on: ASCII, 1,000 bytes at most; borrowed */

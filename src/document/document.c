@@ -9,6 +9,7 @@
 #include "document/list.h"
 #include "document/nesting.h"
 #include "document/object.h"
+#include "document/unit.h"
 #include <batten/recipe.h>
 
 #include <math.h>
@@ -19,6 +20,8 @@ struct bat_document {
     bat_list list; /* back to front */
     bat_id next;   /* greater than every id that was ever in the document */
     double page[4];
+    double scale; /* millimetres of a unit */
+    bat_unit unit;
     bat_source *source;
     int followers; /* objects that follow others */
 };
@@ -31,7 +34,7 @@ bat_status bat_document_create(bat_document **out) {
     if (!out) return BAT_ARGUMENT;
     bat_document *document = malloc(sizeof *document);
     if (!document) return BAT_MEMORY;
-    *document = (bat_document){.next = 1};
+    *document = (bat_document){.next = 1, .scale = BAT_PX_MILLIMETRES};
     *out = document;
     return BAT_OK;
 }
@@ -65,6 +68,7 @@ bat_status bat_document_copy(const bat_document *document, bat_document **out) {
     copy->followers = document->followers;
     copy->source = bat_source_retain(document->source);
     memcpy(copy->page, document->page, sizeof copy->page);
+    copy->scale = document->scale, copy->unit = document->unit;
     *out = copy;
     return BAT_OK;
 }
@@ -148,6 +152,21 @@ bat_status bat_document_set_page(bat_document *document, const double page[4]) {
     if (!document || !page) return BAT_ARGUMENT;
     if (!page_valid(page)) return BAT_NUMBER;
     memcpy(document->page, page, sizeof document->page);
+    return BAT_OK;
+}
+
+double bat_document_scale(const bat_document *document) { return document->scale; }
+
+bat_unit bat_document_unit(const bat_document *document) { return document->unit; }
+
+static bool scale_valid(double scale, bat_unit unit) {
+    return scale >= 1e-12 && scale <= 1e12 && unit >= BAT_UNIT_PX && unit <= BAT_UNIT_NONE;
+}
+
+bat_status bat_document_set_scale(bat_document *document, double millimetres, bat_unit unit) {
+    if (!document) return BAT_ARGUMENT;
+    if (!scale_valid(millimetres, unit)) return BAT_NUMBER;
+    document->scale = millimetres, document->unit = unit;
     return BAT_OK;
 }
 
@@ -245,6 +264,7 @@ bool bat_document_has_followers(const bat_document *document) { return document-
 
 const char *bat_document_check(const bat_document *document) {
     if (!page_valid(document->page)) return "the page is out of range";
+    if (!scale_valid(document->scale, document->unit)) return "the scale is out of range";
     for (int i = 0; i < document->list.count; i++) {
         const bat_object *object = bat_list_at(&document->list, i);
         bat_id id = bat_object_id(object);
@@ -269,6 +289,8 @@ const char *bat_document_check(const bat_document *document) {
 uint64_t bat_document_digest(const bat_document *document) {
     uint64_t digest = bat_digest_begin();
     for (int i = 0; i < 4; i++) digest = bat_digest_double(digest, document->page[i]);
+    if (bat_unit_is_said_by(document->unit, document->scale))
+        digest = bat_digest_double(bat_digest_number(digest, (uint64_t)document->unit), document->scale);
     digest = bat_digest_number(digest, (uint64_t)document->list.count);
     return bat_digest_number(digest, bat_list_digest(&document->list));
 }

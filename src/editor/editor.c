@@ -9,6 +9,7 @@
 #include "editor/tables/words.h"
 #include "editor/tools/gazes/correct.h"
 #include "editor/tools/gazes/fade.h"
+#include "editor/view/unit.h"
 #include <stdlib.h>
 
 static void wire(bat_editor *editor) {
@@ -100,6 +101,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
     c->stage->ground = bat_ground_page();
     c->stage->view.fit_wanted = !bat_seen_fit(c);
     if (bat_seen_view(document)) bat_notice_saved_view(c);
+    bat_unit_adopt(c);
     bat_toolbox_settle(c);
     return BAT_OK;
 }

@@ -117,6 +117,7 @@ bat_status bat_document_of_curves(int count, bat_curve *const *curves, const cha
     bat_document *document = NULL;
     bat_status status = bat_document_create(&document);
     bat_style style = bat_style_defaults();
+    if (status == BAT_OK) status = bat_document_set_scale(document, 1, BAT_UNIT_NONE);
     for (int i = 0; i < count; i++) {
         bat_object *object = NULL;
         if (status == BAT_OK)

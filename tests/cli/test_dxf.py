@@ -32,12 +32,13 @@ def away(points, line):
 @unittest.skipUnless(ezdxf, "python3-ezdxf is not installed")
 class Dxf(ProgramTest):
     def samples(self, name, count=400):
-        """Points of every curve of a drawing, y upwards."""
+        """Points of every curve of a drawing, y upwards, in millimetres from the page's lower left corner."""
         native = self.json("convert", name, "-", "--to", "batten")
+        k, (left, top, _, high) = native.get("scale", 25.4 / 96), native["page"]
         for thing in native["objects"]:
             for curve in thing.get("curves", []):
                 found = self.json("eval", "-", "--samples", count, stdin=json.dumps(curve))
-                yield [[x[0], -x[1], -x[2] if len(x) > 2 else 0] for x in found["points"]]
+                yield [[k * (x[0] - left), k * (top + high - x[1]), -k * x[2] if len(x) > 2 else 0] for x in found["points"]]
 
     def test_what_is_written(self):
         for name in DRAWINGS:

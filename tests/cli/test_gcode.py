@@ -79,11 +79,12 @@ class Gcode(ProgramTest):
     def drawn(self, name):
         """Every curve as a polyline within 0.005, as the machine has it."""
         native = self.json("convert", name, "-", "--to", "batten")
+        scale = native.get("scale", 25.4 / 96)
         page = native.get("page") or [0, 0, 0, 0]
         curves = [json.dumps(curve) for thing in native["objects"] for curve in thing.get("curves", [])]
         flat = self.done("curve", "flatten", "-", "--lines", "--tolerance", 0.005, stdin="\n".join(curves)).splitlines()
         for points in (numpy.array(json.loads(line)["points"]) for line in flat):
-            yield numpy.column_stack([points[:, 0] - page[0], page[1] + page[3] - points[:, 1]])
+            yield scale * numpy.column_stack([points[:, 0] - page[0], page[1] + page[3] - points[:, 1]])
 
     def test_what_is_cut_is_the_drawing(self):
         for name in DRAWINGS:
@@ -101,7 +102,7 @@ class Gcode(ProgramTest):
 
     def test_circles_close(self):
         for radius in (0.00003, 0.0001, 0.004, 1, 50, 1e6):
-            svg = self.file("c.svg", f'<svg xmlns="http://www.w3.org/2000/svg"><circle cx="0" cy="0" r="{radius}"/></svg>')
+            svg = self.file("c.svg", f'<svg xmlns="http://www.w3.org/2000/svg" width="1mm" height="1mm" viewBox="0 -1 1 1"><circle cx="0" cy="0" r="{radius}"/></svg>')
             cuts = self.machine(svg).cuts
             self.assertEqual(len(cuts), 1)
             if radius >= 0.004:

@@ -27,7 +27,7 @@ class Pages(ProgramTest):
         return self.pixels(self.done("render", name, "-", "--to", "png", *words))
 
     def by_poppler(self, name):
-        return self.pixels(subprocess.run(["pdftocairo", "-png", "-r", "72", "-singlefile", name, "-"], check=True,
+        return self.pixels(subprocess.run(["pdftocairo", "-png", "-r", "96", "-singlefile", name, "-"], check=True,
                                           capture_output=True).stdout)
 
     def by_ghostscript(self, name):
@@ -55,13 +55,14 @@ class Pages(ProgramTest):
 
     @unittest.skipIf(missing("gs"), "ghostscript is not installed")
     def test_eps_as_ghostscript_shows_it(self):
-        for name in DRAWINGS:
+        for drawing in DRAWINGS:  # in points, so that a pixel is one
+            name = self.file("in.batten", dict(self.json("convert", drawing, "-", "--to", "batten"), unit="pt", scale=25.4 / 72))
             self.done("convert", name, "out.eps")
             data = (self.folder / "out.eps").read_bytes()
             self.assertTrue(data.startswith(b"%!PS-Adobe-3.0 EPSF-3.0"))
             box = next(line for line in data.split(b"\n") if line.startswith(b"%%BoundingBox")).split()[1:]
             left, low, right, high = map(int, box)
-            whole = self.ours(name)
+            whole = self.ours(name, "--dpi", "72")
             image = self.by_ghostscript(self.folder / "out.eps")  # a page larger than the picture, which is at the lower left
             height = min(image.shape[0], whole.shape[0])
             width = min(image.shape[1], whole.shape[1])
@@ -76,9 +77,12 @@ class Pages(ProgramTest):
             for made in ("out.pdf", "as.ai"):
                 self.done("convert", made, "back.svg")
                 self.same(self.ours(self.folder / "back.svg", "--size", "500x500"), self.ours(name, "--size", "500x500"))
+            scales = [self.json("info", f, "--json").get("scale", 25.4 / 96) for f in (name, "out.pdf")]
+            self.assertLess(abs(scales[1] - 25.4 / 72), 1e-9)
             curves = [self.json("convert", f, "-", "--to", "json") for f in (name, "out.pdf")]
-            corners = [[m(p[c] for one in many for p in one["points"]) for m in (min, max) for c in (0, 1)] for many in curves]
-            self.assertLess(numpy.abs(numpy.subtract(*corners)).max(), 0.1)
+            corners = [[k * m(p[c] for one in many for p in one["points"]) for m in (min, max) for c in (0, 1)]
+                       for k, many in zip(scales, curves)]
+            self.assertLess(numpy.abs(numpy.subtract(*corners)).max(), 0.1 * scales[0])
 
     @unittest.skipIf(missing("pdftocairo", "rsvg-convert"), "poppler-utils or librsvg2-bin is not installed")
     def test_the_first_page_of_others(self):

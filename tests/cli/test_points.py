@@ -53,7 +53,8 @@ class Points(ProgramTest):
         drawn = [numpy.array(json.loads(line)["points"]) for line in flat]
         side = max(numpy.ptp(numpy.concatenate(drawn), axis=0))
         for kind, read in READERS.items():
-            lines = read(self.done("convert", CAR, "-", "--to", kind).decode())
+            scale = 25.4 / 96 if kind == "geojson" else 1  # of a drawing in px
+            lines = [line / scale for line in read(self.done("convert", CAR, "-", "--to", kind).decode())]
             self.assertEqual(len(lines), len(drawn))
             for ours, theirs in zip(drawn, lines):
                 self.assertLess(away(ours, [theirs]), 1e-4 * side + 0.01)

@@ -118,7 +118,7 @@ class Render(ProgramTest):
         self.done("render", CAR, self.folder / "o.pdf")
         data = (self.folder / "o.pdf").read_bytes()
         self.assertTrue(data.startswith(b"%PDF-1.") and data.rstrip().endswith(b"%%EOF"))
-        self.assertIn(b"/MediaBox [ 0 0 1000 420 ]", data)
+        self.assertIn(b"/MediaBox [ 0 0 750 315 ]", data)
 
     def test_degenerate_drawings(self):
         empty = self.file("e.batten", '{"batten":1,"page":[0,0,0,0],"next":1,"objects":[]}')

@@ -194,6 +194,34 @@ static void copy_is_apart(void **state) {
     bat_document_free(copy);
 }
 
+/* Copies keep the size; the digest is that of before where none was said, and sees the scale and the unit where one was. */
+static void sizes(void **state) {
+    (void)state;
+    bat_document *document, *copy;
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    const double px = bat_document_scale(document), wrong[] = {0, -1, NAN, INFINITY, 1e13, 1e-13};
+    const uint64_t none = bat_document_digest(document);
+    assert_true(fabs(96 * px - 25.4) < 1e-12 && bat_document_unit(document) == BAT_UNIT_PX);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_int_equal(bat_document_set_scale(document, wrong[i], BAT_UNIT_MM), BAT_NUMBER);
+    assert_int_equal(bat_document_set_scale(document, 1, (bat_unit)(BAT_UNIT_NONE + 1)), BAT_NUMBER);
+    assert_int_equal(bat_document_set_scale(NULL, 1, BAT_UNIT_MM), BAT_ARGUMENT);
+    assert_true(bat_document_digest(document) == none);
+    assert_int_equal(bat_document_set_scale(document, 1, BAT_UNIT_NONE), BAT_OK); /* files do not say it */
+    assert_true(bat_document_digest(document) == none);
+    assert_int_equal(bat_document_set_scale(document, 1, BAT_UNIT_MM), BAT_OK);
+    const uint64_t metric = bat_document_digest(document);
+    assert_int_equal(bat_document_set_scale(document, 1, BAT_UNIT_CM), BAT_OK);
+    assert_true(metric != none && bat_document_digest(document) != metric);
+    assert_int_equal(bat_document_copy(document, &copy), BAT_OK);
+    assert_true(bat_document_scale(copy) == 1 && bat_document_unit(copy) == BAT_UNIT_CM);
+    assert_int_equal(bat_document_set_scale(document, px, BAT_UNIT_PX), BAT_OK);
+    assert_true(bat_document_digest(document) == none);
+    assert_null(bat_document_check(copy));
+    bat_document_free(copy);
+    bat_document_free(document);
+}
+
 static void fill_refuses_twins(void **state) {
     (void)state;
     random_source r = {8};
@@ -245,6 +273,7 @@ int main(void) {
         cmocka_unit_test(changes_and_refusals),
         cmocka_unit_test(a_foreign_id_raises_the_next),
         cmocka_unit_test(copy_is_apart),
+        cmocka_unit_test(sizes),
         cmocka_unit_test(fill_refuses_twins),
         cmocka_unit_test(digest_sees_every_bit),
     };

@@ -95,7 +95,7 @@ export class Foot {
     this.pending.forEach((button, i) => {
       button.hidden = frame.pending !== (i ? 1 : 2);
     });
-    const missed = frame.error > 0 ? word('shell.missed-by', short(frame.error)) : word('shell.missed');
+    const missed = frame.error > 0 ? word('shell.missed-by', this.engine.number('missed')) : word('shell.missed');
     part('pending-text').textContent = frame.pending === 1 ? missed : '';
     part('pending-text').hidden = frame.pending !== 1;
     /** @type {HTMLElement} */ (this.knots.closest('div')).hidden = frame.knotsBefore <= 0 && frame.knotsAfter <= 0;

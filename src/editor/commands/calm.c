@@ -17,6 +17,7 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
+#include "editor/view/unit.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/fair.h"
 #include <batten/measure.h>
@@ -133,8 +134,8 @@ bat_status bat_command_calm(bat_context *c, bool down) {
     } else if (status != BAT_OK) {
         bat_notice_failure(c, status);
     } else {
-        char number[32];
-        snprintf(number, sizeof number, "%.3g", far);
+        char number[BAT_UNIT_ROOM];
+        bat_unit_about(c, far, number);
         bat_notice_value(c, BAT_STRING_NOTICE_CALMED, number);
     }
     return status;

@@ -36,6 +36,9 @@ bat_status bat_excerpt_make(const bat_context *c, bat_excerpt part, bat_document
     bat_document *made = NULL;
     bat_status status = part == BAT_EXCERPT_ALL ? gather_all(c, &listing) : gather_selection(c, &listing);
     if (status == BAT_OK) status = bat_document_create(&made);
+    if (status == BAT_OK)
+        status = bat_document_set_scale(made, bat_document_scale(c->session->document),
+                                        bat_document_unit(c->session->document));
     if (status == BAT_OK && (status = bat_document_fill(made, listing.count, listing.objects)) == BAT_OK)
         listing.count = 0; /* ownership has passed on */
     if (status == BAT_OK) status = bat_document_let_go(made);

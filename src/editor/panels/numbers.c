@@ -171,6 +171,11 @@ const char *bat_panel_number(bat_context *c, const char *name) {
             bat_unit_write(c, value, text);
         return text;
     }
+    if (name && !strcmp(name, "missed")) { /* by how much the fit that is shown misses the tolerance */
+        const bat_readout made = bat_toolbox_readout(c);
+        if (made.report) bat_unit_about(c, made.report->max_error, text);
+        return text;
+    }
     bat_property_id property = bat_property_named(name);
     if (property == BAT_PROPERTY_COUNT || bat_property_get(c, name, &value) != BAT_OK) return text;
     const char *unit = bat_property_at(property)->unit;

@@ -1,4 +1,5 @@
 #include "editor/view/unit.h"
+#include "document/unit.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -9,9 +10,23 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double SIZES[] = {1, 96 / 25.4, 96}; /* in the order of the property's values */
+static const double SIZES[] = {1, 96 / 25.4, 96}; /* px, in the order of the property's values */
 
-double bat_unit_size(const bat_context *c) { return SIZES[(int)c->settings->values[BAT_PROPERTY_UNIT]]; }
+/* Document units per px. */
+static double px_of(const bat_context *c) {
+    return BAT_PX_MILLIMETRES / bat_document_scale(c->session->document);
+}
+
+double bat_unit_size(const bat_context *c) {
+    return SIZES[(int)c->settings->values[BAT_PROPERTY_UNIT]] * px_of(c);
+}
+
+void bat_unit_adopt(bat_context *c) {
+    static const signed char ways[] = {[BAT_UNIT_MM] = 1, [BAT_UNIT_CM] = 1, [BAT_UNIT_IN] = 2,
+                                       [BAT_UNIT_PT] = 1, [BAT_UNIT_PC] = 1, [BAT_UNIT_NONE] = 0};
+    const bat_unit unit = bat_document_unit(c->session->document);
+    if (ways[unit]) c->settings->values[BAT_PROPERTY_UNIT] = ways[unit];
+}
 
 void bat_unit_number(double value, char out[BAT_UNIT_ROOM]) {
     if (fabs(value) >= 1e15) {
@@ -24,12 +39,23 @@ void bat_unit_number(double value, char out[BAT_UNIT_ROOM]) {
     if (end[-1] == '.') end[-1] = 0;
 }
 
-void bat_unit_write(const bat_context *c, double length, char out[BAT_UNIT_ROOM]) {
+/* A number, and the unit in force. */
+static void put_unit(const bat_context *c, const char *number, char out[BAT_UNIT_ROOM]) {
     static const bat_string words[] = {BAT_STRING_UNIT_PX, BAT_STRING_UNIT_MM, BAT_STRING_UNIT_IN};
-    char number[BAT_UNIT_ROOM];
-    bat_unit_number(length / bat_unit_size(c), number);
     snprintf(out, BAT_UNIT_ROOM, "%.22s %.8s", number,
              bat_word(c, words[(int)c->settings->values[BAT_PROPERTY_UNIT]]));
+}
+
+void bat_unit_write(const bat_context *c, double length, char out[BAT_UNIT_ROOM]) {
+    char number[BAT_UNIT_ROOM];
+    bat_unit_number(length / bat_unit_size(c), number);
+    put_unit(c, number, out);
+}
+
+void bat_unit_about(const bat_context *c, double length, char out[BAT_UNIT_ROOM]) {
+    char number[BAT_UNIT_ROOM];
+    snprintf(number, sizeof number, "%.3g", length / bat_unit_size(c));
+    put_unit(c, number, out);
 }
 
 void bat_unit_origin(const bat_context *c, double origin[2]) {
@@ -47,6 +73,7 @@ enum { DEEPEST = 16 };
 typedef struct reading {
     const char *at;
     double unit; /* unit of plain numbers */
+    double px;   /* document units per px */
     bool angle;
     int depth;
     bool wrong;
@@ -74,7 +101,8 @@ static quantity number(reading *r) {
     static const struct {
         const char *name;
         double size;
-    } units[] = {{"px", 1}, {"mm", 96 / 25.4}, {"cm", 96 / 2.54}, {"in", 96}, {"pt", 96.0 / 72}, {"\"", 96}};
+    } units[] = {{"px", 1},         {"mm", 96 / 25.4}, {"cm", 96 / 2.54}, {"in", 96},
+                 {"pt", 96.0 / 72}, {"pc", 16},        {"\"", 96}};
     char text[40];
     size_t size = 0;
     peek(r);
@@ -91,7 +119,7 @@ static quantity number(reading *r) {
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
         if (!strncmp(r->at, units[i].name, strlen(units[i].name))) {
             r->at += strlen(units[i].name);
-            return (quantity){found.value * units[i].size, units[i].size};
+            return (quantity){found.value * (units[i].size * r->px), units[i].size * r->px};
         }
     return found;
 }
@@ -152,7 +180,7 @@ static quantity sum(reading *r) {
 }
 
 bat_status bat_unit_read(const bat_context *c, const char *text, bool angle, double *value) {
-    reading r = {text, bat_unit_size(c), angle, 0, false};
+    reading r = {text, bat_unit_size(c), px_of(c), angle, 0, false};
     quantity found = sum(&r);
     if (r.wrong || peek(&r)) return BAT_SYNTAX;
     if (!angle) as_length(&r, &found);

@@ -1,13 +1,14 @@
 /* Internal to DXF: what a file holds, as curves in the document's axes with their layers and colours.
  *
  * The axes of DXF, y upwards and z towards the eye, are those of a document turned by half a turn about x: (x, -y, -z). One
- * unit of a document is a millimetre. */
+ * unit of a document that was read is a millimetre; written are millimetres from its lower left corner. */
 #ifndef BATTEN_FORMAT_DXF_H
 #define BATTEN_FORMAT_DXF_H
 
 #include "format/dxf/pairs.h"
 #include "text/text.h"
 
+#include <batten/document.h>
 #include <batten/format.h>
 
 typedef struct bat_dxf_layer {
@@ -30,6 +31,7 @@ typedef struct bat_dxf {
     size_t layer_count, layer_room, shape_count, shape_room;
     bat_dxf_layer *layers;
     bat_dxf_shape *shapes;
+    bat_unit unit; /* of the file; mm where it says none */
 } bat_dxf;
 
 bat_status bat_dxf_parse(const bat_svg_options *how, const char *text, size_t size, bat_dxf *out,

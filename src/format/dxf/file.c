@@ -81,6 +81,7 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
         return bat_problem_set(problem, BAT_COUNT, "", "expected a curve among the entities, found none");
     }
     status = bat_document_create(&document);
+    if (status == BAT_OK) status = bat_document_set_scale(document, 1, dxf.unit);
     if (status == BAT_OK) status = insert_all(document, &dxf);
     bat_dxf_clear(&dxf);
     if (status == BAT_OK) {

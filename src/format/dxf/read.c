@@ -357,10 +357,16 @@ static bat_status read_entities(parser *p, const setting *in, const char *end) {
 
 /* ---- sections ---- */
 
-/* Millimetres in each of the units that $INSUNITS numbers: none, inch, foot, mile, mm, cm, m, km, microinch, mil, yard,
- * angstrom, nanometre, micron, decimetre, decametre, hectometre, gigametre. */
-static const double UNITS[] = {1,      25.4,  304.8, 1609344, 1,    10,  1000, 1e6, 2.54e-5,
-                               0.0254, 914.4, 1e-7,  1e-6,    1e-3, 100, 1e4,  1e5, 1e12};
+/* The units that $INSUNITS numbers: none, inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nanometre, micron,
+ * decimetre, decametre, hectometre, gigametre. unit: in which a drawing says its size then. */
+static const struct {
+    double millimetres;
+    bat_unit unit;
+} UNITS[] = {{1, BAT_UNIT_MM},       {25.4, BAT_UNIT_IN},   {304.8, BAT_UNIT_IN}, {1609344, BAT_UNIT_IN},
+             {1, BAT_UNIT_MM},       {10, BAT_UNIT_CM},     {1000, BAT_UNIT_CM},  {1e6, BAT_UNIT_CM},
+             {2.54e-5, BAT_UNIT_IN}, {0.0254, BAT_UNIT_IN}, {914.4, BAT_UNIT_IN}, {1e-7, BAT_UNIT_MM},
+             {1e-6, BAT_UNIT_MM},    {1e-3, BAT_UNIT_MM},   {100, BAT_UNIT_CM},   {1e4, BAT_UNIT_CM},
+             {1e5, BAT_UNIT_CM},     {1e12, BAT_UNIT_CM}};
 
 static bat_status read_header(parser *p) {
     bat_dxf_pair pair;
@@ -371,7 +377,10 @@ static bat_status read_header(parser *p) {
         status = bat_dxf_next(&p->scan, &pair, p->problem);
         if (status != BAT_OK || !units) continue;
         status = bat_dxf_number(&pair, &value, p->problem);
-        if (value > 0 && value < (double)(sizeof UNITS / sizeof *UNITS)) p->unit = UNITS[(int)value];
+        if (value > 0 && value < (double)(sizeof UNITS / sizeof *UNITS)) {
+            p->unit = UNITS[(int)value].millimetres;
+            p->out->unit = UNITS[(int)value].unit;
+        }
     }
     return status;
 }
@@ -440,7 +449,7 @@ void bat_dxf_clear(bat_dxf *dxf) {
 
 bat_status bat_dxf_parse(const bat_svg_options *how, const char *text, size_t size, bat_dxf *out,
                          bat_losses *lost, bat_problem *problem) {
-    bat_dxf made = {.layers = NULL};
+    bat_dxf made = {.unit = BAT_UNIT_MM};
     bat_problem local = {.message = ""};
     const size_t mark = size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
     parser p = {.scan = {text + mark, text + size, 0},

@@ -1,6 +1,7 @@
 /* Writes DXF of release 2007: splines, polylines and lines; or polylines of arcs and lines, for cutters. */
 #include "base/real.h"
 #include "document/kind.h"
+#include "document/scale.h"
 #include "format/dxf/dxf.h"
 #include "format/dxf/frame.h"
 
@@ -16,7 +17,8 @@ typedef struct writer {
     bat_text *text;
     const bat_document *document;
     const bat_object *object; /* whose curves are written */
-    double arcs;              /* tolerance; 0: none */
+    double arcs;              /* tolerance, in the document's units; 0: none */
+    double scale, origin[2];  /* bat_unit_corner */
     unsigned handle;          /* the next one */
     size_t curves;
 } writer;
@@ -96,17 +98,20 @@ static void put_head(writer *w, const char *name, const char *part) {
     if (bat_object_is_hidden(w->object)) bat_dxf_integer(w->text, 60, 1);
     bat_dxf_integer(w->text, 62, bat_dxf_index_near(colour));
     bat_dxf_integer(w->text, 420, (int)(colour >> 8));
-    bat_dxf_integer(w->text, 370, weight_of(style->stroked ? style->width : 0));
+    bat_dxf_integer(w->text, 370, weight_of(style->stroked ? style->width * w->scale : 0));
     bat_dxf_text(w->text, 100, part);
 }
 
-static double turned(double value) { return value == 0 ? 0 : -value; } /* no -0 */
-
 /* A point at the codes code, code + 10 and, in space, code + 20. space: z is written, whatever the dimension. */
 static void put_point(writer *w, int code, const double *point, int dimension, bool space) {
-    bat_dxf_real(w->text, code, point[0]);
-    bat_dxf_real(w->text, code + 10, turned(point[1]));
-    if (space) bat_dxf_real(w->text, code + 20, dimension > 2 ? turned(point[2]) : 0);
+    bat_dxf_real(w->text, code, (point[0] - w->origin[0]) * w->scale);
+    bat_dxf_real(w->text, code + 10, (w->origin[1] - point[1]) * w->scale + 0.0); /* no -0 */
+    if (space) bat_dxf_real(w->text, code + 20, dimension > 2 ? (0 - point[2]) * w->scale : 0);
+}
+
+/* What stands for no place, but has to be there. */
+static void put_zero(writer *w) {
+    for (int code = 10; code <= 30; code += 10) bat_dxf_real(w->text, code, 0);
 }
 
 static void put_line(writer *w, const double *points, int dimension) {
@@ -134,7 +139,7 @@ static void put_polyline(writer *w, const bat_curve *curve) {
         return;
     }
     put_head(w, "POLYLINE", "AcDb3dPolyline");
-    put_point(w, 10, (const double[]){0, 0, 0}, 3, true);
+    put_zero(w);
     bat_dxf_integer(w->text, 70, SPACE | (closed ? CLOSED : 0));
     for (size_t i = 0; i < count; i++) {
         put_head(w, "VERTEX", "AcDbVertex");
@@ -228,8 +233,10 @@ static bat_status put_all(writer *w) {
 bat_status bat_dxf_write(const bat_document *document, double arcs, char **text, size_t *size) {
     if (!document || !text || !size || !(arcs >= 0)) return BAT_ARGUMENT;
     bat_text layers = {0}, entities = {0}, all = {0};
-    writer w = {.text = &layers, .document = document, .arcs = arcs, .handle = BAT_DXF_FIRST};
+    writer w = {.text = &layers, .document = document, .handle = BAT_DXF_FIRST};
     int layer_count = 1;
+    w.scale = bat_unit_corner(document, w.origin);
+    w.arcs = arcs / w.scale;
     put_layer(&w, NULL);
     for (int i = 0; i < bat_document_count(document); i++)
         if (is_layer(bat_document_at(document, i)))

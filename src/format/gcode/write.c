@@ -6,6 +6,7 @@
 #include "base/options.h"
 #include "base/real.h"
 #include "document/nesting.h"
+#include "document/scale.h"
 #include "text/text.h"
 
 #include <batten/measure.h>
@@ -41,6 +42,8 @@ typedef struct writer {
     bat_text *text;
     const bat_gcode_options *options;
     double origin[2]; /* of the machine, in the document */
+    double digits;    /* units of the last digit in one of the document */
+    double tolerance; /* in the document's units */
     place at;
     bool placed, down, fed; /* fed: the feed is in force since the tool went down */
     bool far;               /* something lies beyond what a machine's numbers hold */
@@ -48,7 +51,7 @@ typedef struct writer {
 } writer;
 
 static place place_of(writer *w, const double point[2]) {
-    const double x = (point[0] - w->origin[0]) * SCALE, y = (w->origin[1] - point[1]) * SCALE;
+    const double x = (point[0] - w->origin[0]) * w->digits, y = (w->origin[1] - point[1]) * w->digits;
     if (!(fabs(x) <= FARTHEST && fabs(y) <= FARTHEST)) {
         w->far = true;
         return (place){0, 0};
@@ -126,7 +129,8 @@ static double sweep_of(const bat_arc *arc, double *from) {
 static void cut_arc(writer *w, const bat_arc *arc) {
     double from, point[2];
     const double angle = sweep_of(arc, &from);
-    const double most = arc->radius > WIDEST ? sqrt(8 / (arc->radius * SCALE)) : PIECE;
+    const bool wide = arc->radius * w->digits > WIDEST * SCALE;
+    const double most = wide ? sqrt(8 / (arc->radius * w->digits)) : PIECE;
     const int pieces = (int)fmax(1, ceil(angle / most));
     const double half = angle / pieces / 2, bow = arc->radius * (1 - bat_cos(half));
     for (int i = 1; i <= pieces; i++) {
@@ -135,7 +139,7 @@ static void cut_arc(writer *w, const bat_arc *arc) {
         point[1] = arc->centre[1] + arc->radius * bat_sin(turned);
         const place to = place_of(w, i < pieces ? point : arc->to);
         if (same(w->at, to)) continue;
-        if (bow * SCALE < 1 || arc->radius > WIDEST) { /* as straight as the digits tell */
+        if (bow * w->digits < 1 || wide) { /* as straight as the digits tell */
             cut_to(w, to);
             continue;
         }
@@ -169,7 +173,7 @@ static bat_status cut_curve(writer *w, const bat_curve *curve) {
     bat_curve_bounds(curve, low, high);
     place_of(w, low), place_of(w, high);
     if (w->far) return BAT_NUMBER;
-    const bat_status status = bat_curve_arcs(curve, w->options->tolerance, CORNER, &count, &arcs, NULL);
+    const bat_status status = bat_curve_arcs(curve, w->tolerance, CORNER, &count, &arcs, NULL);
     if (status != BAT_OK) return status;
     for (size_t i = 0; i < count; i++) {
         if (i == 0) begin_at(w, place_of(w, arcs[i].from));
@@ -204,14 +208,6 @@ static bool is_template(const char *text) {
     return true;
 }
 
-/* The page's lower left corner, or the origin where there is no page. */
-static void origin_of(const bat_document *document, double out[2]) {
-    double page[4];
-    bat_document_page(document, page);
-    const bool given = page[2] > 0 && page[3] > 0;
-    out[0] = given ? page[0] : 0, out[1] = given ? page[1] + page[3] : 0;
-}
-
 bat_status bat_gcode_write(const bat_document *document, const bat_gcode_options *options, char **text,
                            size_t *size) {
     bat_gcode_options chosen = DEFAULTS;
@@ -224,7 +220,8 @@ bat_status bat_gcode_write(const bat_document *document, const bat_gcode_options
         !is_template(chosen.up) || !is_template(chosen.down))
         return BAT_ARGUMENT;
     writer w = {.text = &all, .options = &chosen};
-    origin_of(document, w.origin);
+    const double scale = bat_unit_corner(document, w.origin);
+    w.digits = scale * SCALE, w.tolerance = chosen.tolerance / scale;
     bat_text_string(&all, "G21\nG90\nG17\n"); /* millimetres, absolute, arcs in x and y */
     put_line(&w, chosen.up);
     status = cut_all(&w, document);

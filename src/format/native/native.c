@@ -4,6 +4,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/follow.h"
+#include "document/scale.h"
 #include "text/base64.h"
 #include "format/json/curve.h"
 #include "format/json/fields.h"
@@ -185,6 +186,22 @@ static bat_status read_page(const bat_fields *f, uint32_t list, bat_document *do
                              "x, y, width and height, none of them negative width or height", f->problem);
 }
 
+/* "unit" and "scale", both or none. */
+static bat_status read_scale(const bat_fields *f, bat_document *document) {
+    const uint32_t named = bat_json_member(f->json, 1, "unit");
+    const char *word = bat_json_text(f->json, named);
+    const bat_unit unit = word ? bat_unit_of(word) : BAT_UNIT_PX;
+    double scale = bat_unit_millimetres(unit);
+    if (!named) return BAT_OK;
+    if (!word || strcmp(word, bat_unit_name(unit)) != 0)
+        return bat_json_complain(f->json, named, BAT_UNSUPPORTED, "unit", "px, mm, cm, in, pt or pc",
+                                 f->problem);
+    const bat_status status = bat_fields_number(f, 1, "scale", 1e-12, 1e12, "millimetres from 1e-12 to 1e12",
+                                                &scale);
+    return status == BAT_OK ? bat_fields_say(f, named, bat_document_set_scale(document, scale, unit))
+                            : status;
+}
+
 /* Adds the document's own pictures to those already known. */
 static bat_status read_pictures(const bat_fields *f, uint32_t list, bat_pictures *pictures) {
     bat_status status = BAT_OK;
@@ -205,6 +222,7 @@ static bat_status read_document(const bat_fields *f, bat_document *document, boo
                                  "version 1, 2, 3, 4, 5, 6, 7, 8, 9 or 10", f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
+    if (status == BAT_OK) status = read_scale(f, document);
     if (status == BAT_OK) status = read_objects(f, bat_json_member(f->json, 1, "objects"), document);
     if (status == BAT_OK) status = bat_fields_id(f, 1, "next", BAT_ID_MAX + 1, &next);
     if (status == BAT_OK)
@@ -349,7 +367,14 @@ void bat_document_to_json(const bat_document *document, bool pictures, bat_text 
         if (i > 0) bat_text_string(text, ",");
         bat_text_number(text, page[i]);
     }
-    bat_text_string(text, "],\n\"next\":");
+    bat_text_string(text, "]");
+    if (bat_unit_is_said(document)) {
+        bat_text_string(text, ",\n\"unit\":\"");
+        bat_text_string(text, bat_unit_name(bat_document_unit(document)));
+        bat_text_string(text, "\",\"scale\":");
+        bat_text_number(text, bat_document_scale(document));
+    }
+    bat_text_string(text, ",\n\"next\":");
     bat_text_integer(text, bat_document_next(document));
     write_pictures(document, pictures, text);
     if (pictures && bat_document_origin(document)) {

@@ -149,8 +149,9 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
     return status;
 }
 
+/* scale: what lengths are multiplied by. */
 static bat_status put_feature(bat_text *text, const bat_object *object, const bat_curve *curve,
-                              double tolerance) {
+                              double tolerance, double scale) {
     const size_t width = (size_t)bat_curve_dimension(curve);
     double *points = NULL;
     size_t count = 0;
@@ -164,7 +165,7 @@ static bat_status put_feature(bat_text *text, const bat_object *object, const ba
     for (size_t i = 0; status == BAT_OK && i < count; i++)
         for (size_t c = 0; c < width; c++) {
             bat_text_string(text, c > 0 ? "," : i > 0 ? ",[" : "[");
-            bat_text_number(text, points[i * width + c]);
+            bat_text_number(text, points[i * width + c] * scale);
             if (c + 1 == width) bat_text_string(text, "]");
         }
     bat_text_string(text, "]}}");
@@ -175,7 +176,7 @@ static bat_status put_feature(bat_text *text, const bat_object *object, const ba
 static bat_status write(const bat_document *document, char **out, size_t *size, bat_problem *problem) {
     bat_text text = {0};
     bool any = false, space;
-    const double tolerance = bat_lines_tolerance(document);
+    const double tolerance = bat_lines_tolerance(document), scale = bat_document_scale(document);
     bat_status status = BAT_OK;
     if (bat_lines_count(document, &space) == 0)
         return bat_problem_set(
@@ -186,7 +187,7 @@ static bat_status write(const bat_document *document, char **out, size_t *size, 
         const bat_object *object = bat_document_at(document, i);
         for (int k = 0; k < bat_object_curve_count(object) && status == BAT_OK; k++, any = true) {
             if (any) bat_text_string(&text, ",\n");
-            status = put_feature(&text, object, bat_object_curve(object, k), tolerance);
+            status = put_feature(&text, object, bat_object_curve(object, k), tolerance, scale);
         }
     }
     bat_text_string(&text, "\n]}\n");

@@ -1,9 +1,13 @@
 /* The walk through the elements of a drawing: calls the drawing function of each kind. */
 #include "base/matrix.h"
 #include "document/document.h"
+#include "document/unit.h"
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
+#include "text/number.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const uint32_t EFFECTS = BAT_SVG_BIT(BAT_SVG_MASK) | BAT_SVG_BIT(BAT_SVG_FILTER);
@@ -119,6 +123,63 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
     w->place = place;
 }
 
+/* ---- how large a file says that its drawing is (SVG 2, 8.2 and 8.6) ---- */
+
+/* What thirteen digits tell of a ratio, which was rounded twice: 1 where lengths in mm meet as many units. */
+static double even(double ratio) {
+    char text[32];
+    double value = ratio;
+    snprintf(text, sizeof text, "%.13g", ratio);
+    (void)bat_number_scan(text, text + strlen(text), &value);
+    return value;
+}
+
+/* A length that is none of the page's share. */
+static double given(const bat_svg_walk *w, const char *name, bat_unit *unit) {
+    const char *text = bat_svg_attribute_of(w, 1, name);
+    double value;
+    if (!text || strchr(text, '%') || !bat_svg_length(text, 0, &value) || !(value > 0)) return 0;
+    if (*unit == BAT_UNIT_PX) *unit = bat_unit_of(text);
+    return value;
+}
+
+/* The part of the plane that paper of that size shows, where its proportions are others than the box has; and what stretches
+ * the drawing, where they are made to agree. On a screen, whose size is none, the box is the page. */
+static void show(const double box[4], double wide, double high, const char *ratio, bool paper, double page[4],
+                 double stretch[6]) {
+    double m[6];
+    bat_svg_fit(box, 0, 0, wide, high, ratio, m);
+    if (!(m[0] > 0 && m[3] > 0) || fabs(wide * box[3] - high * box[2]) <= 1e-5 * wide * box[3]) return;
+    const double s = m[0] == m[3] ? m[0] : sqrt(m[0] * m[3]);
+    const double shown[4] = {-m[4] / s, -m[5] / s, wide / s, high / s};
+    for (int i = 0; i < 4; i++)
+        if (!(fabs(shown[i]) <= BAT_COORDINATE_MAX)) return;
+    if (m[0] == m[3]) {
+        if (paper) memcpy(page, shown, sizeof shown);
+        return;
+    }
+    stretch[0] = m[0] / s, stretch[3] = m[3] / s;
+    for (int i = 0; i < 4; i++) page[i] = box[i] * stretch[i % 2 ? 3 : 0];
+}
+
+/* Gives the document its page and its physical size; stretch: what is done to the drawing where width and height do not keep
+ * its proportions. boxed: there is a viewBox, which is w->page. */
+static void size_document(bat_svg_walk *w, bool boxed, double stretch[6]) {
+    const char *ratio = bat_svg_attribute_of(w, 1, "preserveAspectRatio");
+    const double *box = w->page;
+    bat_unit unit = BAT_UNIT_PX;
+    const double wide = given(w, "width", &unit), high = given(w, "height", &unit);
+    double page[4];
+    memcpy(page, box, sizeof page);
+    bat_matrix_identity(stretch);
+    if (boxed && box[2] > 0 && wide > 0 && high > 0)
+        show(box, wide, high, ratio, bat_unit_is_physical(unit), page, stretch);
+    bat_document_set_page(w->document, page);
+    const double one = bat_unit_millimetres(unit);
+    const double scale = w->pixel == 1 ? BAT_PX_MILLIMETRES : one * even(BAT_PX_MILLIMETRES / one / w->pixel);
+    (void)bat_document_set_scale(w->document, scale, unit);
+}
+
 /* The outermost viewBox defines the user units and the page; without one, width and height define the page. */
 void bat_svg_draw_root(bat_svg_walk *w) {
     w->draw = draw;
@@ -134,19 +195,21 @@ void bat_svg_draw_root(bat_svg_walk *w) {
     }
     if (!(page[2] > 0 && page[3] > 0)) memset(page, 0, sizeof page);
     if (page[2] > 0) none.width = page[2], none.height = page[3];
-    bat_document_set_page(w->document, page);
     memcpy(w->page, page, sizeof w->page);
     w->pixel = box ? bat_svg_pixel(page, bat_svg_attribute_of(w, 1, "width"),
                                    bat_svg_attribute_of(w, 1, "height"),
                                    bat_svg_attribute_of(w, 1, "preserveAspectRatio"))
                    : 1;
     bat_svg_scope s = none;
+    double stretch[6], own[6];
+    size_document(w, box, stretch);
     bat_svg_cascade(w, 1, &none, &s.style);
     s.opacity = s.style.opacity;
-    if (transform && !bat_svg_transform(transform, s.matrix)) bat_svg_note(&w->notes, 1, BAT_LOSS_BROKEN);
+    bat_matrix_identity(own);
+    if (transform && !bat_svg_transform(transform, own)) bat_svg_note(&w->notes, 1, BAT_LOSS_BROKEN);
+    bat_matrix_compose(stretch, own, s.matrix);
     bat_svg_note_element(w, 1);
     bat_svg_note_own_style(w, 1, &s.style);
-    bat_svg_note_page(&w->notes, page);
     if (!s.style.shown) {
         bat_svg_note(&w->notes, 1, BAT_LOSS_INVISIBLE);
         return;

@@ -3,9 +3,11 @@
 #include "base/matrix.h"
 #include "base/real.h"
 #include "document/document.h"
+#include "document/scale.h"
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
 #include "text/base64.h"
+#include "text/number.h"
 
 #include <batten/bezier.h>
 
@@ -16,6 +18,22 @@
 void bat_svg_write_number(bat_text *text, const char *attribute, double number) {
     bat_text_string(text, attribute);
     bat_text_number(text, number);
+    bat_text_string(text, "\"");
+}
+
+void bat_svg_write_size(bat_text *text, const char *attribute, double length, const bat_document *document) {
+    const bool said = document && bat_unit_is_said(document);
+    const bat_unit unit = said ? bat_document_unit(document) : BAT_UNIT_PX;
+    char digits[32];
+    bat_text_string(text, attribute);
+    if (said) { /* ten digits: a scale is a ratio that was rounded */
+        double value = length * bat_document_scale(document) / bat_unit_millimetres(unit);
+        snprintf(digits, sizeof digits, "%.10g", value);
+        (void)bat_number_scan(digits, digits + strlen(digits), &value);
+        bat_text_number(text, value);
+    } else
+        bat_text_number(text, length);
+    bat_text_string(text, bat_unit_is_physical(unit) ? bat_unit_name(unit) : "");
     bat_text_string(text, "\"");
 }
 

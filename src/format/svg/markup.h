@@ -20,6 +20,8 @@ bat_status bat_svg_write_curve(bat_text *text, const bat_curve *curve, const dou
 bool bat_svg_pen(const bat_object *object, double pen[6], double back[6]);
 /* attribute: with the space before it, and up to the quote behind it: ` width="`. */
 void bat_svg_write_number(bat_text *text, const char *attribute, double number);
+/* A length of the root, in the unit in which the document says its size; NULL: in px, one a unit. */
+void bat_svg_write_size(bat_text *text, const char *attribute, double length, const bat_document *document);
 void bat_svg_write_name(bat_text *text, const char *attribute,
                         const char *name); /* nothing for an empty name */
 enum { BAT_SVG_ID = 48 };

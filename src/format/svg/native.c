@@ -2,6 +2,7 @@
 #include "document/kind.h"
 #include "document/digest.h"
 #include "document/document.h"
+#include "document/scale.h"
 #include "format/native/native.h"
 #include "format/svg/digest.h"
 #include "format/svg/reader.h"
@@ -22,12 +23,14 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
     bat_status status = bat_document_read_with(reader->native.data ? reader->native.data : "",
                                                reader->native.size, pictures, &native, NULL, NULL);
     if (status != BAT_OK) return;
-    /* The page alone may have been changed; what a saved view shows is not the page. */
+    /* The page alone, or its size, may have been changed; what a saved view shows is not the page. */
     double page[4], written[4];
     bat_document_page(*document, page);
     bat_svg_page(native, written);
     const bool seen = bat_seen_view(native) && bat_seen_shown(native); /* the second comes later */
     if (memcmp(page, written, sizeof page) != 0 && !seen) bat_document_set_page(native, page);
+    if (!seen && !bat_unit_same(*document, native))
+        (void)bat_document_set_scale(native, bat_document_scale(*document), bat_document_unit(*document));
     report->edited = false;
     report->native = true;
     report->lost.count[BAT_LOSS_NATIVE] = 0;

@@ -1,9 +1,7 @@
 #include "format/svg/notes.h"
 
 #include "format/svg/svg.h"
-#include "text/number.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -119,21 +117,4 @@ void bat_svg_note_undrawn(bat_svg_notes *notes, uint32_t element) {
 void bat_svg_note_inside(bat_svg_notes *notes, uint32_t element) {
     for (uint32_t at = notes->tree->elements[element].first; at; at = notes->tree->elements[at].next)
         bat_svg_note_undrawn(notes, at);
-}
-
-void bat_svg_note_page(bat_svg_notes *notes, const double page[4]) {
-    static const char *const names[] = {"width", "height"}, SPACES[] = " \t\n\r\f";
-    const char *ratio = bat_svg_tree_attribute(notes->tree, 1, "preserveAspectRatio");
-    bool other = ratio && strncmp(ratio, "xMidYMid", 8) != 0;
-    for (int i = 0; i < 2; i++) {
-        const char *text = bat_svg_tree_attribute(notes->tree, 1, names[i]);
-        double value, number;
-        if (!text || strcmp(text, "100%") == 0 || !bat_svg_length(text, 0, &value)) continue;
-        text += strspn(text, SPACES);
-        const char *unit = bat_number_scan(text, text + strlen(text), &number);
-        const size_t size = strcspn(unit, SPACES);
-        bool plain = size == 0 || (size == 2 && strncmp(unit, "px", 2) == 0);
-        other = other || !plain || !(fabs(value - page[2 + i]) <= 1e-9 * fabs(value));
-    }
-    if (other) notes->lost->count[BAT_LOSS_PAGE] = 1;
 }

@@ -27,7 +27,5 @@ void bat_svg_note_odd(bat_svg_notes *notes, uint32_t element, uint32_t odd, uint
 void bat_svg_note_undrawn(bat_svg_notes *notes, uint32_t element);
 /* Notes the children of an element that is drawn as a whole: titles, animations. */
 void bat_svg_note_inside(bat_svg_notes *notes, uint32_t element);
-/* Notes the loss when the root's width, height or preserveAspectRatio differs from what the page gives. */
-void bat_svg_note_page(bat_svg_notes *notes, const double page[4]);
 
 #endif

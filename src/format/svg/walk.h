@@ -89,8 +89,8 @@ struct bat_svg_walk {
     bat_svg_tags tags;
     uint32_t *stamps, stamp;       /* of each element: the last content that needed it */
     uint32_t *styles, style_count; /* elements of style sheets */
-    double page[4];
-    double pixel; /* how long one is in the document's units: of strokes that do not scale */
+    double page[4];                /* the outermost viewBox */
+    double pixel;                  /* how long one is in the document's units: of strokes that do not scale */
     /* What each element became, when the file is kept (place.c). */
     bool keeps, copied; /* it is; what is drawn now is drawn from another place */
     double *opacities;  /* of elements, their own */

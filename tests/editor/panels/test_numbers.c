@@ -92,8 +92,44 @@ static void numbers_are_entered(void **state) {
     bat_editor_free(editor);
 }
 
+/* Lengths are those of the drawing's own scale, in the unit that it says: however many millimetres a unit is, 2 in are 50.8. */
+static void real_sizes(void **state) {
+    (void)state;
+    static const struct {
+        bat_unit unit;
+        double scale;
+        const char *whole, *typed;
+    } cases[] = {{BAT_UNIT_MM, 1, "200 mm", "50.8 mm"},
+                 {BAT_UNIT_CM, 1 / 3.78, "52.91 mm", "50.8 mm"},
+                 {BAT_UNIT_IN, 25.4, "200 in", "2 in"},
+                 {BAT_UNIT_PT, 25.4 / 72, "70.556 mm", "50.8 mm"},
+                 {BAT_UNIT_PX, 25.4 / 96 / 2, "100 px", "192 px"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bat_curve *curves[] = {segment(100, 100, 300, 200)};
+        bat_editor *editor = editor_with(1, curves);
+        bat_document *document = NULL;
+        double box[4];
+        assert_int_equal(bat_document_copy(editor->session.document, &document), BAT_OK);
+        assert_int_equal(bat_document_set_scale(document, cases[i].scale, cases[i].unit), BAT_OK);
+        assert_int_equal(bat_editor_open(editor, document, ""), BAT_OK);
+        bat_editor_select(editor, 1, false);
+        expect_number(editor, "width", cases[i].whole);
+        assert_int_equal(bat_editor_enter(editor, "width", "1in + 2.54cm"), BAT_OK);
+        bat_object_bounds(bat_document_at(editor->session.document, 0), box);
+        assert_true(fabs((box[2] - box[0]) * cases[i].scale - 50.8) < 1e-9);
+        expect_number(editor, "width", cases[i].typed);
+        assert_int_equal(bat_editor_enter(editor, "width", "6pc"), BAT_OK);
+        bat_object_bounds(bat_document_at(editor->session.document, 0), box);
+        assert_true(fabs((box[2] - box[0]) * cases[i].scale - 25.4) < 1e-9);
+        expect_number(editor, "missed", "");
+        assert_true(bat_document_unit(editor->session.document) == cases[i].unit);
+        bat_editor_free(editor);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(real_sizes),
         cmocka_unit_test(numbers_are_entered),
     };
     return cmocka_run_group_tests_name("numbers", tests, NULL, NULL);

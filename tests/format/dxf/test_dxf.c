@@ -60,6 +60,7 @@ static void there_and_back(void **unused) {
         style.width = 0.35;
         assert_int_equal(bat_curve_copy(curve, &copy), BAT_OK);
         assert_int_equal(bat_document_create(&document), BAT_OK);
+        assert_int_equal(bat_document_set_scale(document, 1, BAT_UNIT_MM), BAT_OK);
         assert_int_equal(bat_object_create_group(1,
                                                  "Gr\xC3\xB6\xC3\x9F"
                                                  "e",
@@ -118,6 +119,7 @@ static void arcs_are_near(void **unused) {
         double away, back_away;
         assert_int_equal(bat_curve_copy(curve, &copy), BAT_OK);
         assert_int_equal(bat_document_create(&document), BAT_OK);
+        assert_int_equal(bat_document_set_scale(document, 1, BAT_UNIT_MM), BAT_OK);
         assert_int_equal(bat_object_create_path(1, "", &style, 1, &copy, &object), BAT_OK);
         assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
         bat_object_release(object);

@@ -141,28 +141,46 @@ static void every_kind_is_found(void **state) {
         if (!found[k]) fail_msg("no case for %s", bat_loss_key((bat_loss)k));
 }
 
+/* Sizes are kept: nothing is lost of them. */
 static void page_sizes(void **state) {
     (void)state;
+    static const double PX = 25.4 / 96;
     static const struct {
         const char *root;
-        int lost;
-    } cases[] = {{"<svg/>", 0},
-                 {"<svg viewBox='0 0 20 10'/>", 0},
-                 {"<svg width='20' height='10'/>", 0},
-                 {"<svg width='20px' height='10' viewBox='5 5 20 10'/>", 0},
-                 {"<svg width='100%' height='100%' viewBox='0 0 20 10'/>", 0},
-                 {"<svg width='40' height='20' viewBox='0 0 20 10'/>", 1},
-                 {"<svg width='20mm' height='10mm' viewBox='0 0 20 10'/>", 1},
-                 {"<svg width='20mm' height='10mm'/>", 1},
-                 {"<svg width='50%' viewBox='0 0 20 10'/>", 1},
-                 {"<svg viewBox='0 0 20 10' preserveAspectRatio='none'/>", 1},
-                 {"<svg viewBox='0 0 20 10' preserveAspectRatio='xMidYMid meet'/>", 0}};
+        bat_unit unit;
+        double scale, page[4];
+    } cases[] = {
+        {"<svg/>", BAT_UNIT_PX, PX, {0}},
+        {"<svg viewBox='0 0 20 10'/>", BAT_UNIT_PX, PX, {0, 0, 20, 10}},
+        {"<svg width='20' height='10'/>", BAT_UNIT_PX, PX, {0, 0, 20, 10}},
+        {"<svg width='20px' height='10' viewBox='5 5 20 10'/>", BAT_UNIT_PX, PX, {5, 5, 20, 10}},
+        {"<svg width='100%' height='100%' viewBox='0 0 20 10'/>", BAT_UNIT_PX, PX, {0, 0, 20, 10}},
+        {"<svg width='40' height='20' viewBox='0 0 20 10'/>", BAT_UNIT_PX, 2 * PX, {0, 0, 20, 10}},
+        {"<svg width='20mm' height='10mm' viewBox='0 0 20 10'/>", BAT_UNIT_MM, 1, {0, 0, 20, 10}},
+        {"<svg width='20mm' height='10mm'/>", BAT_UNIT_MM, PX, {0, 0, 20 / PX, 10 / PX}},
+        {"<svg width='50%' viewBox='0 0 20 10'/>", BAT_UNIT_PX, PX, {0, 0, 20, 10}},
+        {"<svg width='50%' height='1IN' viewBox='0 0 20 10'/>", BAT_UNIT_IN, 2.54, {0, 0, 20, 10}},
+        {"<svg viewBox='0 0 20 10' preserveAspectRatio='none'/>", BAT_UNIT_PX, PX, {0, 0, 20, 10}},
+        {"<svg viewBox='0 0 20 10' preserveAspectRatio='xMidYMid meet'/>", BAT_UNIT_PX, PX, {0, 0, 20, 10}},
+        {"<svg width='20pt' height='20pt' viewBox='0 0 20 10'/>", BAT_UNIT_PT, 25.4 / 72, {0, -5, 20, 20}},
+        {"<svg width='4cm' height='1cm' viewBox='0 0 20 20' preserveAspectRatio='xMaxYMid'/>",
+         BAT_UNIT_CM,
+         0.5,
+         {-60, 0, 80, 20}},
+        {"<svg width='4cm' height='1cm' viewBox='0 0 20 20' preserveAspectRatio='none'/>",
+         BAT_UNIT_CM,
+         1,
+         {0, 0, 40, 10}}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bat_svg_report report;
-        bat_document_free(read_whole(cases[i].root, &report));
-        if (report.lost.count[BAT_LOSS_PAGE] != cases[i].lost ||
-            bat_losses_total(&report.lost) != cases[i].lost)
-            fail_msg("%s", cases[i].root);
+        double page[4];
+        bat_document *document = read_whole(cases[i].root, &report);
+        bool same = bat_document_unit(document) == cases[i].unit &&
+                    fabs(bat_document_scale(document) / cases[i].scale - 1) < 1e-12;
+        bat_document_page(document, page);
+        for (int k = 0; k < 4; k++) same = same && fabs(page[k] - cases[i].page[k]) < 1e-9;
+        if (!same || bat_losses_total(&report.lost) != 0) fail_msg("%s", cases[i].root);
+        bat_document_free(document);
     }
 }
 

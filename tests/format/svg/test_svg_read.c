@@ -95,7 +95,7 @@ static void pages_and_units(void **state) {
         const char *root;
         double page[4];
     } cases[] = {{"<svg width='2in' height='100'/>", {0, 0, 192, 100}},
-                 {"<svg width='2in' height='100' viewBox='0 0 20 10'/>", {0, 0, 20, 10}},
+                 {"<svg width='2in' height='96' viewBox='0 0 20 10'/>", {0, 0, 20, 10}},
                  {"<svg width='100%' height='100%'/>", {0, 0, 0, 0}},
                  {"<svg viewBox='0 0 0 10'/>", {0, 0, 0, 0}},
                  {"<svg/>", {0, 0, 0, 0}}};

@@ -5,14 +5,15 @@
 #include "editor/session/notice.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
+#include "editor/view/unit.h"
 #include <batten/measure.h>
 #include <batten/refine.h>
 #include <math.h>
 #include <stdio.h>
 
 static void notice_number(bat_context *c, bat_string text, double value) {
-    char number[32];
-    snprintf(number, sizeof number, "%.3g", value);
+    char number[BAT_UNIT_ROOM];
+    bat_unit_about(c, value, number);
     bat_notice_value(c, text, number);
 }
 

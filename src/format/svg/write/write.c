@@ -212,12 +212,12 @@ static bool has_layers(const bat_document *document) {
     return false;
 }
 
-/* The root's start tag; box: of the view, x, y, width, height. */
-static void open_root(bat_text *text, const double box[4], bool layers) {
+/* The root's start tag; box: of the view, x, y, width, height. sized: whose physical size it has; NULL: one px a unit. */
+static void open_root(bat_text *text, const double box[4], const bat_document *sized, bool layers) {
     bat_text_string(text, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"" BAT_SVG_NAMESPACE "\"");
     if (layers) bat_text_string(text, " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
-    bat_svg_write_number(text, " width=\"", box[2]);
-    bat_svg_write_number(text, " height=\"", box[3]);
+    bat_svg_write_size(text, " width=\"", box[2], sized);
+    bat_svg_write_size(text, " height=\"", box[3], sized);
     bat_text_string(text, " viewBox=\"");
     bat_svg_write_pair(text, box);
     bat_text_string(text, " ");
@@ -249,7 +249,7 @@ static bat_status write_anew(const bat_document *document, const bat_viewpoint *
             box[2] = view->size[0], box[3] = view->size[1];
         else
             bat_svg_page(document, box);
-        open_root(text, box, !view && has_layers(document));
+        open_root(text, box, view ? NULL : document, !view && has_layers(document));
         if (with_native) write_native(document, digest, view != NULL, text);
         if (objects.data) bat_text_add(text, objects.data, objects.size);
         text->failed = text->failed || objects.failed;
