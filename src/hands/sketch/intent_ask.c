@@ -66,6 +66,7 @@ static bat_status ask(bat_intent *intent, int index) {
  * better ones for all readings; but not what the stroke may extend both ways. */
 bat_status bat_intent_ask(bat_intent *intent, bool whole) {
     const double reach = bat_intent_reach_whole(intent);
+    intent->whole = whole;
     for (int i = 0; i < intent->line_count; i++) {
         bat_intent_near *near = &intent->line[i];
         near->usable = false;

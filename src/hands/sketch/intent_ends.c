@@ -46,6 +46,18 @@ static int first_beside(const bat_intent *intent, const bat_intent_near *near, i
                 : bat_runs_next(&intent->runs, 0, centre, within * within);
 }
 
+/* Whether half of the stroke up to place k, as far as it lies beside the line, lies on it. */
+static bool on_line(const bat_intent *intent, const bat_intent_near *near, int k, int side) {
+    const double on = fmax(intent->on * bat_intent_fine(intent, near), bat_intent_astray(intent, near));
+    double in = 0, beside = 0;
+    for (int i = first_beside(intent, near, side); i <= k; i++) {
+        const double ds = intent->ds[bat_intent_mirror(intent, i, side)];
+        if (intent->d[i] < INTENT_BESIDE) beside += ds;
+        if (intent->d[i] <= on) in += ds;
+    }
+    return in >= 0.5 * beside;
+}
+
 /* Runs along the curve up to place k at the end: feet are looked for from the end back, on so much of the curve as
  * the stroke is long. */
 static double run_along(bat_intent *intent, const bat_intent_near *near, int end, int k, int side,
@@ -74,7 +86,8 @@ static double run_along(bat_intent *intent, const bat_intent_near *near, int end
         if (foot.d < INTENT_BESIDE) ran += foot.c * intent->ds[m];
         intent->d[i] = foot.d, intent->c[i] = foot.c;
     }
-    if (!(ran > ran_least * bat_intent_fine(intent, near))) return INFINITY;
+    if (!(ran > ran_least * bat_intent_fine(intent, near)) || !on_line(intent, near, k, side))
+        return INFINITY;
     const double reach = bat_intent_reach(intent, near, ran);
     for (int i = k; i >= 0; i--) {
         const bat_foot kept = {.d = intent->d[i], .c = intent->c[i]};

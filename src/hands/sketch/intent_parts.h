@@ -83,6 +83,7 @@ typedef struct bat_intent_near {
 
 struct bat_intent {
     bool touch, chosen;
+    bool whole; /* the stroke has ended */
     double reach0, on;
     double size; /* diagonal of the box of the places */
     bat_polyline stroke;
@@ -139,6 +140,8 @@ double bat_intent_fine(const bat_intent *intent, const bat_intent_near *near);
 static inline double bat_intent_size(const bat_intent_near *near) {
     return bat_hypot(near->box[2] - near->box[0], near->box[3] - near->box[1]);
 }
+/* How far a stroke that follows the line may stray from it. */
+double bat_intent_astray(const bat_intent *intent, const bat_intent_near *near);
 double bat_intent_reach(const bat_intent *intent, const bat_intent_near *near, double ran);
 /* Of a stroke that runs all along a large line. */
 double bat_intent_reach_whole(const bat_intent *intent);

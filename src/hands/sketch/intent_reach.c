@@ -8,7 +8,10 @@
 enum { PROBES = 5, NEIGHBOURS = 64 };             /* so many lines beside one tell how far apart they lie */
 static const double parallel = 0.906307787036650; /* cosine of 25 degrees */
 static const double neighbour_most = 60, twin = 1.5;
+static const double as_long = 0.8; /* of the line: a stroke beside so much of it is rather a second one */
 static const double touches = 0.1; /* of the smaller of stroke and line: so near they touch */
+
+static const double astray = 0.05; /* of the smaller of both: so far off is a careless stroke over a line */
 
 double bat_intent_fine(const bat_intent *intent, const bat_intent_near *near) {
     if (intent->chosen) return 1;
@@ -30,6 +33,10 @@ double bat_intent_reach_whole(const bat_intent *intent) {
 double bat_intent_e(const bat_foot *foot, double sense, double reach) {
     const double off = foot->d / reach;
     return fmin(INTENT_FREE, off * off + 2 * (1 - sense * foot->c));
+}
+
+double bat_intent_astray(const bat_intent *intent, const bat_intent_near *near) {
+    return astray * fmin(intent->size, bat_intent_size(near));
 }
 
 double bat_intent_off(const bat_intent *intent, const bat_intent_near *near, double d) {
@@ -86,12 +93,25 @@ static double spacing(const bat_intent *intent, int index) {
     return found[PROBES - 2] > neighbour_most ? INFINITY : found[PROBES - 2];
 }
 
-/* Share of an open line that the stroke lies beside. */
+/* Share of a line that the stroke lies beside, its hooks included. */
 static double share(const bat_intent *intent, const bat_intent_near *near) {
     const bat_foot *foot = near->track[near->best].foot;
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < intent->places; i++) low = fmin(low, foot[i].s), high = fmax(high, foot[i].s);
-    return (high - low) / bat_polyline_length(&near->line);
+    return (high - low) * (1 + 2 * intent->hook / intent->length) / bat_polyline_length(&near->line);
+}
+
+/* Whether the first third of the stroke stays away from the line, or the last: it does not come back to it. While it is
+ * drawn it may still do so. */
+static bool comes_away(const bat_intent *intent, const bat_intent_near *near, double touching, bool long_as) {
+    const bat_foot *foot = near->track[near->best].foot;
+    const double within = fmax(long_as ? touching / 2 : touching, bat_intent_astray(intent, near));
+    const int n = intent->places;
+    double least[2] = {INFINITY, INFINITY};
+    if (!intent->whole || (near->line.closed && long_as)) return false; /* all round has no ends */
+    for (int i = 0; 3 * i < n; i++)
+        least[0] = fmin(least[0], foot[i].d), least[1] = fmin(least[1], foot[n - 1 - i].d);
+    return fmax(least[0], least[1]) > within;
 }
 
 static double total(const bat_intent *intent, const bat_intent_near *near, double reach) {
@@ -112,12 +132,15 @@ void bat_intent_evidence(bat_intent *intent, int index) {
     }
     double reach = bat_intent_reach(intent, near, near->ran);
     near->sum = total(intent, near, reach);
-    const double touching = fmin(intent->on, touches * fmin(intent->size, bat_intent_size(near)));
-    /* A stroke beside it all the way is rather a further line. What is too far in any case need not be looked
-     * at. */
-    if (near->least > touching && near->sum < 1.2 * intent->length + 40) {
-        if (!intent->chosen) reach = fmin(reach, INTENT_SPACING * spacing(intent, index));
-        if (share(intent, near) > 0.8) reach = fmin(reach, touching);
+    const double touching = fmax(fmin(intent->on, touches * fmin(intent->size, bat_intent_size(near))),
+                                 0.5 * bat_intent_astray(intent, near));
+    /* A stroke beside it all the way, or that does not come back to it, is rather a further line. What is too far in
+     * any case need not be looked at. */
+    if (near->sum < 1.2 * intent->length + 40) {
+        const bool long_as = share(intent, near) > as_long, beside = near->least > touching;
+        if (beside && !intent->chosen) reach = fmin(reach, INTENT_SPACING * spacing(intent, index));
+        if (!intent->chosen && (beside ? long_as : comes_away(intent, near, touching, long_as)))
+            reach = fmin(reach, touching);
         near->sum = total(intent, near, reach);
     }
     near->reach = reach;

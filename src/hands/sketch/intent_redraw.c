@@ -8,6 +8,7 @@ static const double steep = 0.642787609686539; /* sine of 40 degrees */
 /* Times the stretch that it redraws, and degrees; what is longer and winds more is a thing of its own. */
 static const double longer = 1.4, turns_most = 220;
 static const double shorter = 1.1; /* times itself; a short cut does not swing out */
+static const double corner = 40;   /* degrees, of a turn within a sixth of the stroke; a hump is round */
 static const double root = 0.2;    /* of the stroke, over which it leaves the curve */
 
 /* The sine of the angle at which the stroke's end leaves the curve; 1: it turns its back on it. */
@@ -36,11 +37,28 @@ static bool between(const bat_intent *intent, const bat_intent_near *near) {
     return tip_off(intent, near, 0) <= on && tip_off(intent, near, 1) <= on;
 }
 
+/* Whether the stroke turns at one corner more than all the way otherwise. */
+static bool pointed(const bat_intent *intent) {
+    enum { PLACES = 24 };
+    const double h = intent->length / 12;
+    double all, most = 0;
+    bat_intent_winding(intent, &all);
+    for (int i = 0; i <= PLACES; i++) {
+        const double a = intent->hook + 2 * h + (intent->length - 4 * h) * i / PLACES;
+        double u[2], v[2];
+        bat_intent_heading(intent, a - h, h, u);
+        bat_intent_heading(intent, a + h, h, v);
+        most = fmax(most, fabs(bat_atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1])));
+    }
+    most *= 180 / BAT_PI;
+    return most > corner && most > 0.5 * all;
+}
+
 /* A bold redraw leaves the curve and comes back to it, at no steep angle: however far it swings out, it means the curve.
  * Steeper ones are ears and handles. */
 static double bold(const bat_intent *intent, const bat_intent_near *near) {
     const bat_foot *foot = near->track[near->best].foot, *last = &foot[intent->places - 1];
-    if (!between(intent, near)) return INFINITY;
+    if (!between(intent, near) || pointed(intent)) return INFINITY;
     const double first = leaves(intent, near, 0) / steep, second = leaves(intent, near, 1) / steep;
     const double stretch = fabs(last->s - foot->s);
     double turns;

@@ -94,6 +94,14 @@ static const struct {
      BAT_INTENT_REDRAW}, /* up to the joint */
     {{3, {{0, 0, 400, 0}, {0, 20, 400, 20}, {0, 40, 400, 40}}, {{20, 60}, {380, 60}}, 2}, BAT_INTENT_NEW},
     {{0, {{0}}, {{20, 60}, {380, 60}}, 2}, BAT_INTENT_NEW},
+    {{1, {{0, 0, 400, 0}}, {{60, 1}, {300, 22}}, 2}, BAT_INTENT_NEW}, /* comes away from it */
+    {{1, {{0, 0, 400, 0}}, {{300, 22}, {60, 1}}, 2}, BAT_INTENT_NEW}, /* the same from the other end */
+    {{1, {{0, 0, 400, 0}}, {{60, 22}, {120, 3}, {330, 3}}, 3}, BAT_INTENT_REDRAW}, /* comes to it and stays */
+    {{1, {{0, 0, 400, 0}}, {{60, 3}, {270, 3}, {330, 22}}, 3}, BAT_INTENT_REDRAW},
+    {{1, {{0, 0, 400, 0}}, {{20, 12}, {380, 12}}, 2}, BAT_INTENT_NEW},          /* a double line */
+    {{1, {{0, 0, 400, 0}}, {{30, 0}, {200, 90}, {370, 0}}, 3}, BAT_INTENT_NEW}, /* a flap; humps are round */
+    {{1, {{0, 0, 400, 0}}, {{330, 12}, {520, 12}}, 2}, BAT_INTENT_NEW}, /* passes the end and never touches */
+    {{1, {{0, 0, 400, 0}}, {{330, 3}, {520, 3}}, 2}, BAT_INTENT_EXTEND},
 };
 
 static void known_relations(void **state) {
