@@ -420,6 +420,7 @@ static double measured(const trim *t) {
 bat_status bat_offset_trim(const bat_curve *raw, const bat_curve *curve, const bat_finder *finder,
                            double distance, double tolerance, double corner, const bat_brim *brim,
                            size_t *count, bat_curve ***out, double *max_error) {
+    tolerance = fmin(tolerance, BAT_COORDINATE_MAX); /* its square is a number */
     trim t = {.raw = raw, .finder = finder, .brim = brim, .distance = distance, .tolerance = tolerance};
     bat_status status = bat_clearance_create(curve, fabs(distance), tolerance, brim, &t.clearance);
     if (status == BAT_OK) status = cut_off(&t, corner);

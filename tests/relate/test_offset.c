@@ -254,6 +254,25 @@ static void bad_arguments(void **state) {
     bat_curve_free(space), bat_curve_free(curve);
 }
 
+/* A tolerance that no curve needs gives what any other such tolerance gives, up to those whose squares are infinite. */
+static void tolerances_beyond_all_sizes(void **state) {
+    (void)state;
+    double points[2 * 24];
+    for (int i = 0; i < 24; i++) points[2 * i] = i, points[2 * i + 1] = i % 4 - 1.5;
+    static const double tolerances[] = {1e30, 1e100, 1e154, 1e200, 1e300, (double)INFINITY};
+    bat_curve *curve, **all[6];
+    size_t counts[6];
+    assert_int_equal(bat_curve_create_clamped(2, 3, 24, points, &curve), BAT_OK);
+    for (int k = 0; k < 6; k++) {
+        assert_int_equal(bat_curve_offset(curve, 0.1, tolerances[k], 0.05, &counts[k], &all[k], NULL),
+                         BAT_OK);
+        assert_int_equal(counts[k], counts[0]);
+        for (size_t i = 0; i < counts[k]; i++) assert_true(bat_curve_is_equal(all[k][i], all[0][i]));
+    }
+    for (int k = 0; k < 6; k++) bat_curves_free(counts[k], all[k]);
+    bat_curve_free(curve);
+}
+
 /* A curve times a power of two has the offset and the outline times it, down to sizes whose squares vanish. */
 static void sizes_do_not_matter(void **state) {
     (void)state;
@@ -299,6 +318,7 @@ int main(void) {
         cmocka_unit_test(cusps_end),
         cmocka_unit_test(turns_between_samples_are_seen),
         cmocka_unit_test(bad_arguments),
+        cmocka_unit_test(tolerances_beyond_all_sizes),
         cmocka_unit_test(sizes_do_not_matter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
