@@ -2,7 +2,8 @@
 """Reads calls.txt and the public headers, and writes what the packages are made from.
 
 Usage: generate.py ROOT OUT. In OUT: calls.json (the calls, structs and enums; offsets for wasm32), exports.txt (the C
-functions), layout.c (asserts that a compiler for wasm32 lays structs out as calls.json says).
+functions), layout.c (asserts that a compiler for wasm32 lays structs out as calls.json says), docs.json (what the headers
+say of each function).
 """
 import json
 import pathlib
@@ -17,12 +18,14 @@ FREES = {"Curve": "bat_curve_free", "Finder": "bat_finder_free", "Chain": "bat_f
 # Called by hand-written parts of the packages.
 ALSO = [*FREES.values(), "bat_free", "bat_version", "bat_status_message", "bat_meeting_free", "bat_frame_chain_many"]
 CONSTANTS = {"BAT_DIMENSION_MAX": 3}
+TITLES = {"bat_frame3": "Frame"}  # of structs in the packages; the others are called as in C: Near, FitReport
 
 
 class Headers:
     def __init__(self, root):
-        self.calls, self.header, self.structs, self.enums = {}, {}, {}, {}
+        self.calls, self.header, self.structs, self.enums, self.docs = {}, {}, {}, {}, {}
         for path in sorted((root / "include/batten").glob("*.h")):
+            self.docs |= documented(path.read_text("utf-8"))
             text = re.sub(r"/\*.*?\*/", " ", path.read_text("utf-8"), flags=re.S)
             for returns, name, parameters in re.findall(r"BAT_API\s+([^;()]*?)\b(bat_\w+)\(([^;]*?)\);", text):
                 self.calls[name] = (" ".join(returns.split()), self.split(parameters))
@@ -95,6 +98,31 @@ class Headers:
         return {"size": -(-at // most) * most, "align": most, "fields": fields}
 
 
+def prose(comment):
+    """The text of a comment of C, a line a paragraph."""
+    text = re.sub(r"\n[ \t]*\*[ \t]*", "\n", comment[2:-2]).strip(" *\n")
+    return "\n".join(" ".join(one.split()) for one in re.split(r"\n\n+", text))
+
+
+def documented(text):
+    """The comment of each function: the one before it, which holds for all declarations up to an empty line, and the one behind it
+    on its line."""
+    found, said, before, last, since = {}, "", "", None, 0
+    for part in re.finditer(r"/\*.*?\*/|BAT_API\s[^;()#]*\bbat_\w+\([^;]*;|\n[ \t]*\n", text, re.S):
+        word = part[0]
+        if word.startswith("/*") and last and "\n" not in text[since:part.start()]:
+            found[last] = f"{found[last]}\n{prose(word)}".strip()
+        elif word.startswith("/*"):
+            said, before, last = prose(word), said or before, None
+            said = f"{before}\n{said}".strip() if said.startswith("The same") else said
+        elif word.startswith("BAT_API"):
+            last, since = re.search(r"\b(bat_\w+)\(", word)[1], part.end()
+            found[last] = said
+        elif word.isspace():
+            said, before, last = "", said or before, None
+    return found
+
+
 def rows(path):
     """(C name or header, names or None, words or reason) of calls.txt."""
     for line in path.read_text("utf-8").splitlines():
@@ -107,7 +135,8 @@ def used(headers, type_, found):
     """Adds the structs and enums that a type needs."""
     bare = re.sub(r"\bconst\b|\*", "", type_).strip()
     if bare in headers.structs and bare not in found and bare not in CLASSES:
-        found[bare] = headers.layout(bare)
+        title = re.sub(r"_(\w)", lambda letter: letter[1].upper(), bare.removeprefix("bat"))
+        found[bare] = {**headers.layout(bare), "title": TITLES.get(bare, title)}
         for inner, _, _ in headers.fields(bare):
             used(headers, inner, found)
 
@@ -142,6 +171,8 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
     write(out / "calls.json", json.dumps({"calls": calls, "structs": structs, "enums": enums, "inits": inits,
                                           "classes": CLASSES, "frees": FREES}, indent=None) + "\n")
+    docs = {call["c"]: f"{headers.docs[call['c']]}\nIn C: {call['c']}, <batten/{headers.header[call['c']]}>".strip() for call in calls}
+    write(out / "docs.json", json.dumps(docs, indent=0, ensure_ascii=False) + "\n")
     exports = sorted({call["c"] for call in calls} | set(ALSO) | set(inits.values()))
     write(out / "exports.txt", "\n".join(exports) + "\n")
     lines = ["#include <batten/batten.h>", ""]

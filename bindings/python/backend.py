@@ -1,5 +1,6 @@
-"""Builds the wheel batten-core: libbatten, made by CMake in a folder of its own, and the Python files. Needs cmake and a C compiler,
-no network. BATTEN_LIBRARY names a shared library that has been built already.
+"""Builds the wheel batten-core: libbatten, made by CMake in a folder of its own, and the Python files. Needs CMake, a program that it
+drives (make or ninja) and a C compiler; no network. What is missing is said before anything is compiled. BATTEN_LIBRARY names a
+shared library that has been built already.
 """
 import base64
 import hashlib
@@ -7,6 +8,7 @@ import importlib.util
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -27,16 +29,52 @@ Requires-Dist: numpy
 """
 
 
+def say(text):
+    print(f"batten: {text}", flush=True)
+
+
+def missing():
+    """What compiling needs and is not here, with a way to get it."""
+    tools = {"CMake": ([os.environ.get("CMAKE", "cmake")], "apt install cmake, brew install cmake, or pip install cmake")}
+    if sys.platform != "win32":  # there, CMake finds Visual Studio by itself
+        tools["C compiler"] = ([os.environ.get("CC", "cc").split()[0], "gcc", "clang"], "apt install gcc, or xcode-select --install")
+        tools["make or ninja"] = (["make", "gmake", "ninja"], "apt install make")
+    return [f"{what} ({how})" for what, (names, how) in tools.items() if not any(map(shutil.which, names))]
+
+
+def prepared():
+    """Says what is needed, before anything is compiled."""
+    if os.environ.get("BATTEN_LIBRARY"):
+        return
+    if lacking := missing():
+        sys.exit("batten is compiled from C when it is installed. This machine has no " + ", no ".join(lacking)
+                 + ". Install what is missing and try again; or let BATTEN_LIBRARY name a libbatten that has been built.")
+
+
 def get_requires_for_build_wheel(config_settings=None):
+    prepared()
     return []
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Without this, pip would compile everything to learn the version."""
+    folder = pathlib.Path(metadata_directory) / INFO
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "METADATA").write_text(METADATA, "utf-8")
+    return INFO
 
 
 def library(folder):
     """The shared library: as given, or built."""
     if given := os.environ.get("BATTEN_LIBRARY"):
         return pathlib.Path(given).resolve()
-    subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DBATTEN_PROGRAM=OFF", "-DBATTEN_SVG=OFF"], check=True)
-    subprocess.run(["cmake", "--build", folder, "--target", "batten_shared", "--parallel", str(os.cpu_count() or 2)], check=True)
+    prepared()
+    cmake, jobs = os.environ.get("CMAKE", "cmake"), str(os.cpu_count() or 2)
+    say("1 of 3: CMake looks at the compiler")
+    subprocess.run([cmake, "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DBATTEN_PROGRAM=OFF", "-DBATTEN_SVG=OFF"], check=True)
+    say(f"2 of 3: compiling the library with {jobs} jobs (a minute or more)")
+    subprocess.run([cmake, "--build", folder, "--target", "batten_shared", "--parallel", jobs], check=True)
+    say("3 of 3: packing")
     found = [*folder.glob("libbatten.so"), *folder.glob("libbatten*.dylib"), *folder.glob("**/batten*.dll")]
     return found[0].resolve()
 
@@ -47,7 +85,8 @@ def made(folder):
     spec = importlib.util.spec_from_file_location("stubs", HERE / "stubs.py")
     stubs = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(stubs)
-    return {"batten/calls.json": (folder / "calls.json").read_bytes(), "batten/__init__.pyi": stubs.text(folder / "calls.json").encode()}
+    return {**{f"batten/{name}": (folder / name).read_bytes() for name in ("calls.json", "docs.json")},
+            "batten/__init__.pyi": stubs.text(folder / "calls.json").encode()}
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

@@ -43,14 +43,14 @@ BAT_API bat_status bat_curve_create_clamped(int dimension, int degree, size_t co
 BAT_API bat_status bat_curve_copy(const bat_curve *curve, bat_curve **out);
 BAT_API void bat_curve_free(bat_curve *curve); /* NULL is fine */
 
-BAT_API int bat_curve_degree(const bat_curve *curve);
-BAT_API int bat_curve_dimension(const bat_curve *curve);
-BAT_API bool bat_curve_is_closed(const bat_curve *curve);
-BAT_API size_t bat_curve_count(const bat_curve *curve);         /* control points, n */
-BAT_API int bat_curve_knot_count(const bat_curve *curve);       /* n + p + 1, or n + 1 when closed */
-BAT_API const double *bat_curve_knots(const bat_curve *curve);  /* owned by the curve */
-BAT_API const double *bat_curve_points(const bat_curve *curve); /* owned by the curve */
-BAT_API void bat_curve_domain(const bat_curve *curve, double domain[2]);
+BAT_API int bat_curve_degree(const bat_curve *curve);                    /* 1 to 7 */
+BAT_API int bat_curve_dimension(const bat_curve *curve);                 /* 2 or 3 */
+BAT_API bool bat_curve_is_closed(const bat_curve *curve);                /* whether it is periodic */
+BAT_API size_t bat_curve_count(const bat_curve *curve);                  /* control points, n */
+BAT_API int bat_curve_knot_count(const bat_curve *curve);                /* n + p + 1, or n + 1 when closed */
+BAT_API const double *bat_curve_knots(const bat_curve *curve);           /* owned by the curve */
+BAT_API const double *bat_curve_points(const bat_curve *curve);          /* owned by the curve */
+BAT_API void bat_curve_domain(const bat_curve *curve, double domain[2]); /* first and last parameter */
 /* Length of the diagonal of the control points' box: the "size" that relative bounds refer to. O(count). */
 BAT_API double bat_curve_size(const bat_curve *curve);
 /* Bitwise equality of shape and representation. O(count). */

@@ -2,14 +2,20 @@
 """The Python package, built by pip and installed into an empty folder: beside scipy, with views, types and errors; and the page
 docs/python.md, whose code is run. Usage: BATTEN_LIBRARY=libbatten.so test_python.py ROOT
 """
+import copy
+import dataclasses
 import doctest
 import gc
+import multiprocessing
 import os
 import pathlib
+import pickle
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 import numpy as np
@@ -181,7 +187,169 @@ class Errors(unittest.TestCase):
             live.preview()
 
 
+@dataclasses.dataclass
+class Holder:
+    curve: object
+    shape: object
+
+
+def halfway(curve):
+    return curve.at(float(curve.domain.mean()))
+
+
+def elevated(curve):
+    return curve.elevate(7).elevate(8)
+
+
+class Values(unittest.TestCase):
+    def setUp(self):
+        self.open = batten.fit(WAVE)
+        self.closed = batten.curve([[0, 0], [1, 0], [1, 1], [0, 1]], np.arange(5.0), degree=2, closed=True)
+        self.shape = self.open.levels(2)
+        self.shape.drag(0, 0.5, [0, 5]).set_gain(1, 2.0).set_muted(2, True).commit()
+
+    def test_copy_compare_hash_and_pickle(self):
+        for curve in (self.open, self.closed, self.open.to_dimension(3)):
+            for other in (copy.copy(curve), copy.deepcopy(curve), pickle.loads(pickle.dumps(curve))):
+                self.assertEqual((other, hash(other), other.report), (curve, hash(curve), curve.report))
+                self.assertEqual({curve: "found"}[other], "found")
+        self.assertNotEqual(self.open, self.closed)
+        self.assertNotEqual(self.open, 3)
+        for other in (copy.deepcopy(self.shape), pickle.loads(pickle.dumps(self.shape))):
+            self.assertEqual([other.curve(level) for level in range(3)], [self.shape.curve(level) for level in range(3)])
+            self.assertEqual((other.gain(1), other.is_muted(2), other.options), (2.0, True, self.shape.options))
+            before = self.shape.curve(0)
+            other.drag(0, 0.5, [0, 1])
+            self.assertEqual(self.shape.curve(0), before)
+        finder, chain = self.open.finder(), self.open.frame_chain(rule="fixed")
+        for make in (copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))):
+            self.assertEqual(make(finder).nearest([1, 2]), finder.nearest([1, 2]))
+            self.assertEqual(make(chain).at(0.3), chain.at(0.3))
+        kept = dataclasses.asdict(Holder(self.open, self.shape))
+        self.assertEqual(kept["curve"], self.open)
+        self.assertEqual(pickle.loads(pickle.dumps(self.open.bounds)).low.tolist(), self.open.bounds.low.tolist())
+        for live in (self.open.live(), self.shape.live(0)):
+            for make in (copy.copy, copy.deepcopy, pickle.dumps):
+                with self.assertRaisesRegex(TypeError, "cannot be copied or pickled"):
+                    make(live)
+
+    def test_what_ends_gives_back_what_others_need(self):
+        points, finder, other = self.open.points, self.open.finder(), copy.copy(self.open)
+        with self.open:
+            pass
+        self.assertEqual(points.shape, (other.count, 2))
+        self.assertEqual(finder.nearest(points[0]).distance, 0)
+        with self.assertRaisesRegex(batten.BattenError, "freed"):
+            self.open.at(0.5)
+
+    def test_processes(self):
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            for found in pool.map(halfway, [self.open] * 4):
+                np.testing.assert_array_equal(found, halfway(self.open))
+            with self.assertRaisesRegex(batten.BattenError, "degree: expected a whole number from 1 to 7, found 8"):
+                pool.map(elevated, [self.open])
+        fresh = "import pickle, sys; curve = pickle.load(sys.stdin.buffer); print(curve.count)"
+        told = subprocess.run([sys.executable, "-c", fresh], input=pickle.dumps(self.open), capture_output=True, env={**os.environ, "PYTHONPATH": PLACE.name})
+        self.assertEqual(told.stdout.decode().strip(), str(self.open.count), told.stderr.decode())
+
+    def test_threads_and_forks_amid_them(self):
+        live, middle, faults = self.open.live(), float(self.shape.curve(0).domain.mean()), []
+        before = self.shape.curve(0).at(middle)
+
+        def draw():
+            try:
+                for k in range(200):
+                    live.add(0.1 * k, 2.0 + k % 3)
+                    self.shape.drag(0, middle, [0, 0.01])
+            except Exception as error:  # noqa: BLE001: whatever it is
+                faults.append(error)
+
+        threads = [threading.Thread(target=draw) for _ in range(8)]
+        for thread in threads:
+            thread.start()
+        for _ in range(5):
+            child = os.fork()
+            if not child:
+                self.shape.drag(0, middle, [0, 1])
+                os._exit(0)
+            self.assertEqual(os.waitpid(child, 0)[1], 0)
+        for thread in threads:
+            thread.join()
+        self.assertEqual(faults, [])
+        np.testing.assert_allclose(self.shape.curve(0).at(middle), before + [0, 16], atol=1e-6)
+
+    def test_places(self):
+        middle, end = float(self.open.domain.mean()), self.open.domain[1]
+        np.testing.assert_array_equal(self.open(middle), self.open.at_many([middle])[0])
+        u = np.array([[0.0, middle], [middle, end]])
+        self.assertEqual((self.open(u).shape, self.open(u, order=1).shape), ((2, 2, 2), (2, 2, 2, 2)))
+        np.testing.assert_allclose(self.open(u)[1, 1], self.open.at(end), rtol=1e-14)
+        np.testing.assert_array_equal(self.open(np.float32(0.5)), self.open(0.5))
+
+    def test_numbers_of_any_kind(self):
+        for points in (WAVE[::-1][::-1], np.asfortranarray(WAVE), WAVE.astype(">f8"), np.broadcast_to(WAVE, WAVE.shape)):
+            self.assertEqual(batten.fit(points), self.open)
+        self.assertEqual(batten.fit(WAVE.astype(np.float32)), batten.fit(WAVE.astype(np.float32).astype(float)))
+        self.assertEqual(batten.clamped(np.array([[0, 0], [3, 4]], dtype=np.int8), degree=1).length(), 5)
+        bytes_ = np.frombuffer(b"x" + WAVE.tobytes(), dtype=np.uint8)[1:].view(np.float64).reshape(WAVE.shape)
+        self.assertEqual(batten.fit(bytes_), self.open)
+        spline = interpolate.BSpline(self.open.knots, self.open.points, self.open.degree)
+        np.testing.assert_allclose(spline(0.5), self.open(0.5), atol=1e-12)
+
+
+class Building(unittest.TestCase):
+    def test_what_is_missing_is_said_first(self):
+        ask = "import sys; sys.path.insert(0, sys.argv[1]); import backend; backend.get_requires_for_build_wheel()"
+        bare = {name: value for name, value in os.environ.items() if name not in ("BATTEN_LIBRARY", "CMAKE", "CC")} | {"PATH": PLACE.name}
+        told = subprocess.run([sys.executable, "-B", "-c", ask, ROOT / "bindings/python"], capture_output=True, text=True, env=bare)
+        self.assertEqual((told.returncode, told.stdout), (1, ""))
+        self.assertRegex(told.stderr, r"no CMake \(.*no a C compiler|no CMake \(apt install cmake")
+
+    def test_metadata_without_compiling(self):
+        ask = "import sys; sys.path.insert(0, sys.argv[1]); import backend; print(backend.prepare_metadata_for_build_wheel(sys.argv[2]))"
+        told = subprocess.run([sys.executable, "-B", "-c", ask, ROOT / "bindings/python", PLACE.name], capture_output=True, text=True)
+        self.assertIn("Name: batten-core", pathlib.Path(PLACE.name, told.stdout.strip(), "METADATA").read_text("utf-8"))
+
+
+class End(unittest.TestCase):
+    def test_no_crash_at_the_end_of_a_process(self):
+        left = ("import batten, threading\nc = batten.clamped([[0, 0], [1, 1]], degree=1)\ns, v = c.shape(), c.points\n"
+                "f, live = c.finder(), c.live()\nclass Last:\n    def __del__(self): print(c.at(0.5), s.levels)\nlast = Last()\n"
+                "threading.Thread(target=lambda: [c.at(0.5) for _ in range(10 ** 7)], daemon=True).start()")
+        told = subprocess.run([sys.executable, "-c", left], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": PLACE.name})
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+
+
 class Types(unittest.TestCase):
+    def test_help_says_what_the_headers_say(self):
+        self.assertIn("Global closest point; of equally close ones, the one with the smaller u.", batten.Curve.nearest.__doc__)
+        self.assertIn("<batten/fit.h>", batten.fit.__doc__)
+        stubs = pathlib.Path(PLACE.name, "batten/__init__.pyi").read_text("utf-8")
+        for kind in (batten.Curve, batten.Finder, batten.Chain, batten.Shape, batten.LiveShape, batten.LiveSketch):
+            for name, one in vars(kind).items():
+                if not name.startswith("_") and name != "report":
+                    self.assertTrue(one.__doc__ and not one.__doc__.startswith("In C:"), f"{kind.__name__}.{name}")
+                    self.assertRegex(stubs, rf"\bdef {name}\(.*:\n +\"\"\"")
+
+    def test_no_any(self):
+        self.assertNotRegex(pathlib.Path(PLACE.name, "batten/__init__.pyi").read_text("utf-8"), r"\bAny\b(?! use)")
+        sample = pathlib.Path(PLACE.name) / "strict.py"
+        sample.write_text("import batten\ncurve = batten.fit([[0, 0], [1, 1]], tolerance=0.5)\nfar: float = curve.nearest([1, 2]).distance\n"
+                          "worst: float = curve.report.max_error\nplaces = curve([0.1, 0.2], order=1)\nwith curve.live() as live:\n"
+                          "    live.add(1, 2).add_many({'points': [[1, 2]], 'pressure': [1]})\n"
+                          "batten.spline({'points': [[0, 0], [1, 2]]}, tangents=[None, [1, 0]])\n"
+                          "batten.combine('union', [curve, [curve], {'curves': [curve], 'even_odd': True}], 0.1)\n")
+        told = subprocess.run(["mypy", "--strict", "--no-incremental", "--cache-dir=/dev/null", "strict.py"], cwd=PLACE.name, capture_output=True, text=True).stdout
+        self.assertIn("Success", told)
+        if pyright := shutil.which("pyright"):
+            run = [pyright, "--pythonpath", sys.executable]
+            told = subprocess.run([*run, "strict.py"], cwd=PLACE.name, capture_output=True, text=True).stdout
+            self.assertIn("0 errors", told)
+            told = subprocess.run([*run, "--verifytypes", "batten", "--ignoreexternal"], cwd=PLACE.name, capture_output=True, text=True,
+                                  env={**os.environ, "PYTHONPATH": PLACE.name}).stdout
+            self.assertRegex(told, r"With unknown type: 0\b")
+            self.assertNotRegex(told, r"With (ambiguous|unknown) type: [1-9]")
+
     def test_mypy(self):
         sample = pathlib.Path(PLACE.name) / "sample.py"
         sample.write_text("import batten\ncurve = batten.fit([[0, 0], [1, 1]], tolerance=0.5)\ncount: int = curve.count\n"

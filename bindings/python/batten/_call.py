@@ -3,14 +3,19 @@ import collections
 import ctypes
 import functools
 import inspect
+import numbers
 import re
 
 import numpy as np
 
-from ._library import (CLASSES, NUMPY, SCALARS, STRUCTS, TABLE, BattenError, bare, check, copied, doubles, lib, pointer, record,
-                       value_type)
+from ._library import (CLASSES, DOCS, NUMBERS_MOST, NUMPY, SCALARS, STRUCTS, TABLE, BattenError, Record, bare, check, copied, doubles,
+                       integers, lib, pointer, record, shown, value_type, wrong)
 
 KINDS = {}  # the classes, by name
+RESULTS = {}  # the tuples that calls with several results give, by name
+WITHIN = {"dimension": (2, 3), "degree": (1, 7), "order": (0, 7), "per_span": (1, 4096), "substeps": (0, 4096), "steps": (0, 4096),
+          "times": (1, 8), "solves_max": (0, 4096), "pins": (0, 1 << 20)}  # whole numbers that have no use beyond, by name
+FAST = {float, int, np.float64}
 Word = collections.namedtuple("Word", "kind name type bare formula whole optional missing least handed ends", defaults=[None] * 9)
 LITERALS = {"false": False, "true": True, "inf": float("inf")}
 
@@ -45,7 +50,8 @@ def parse(word, type_):
 class Plan:
     """A call, prepared."""
 
-    def __init__(self, call):
+    def __init__(self, call, name):
+        self.name = name
         self.c, self.returns, self.returned = call["c"], call["returns"], call["returned"]
         self.words = [parse(*one) for one in call["args"]]
         own = [w for w in self.words if w.kind in ("scalar", "array", "struct")]
@@ -53,7 +59,19 @@ class Plan:
         self.defaults = {w.name: w.missing for w in own if w.optional or w.missing is not None}
         self.fields = [f["name"] for w in self.words if w.kind in ("options", "struct") and w.name != "regions"
                        for f in TABLE["structs"][w.bare]["fields"] if f["name"] not in ("size", "count", "points", "dimension")]
-        self.options = {name: None for name in [*self.defaults, *self.fields, "dimension"] if name not in self.required}
+        flat = ["dimension"] if any(w.kind in ("dim", "struct") and w.name != "regions" for w in self.words) else []
+        self.options = {name: None for name in [*self.defaults, *self.fields, *flat] if name not in self.required}
+        self.arrays = [w for w in self.words if w.kind == "array" and "dim" in w.formula or w.kind == "struct" and w.name != "regions"]
+        results = [w for w in self.words if w.kind == "result"]
+        used = {part for w in results for part in re.findall(r"\w+", w.formula or "")}
+        if any(w.kind == "room" for w in self.words):
+            used.add("count")
+        self.shown = [w for w in results if w.name not in used]
+        made = any(w.bare in CLASSES and not w.handed for w in self.shown)
+        if len(self.shown) > 1 and not made:
+            title = "".join(part.title() for part in [call["names"][0].split(".")[0].replace("b", ""), *name.split("_")])
+            RESULTS[title] = collections.namedtuple(title, [w.name for w in self.shown], module="batten")
+            self.results = RESULTS[title]
         self.function = getattr(lib, self.c)
         self.function.argtypes = [self.c_type(w) for w in self.words]
         kind = bare(self.returns)
@@ -71,36 +89,62 @@ class Call:
         self.plan, self.self, self.options, self.kept, self.results = plan, self_, options, [], []
         self.values = dict(zip(plan.required, given))
         self.values |= {name: options.get(name) for name in plan.defaults}
+        self.arrays = {}
         self.dim = self.dimension()
         self.counting = False
 
     def dimension(self):
         if self.self is not None:
+            if (given := self.options.get("dimension")) is not None and converted("int", given, "dimension") != self.self.dim:
+                raise wrong("dimension", self.self.dim, shown(given), "dimension")
             return self.self.dim
         if self.options.get("dimension") is not None:
-            return self.options["dimension"]
-        for word in self.plan.words:
-            if word.kind == "array" and "dim" in word.formula or word.kind == "struct" and word.name != "regions":
-                value = self.values[word.name]
-                array = doubles(value.get("points") if isinstance(value, dict) else value, word.name)
-                return array.shape[1] if array.ndim == 2 else array.size if word.whole and word.formula == "dim" else 2
+            return converted("int", self.options["dimension"], "dimension")
+        for word in self.plan.arrays:
+            if self.values[word.name] is not None:
+                array = self.points(word)
+                found = array.shape[1] if array.ndim == 2 else array.size if word.whole and word.formula == "dim" else 2
+                if found not in (2, 3):
+                    raise wrong(word.name, "points of 2 or 3 coordinates", shown(array), "dimension" if found else "count")
+                return found
         return 2
+
+    def points(self, word):
+        """The numbers of an argument that is an array, or has one."""
+        if word.name not in self.arrays:
+            value = self.values[word.name]
+            if isinstance(value, dict) and word.kind == "struct":
+                fields = [f["name"] for f in TABLE["structs"][word.bare]["fields"] if f["name"] != "count"]
+                if "points" not in value or not value.keys() <= set(fields):
+                    raise wrong(word.name, f"a dict of points and perhaps {', '.join(f for f in fields if f != 'points')}",
+                                f"one of {', '.join(map(str, value)) or 'nothing'}")
+                value = value["points"]
+            self.arrays[word.name] = doubles(value, word.name)
+        return self.arrays[word.name]
 
     def evaluate(self, formula):
         """The value of a formula of calls.txt, such as (order+1)*dim."""
+        if formula.isidentifier():
+            return int(self.look(formula))
         names = {name: self.look(name) for name in re.findall(r"#?[a-z_]\w*", formula)}
         text = re.sub(r"#?[a-z_]\w*", lambda found: repr(names[found[0]]), formula)
         if not re.fullmatch(r"[\d.()+*/ -]+", text):
             raise BattenError("argument", f"{formula} is not a number")
         found = eval(text, {"__builtins__": {}})  # digits and operators of our own table
         if found != int(found):
-            raise BattenError("count", "the numbers do not make whole points")
+            counted = [name for name in names if name[0] == "#"]
+            raise wrong(counted[0][1:] if counted else formula, f"a number of points of which {formula} is whole", names[counted[0]] if counted else found, "count")
         return int(found)
 
     def shape(self, formula):
         """The factors of a formula as the shape of an array; what has no derivatives has no axis for them."""
         factors = re.findall(r"\([^)]*\)|[^*]+", formula)
-        return tuple(self.evaluate(f) for f in factors if not (f == "(order+1)" and self.values["order"] in (0, None)))
+        shape = tuple(self.evaluate(f) for f in factors if not (f == "(order+1)" and self.values["order"] in (0, None)))
+        most = float(np.prod(shape, dtype=np.float64))
+        if min(shape) < 0 or most > NUMBERS_MOST:
+            names = [name for name in re.findall(r"[a-z]\w*", formula) if name in self.values]
+            raise wrong(names[0] if names else formula, f"results of 0 to {NUMBERS_MOST} numbers", f"{most:.0f}", "count")
+        return shape
 
     def look(self, name):
         if name == "dim":
@@ -118,12 +162,26 @@ class Call:
         if value is None and word.optional:
             return 0
         if name == "regions":
+            if not isinstance(value, (list, tuple)):
+                raise wrong(name, "a list", shown(value))
             return len(value)
-        size = doubles(value["points"] if isinstance(value, dict) else value, name).size
+        size = self.points(word).size
         each = self.dim if word.kind == "struct" else 1 if word.whole else self.evaluate(word.formula)
         if size % each:
-            raise BattenError("count", f"{name} has {size} numbers, in points of {each}")
+            raise wrong(name, f"points of {each} numbers", f"{size} numbers", "count")
         return size // each
+
+    def address(self, value, kind, name):
+        """The address of an object, which lives as long as the call."""
+        if not isinstance(value, KINDS[kind]):
+            raise wrong(name, f"a {kind}", shown(value))
+        if kind == "Curve" and value is not self.self and name != "regions" and self.plan.name != "is_equal" and value.dim != self.dim:
+            raise wrong(name, f"a Curve of dimension {self.dim}", f"one of dimension {value.dim}", "dimension")
+        if value is not self.self and not value._own:
+            raise wrong(name, f"a {kind}", f"one that has been {value._ended}", "state")
+        memory = value._memory()
+        self.kept.append(memory)
+        return memory.address
 
     def scalar(self, word):
         value = self.values[word.name]
@@ -134,21 +192,26 @@ class Call:
                      else int(word.missing) if re.fullmatch(r"\d+", word.missing) else word.missing)
             self.values[word.name] = value
         if word.bare in CLASSES:
-            return address_of(value, CLASSES[word.bare], word.name)
-        if word.least is not None and not (isinstance(value, int) and int(word.least) <= value <= self.self.level_total()):
-            raise BattenError("argument", f"there is no level {value}")
-        return converted(word.bare, value, word.name)
+            return self.address(value, CLASSES[word.bare], word.name)
+        if word.bare == "double" and word.missing == "inf" and isinstance(value, (float, np.floating)) and value == np.inf:
+            return value
+        value = converted(word.bare, value, word.name)
+        if word.least is not None and not int(word.least) <= value <= self.self._level_total():
+            raise wrong(word.name, f"a level from {word.least} to {self.self._level_total()}", value)
+        if word.bare in ("int", "size_t"):
+            self.values[word.name] = value
+        return value
 
     def array(self, word):
         value = self.values[word.name]
         if value is None and word.optional:
             return None
-        array = doubles(value, word.name, self.dim)
+        array = self.points(word)
         if array.ndim == 2 and "dim" in word.formula and not word.whole and array.shape[1] != self.dim:
-            raise BattenError("dimension", f"{word.name} have {array.shape[1]} coordinates, not {self.dim}")
+            raise wrong(word.name, f"points of {self.dim} coordinates", shown(array), "dimension")
         size = self.evaluate(word.formula)
         if array.size != size if word.whole else array.size % size:
-            raise BattenError("count", f"{word.name} has {array.size} numbers{', not ' if word.whole else ', in points of '}{size}")
+            raise wrong(word.name, f"{size} numbers" if word.whole else f"points of {size} numbers", shown(array), "count")
         self.kept.append(array)
         return pointer(array)
 
@@ -156,17 +219,17 @@ class Call:
         fields = TABLE["structs"][struct]["fields"]
         name, type_ = field["name"], field["type"]
         if type_.endswith("*"):
-            array = doubles(value, name, size) if bare(type_) == "double" else np.ascontiguousarray(value, dtype=np.intc)
+            array = doubles(value, name, size) if bare(type_) == "double" else integers(value, name)
             self.kept.append(array)
             setattr(item, name, array.ctypes.data)
             before = fields[fields.index(field) - 1]["name"]
             if before.endswith("_count"):
                 setattr(item, before, array.size)
         elif field["room"]:
-            numbers = doubles(value, name).ravel()
-            if numbers.size > field["room"]:
-                raise BattenError("count", f"{name} has {numbers.size} numbers, not {field['room']}")
-            getattr(item, name)[:numbers.size] = numbers.tolist()
+            array = doubles(value, name).ravel()
+            if array.size not in (field["room"], self.dim):
+                raise wrong(name, f"{field['room']} numbers", shown(array), "count")
+            getattr(item, name)[:array.size] = array.tolist()
             if hasattr(item, "has_" + name):
                 setattr(item, "has_" + name, True)
         else:
@@ -184,7 +247,10 @@ class Call:
             value = self.values[word.name]
             given = {**self.options, **(value if isinstance(value, dict) else {"points": value})}
             count = self.records(word.name)
-            given |= {"dimension": self.dim, "count": count}
+            points = self.points(word)
+            if points.ndim == 2 and points.shape[1] != self.dim:
+                raise wrong(word.name, f"points of {self.dim} coordinates", shown(points), "dimension")
+            given |= {"dimension": self.dim, "count": count, "points": points}
         each = {"points": self.dim, "tangents": self.dim, "tension": 2, "pressure": 1, "time": 1}
         for field in TABLE["structs"][word.bare]["fields"]:
             value = given.get(field["name"])
@@ -192,7 +258,7 @@ class Call:
                 continue
             size = each.get(field["name"])
             if count is not None and field["type"].endswith("*") and doubles(value, field["name"], size).size != count * size:
-                raise BattenError("count", f"there are not as many {field['name']} as points")
+                raise wrong(field["name"], f"{count * size} numbers for {count} points", shown(np.asarray(value)), "count")
             self.set_field(item, word.bare, field, value, size)
         if options and word.handed:
             self.results.append((word, item, None))
@@ -203,8 +269,10 @@ class Call:
         items = (STRUCTS["bat_region"] * len(value))()
         self.kept.append(items)
         for item, region in zip(items, value):
-            own = region["curves"] if isinstance(region, dict) else region if isinstance(region, (list, tuple)) else [region]
-            curves = (ctypes.c_void_p * len(own))(*[address_of(curve, "Curve", "regions") for curve in own])
+            own = region.get("curves") if isinstance(region, dict) else region if isinstance(region, (list, tuple)) else [region]
+            if not isinstance(own, (list, tuple)):
+                raise wrong("regions", "curves, lists of curves, or dicts of curves and even_odd", shown(region))
+            curves = (ctypes.c_void_p * len(own))(*[self.address(curve, "Curve", "regions") for curve in own])
             self.kept.append(curves)
             item.count, item.curves = len(own), ctypes.addressof(curves)
             item.even_odd = isinstance(region, dict) and bool(region.get("even_odd"))
@@ -222,13 +290,13 @@ class Call:
             self.results.append((word, item, None))
             return pointer(item)
         else:
-            item = (value_type(word.bare) * self.evaluate(word.formula))()
+            item = (value_type(word.bare) * self.shape(word.formula)[0])()
         self.results.append((word, item, None))
         return ctypes.byref(item)
 
     def argument(self, word):
         if word.kind == "self":
-            return address_of(self.self, type(self.self).__name__, "self")
+            return self.address(self.self, type(self.self).__name__, "self")
         if word.kind == "dim":
             return converted("int", self.dim, "dimension")
         if word.kind == "follows":
@@ -250,11 +318,13 @@ class Call:
 
     def once(self):
         plan = self.plan
-        arguments = {id(w): self.argument(w) for w in plan.words if w.kind != "result"}
-        arguments |= {id(w): self.argument(w) for w in plan.words if w.kind == "result"}
+        # The object comes last: what converts the others is code of others, which may end the object.
+        order = sorted(plan.words, key=lambda w: (w.kind == "result") + 2 * (w.kind == "self"))
+        arguments = {id(w): self.argument(w) for w in order}
         returned = plan.function(*[arguments[id(w)] for w in plan.words])
         if plan.words and plan.words[0].ends:
-            self.self._gone()
+            self.self._own.address = None
+            self.self._end("committed")
         if self.counting:
             return returned
         if plan.returns != "bat_status":
@@ -263,27 +333,29 @@ class Call:
         if returned == TABLE["enums"]["bat_status"]["tolerance"] and any(
                 word.bare in CLASSES and not word.handed and item for word, item, _ in self.results):
             best = self.assemble()
-        check(returned, best)
+        if returned:
+            given = ", ".join(f"{name}={shown(value)}" for name, value in {**self.values, **self.options}.items() if value is not None and name != "room")
+            check(returned, best, f" ({plan.name}({given}))")
         return self.assemble()
 
     def returned(self, value):
         kind = bare(self.plan.returns)
         if self.plan.returned:
             shape = self.shape(self.plan.returned)
-            return self.self._view(value, shape) if hasattr(self.self, "_view") else copied(kind, value, shape)
+            return copied(kind, value, shape)
         if kind in CLASSES:
             out = ctypes.c_void_p()
             check(getattr(lib, kind + "_copy")(ctypes.c_void_p(value), ctypes.byref(out)))
-            return KINDS[CLASSES[kind]](out.value, self.dim)
+            return KINDS[CLASSES[kind]]._made(out.value, self.dim)
         return record(kind, STRUCTS[kind].from_address(value)) if "*" in self.plan.returns else value
 
     def read(self, word, item):
         make = KINDS.get(CLASSES.get(word.bare))
         if make and not word.handed:
-            return make(item.value, self.values.get("dimension") or self.dim) if item.value else None
+            return make._made(item.value, self.values.get("dimension") or self.dim) if item.value else None
         if word.handed and word.kind == "result":
             shape = self.shape(word.formula)
-            found = ([make(address, self.dim) for address in (ctypes.c_void_p * shape[0]).from_address(item.value)] if make and item.value
+            found = ([make._made(address, self.dim) for address in (ctypes.c_void_p * shape[0]).from_address(item.value)] if make and item.value
                      else copied(word.bare, item.value, shape))
             lib.bat_free(item)
             return found
@@ -305,9 +377,7 @@ class Call:
         for word, item, _ in self.results:
             if word.formula is None and word.bare in ("int", "size_t"):
                 self.values[word.name] = item.value
-        used = {name for word, _, _ in self.results for name in re.findall(r"\w+", word.formula or "")}
-        found = [(word, self.read(word, item)) for word, item, _ in self.results
-                 if word.name not in used and not (word.name == "count" and "room" in self.values)]
+        found = [(word, self.read(word, item)) for word, item, _ in self.results if word in self.plan.shown or word.kind != "result"]
         made = [value for word, value in found if word.bare in CLASSES and not word.handed]
         rest = {word.name: value for word, value in found if not (word.bare in CLASSES and not word.handed)}
         if len(made) == 1:
@@ -315,61 +385,128 @@ class Call:
                 info = rest.pop("info", None)
                 report = {**vars(info), **vars(info.report)} if info else vars(rest.pop("report")) if "report" in rest else {}
                 report.pop("report", None)
-                made[0].report = type("Report", (), {**report, **rest, "__repr__": lambda one: repr({**report, **rest})})()
+                made[0].report = Report(**{**report, **rest})
             return made[0]
         if made:
             return tuple(made)
         if not rest:
             return self.self
-        values = tuple(rest.values())
-        return values[0] if len(values) == 1 else collections.namedtuple("Results", rest)(*values)
+        return next(iter(rest.values())) if len(rest) == 1 else self.plan.results(**rest)
+
+
+class Report(Record):
+    """What a call told about the object that it made."""
+
+    def __getattr__(self, name):
+        raise AttributeError(f"{name}: this report has {', '.join(vars(self)) or 'nothing'}")
+
+
+Report.__module__ = "batten"
 
 
 def converted(type_, value, name):
+    if isinstance(value, np.ndarray) and value.ndim == 0 and not np.ma.is_masked(value):
+        value = value[()]
     if type_ in TABLE["enums"]:
         words = TABLE["enums"][type_]
-        if value not in words:
-            raise BattenError("argument", f"{name} is one of {', '.join(words)}")
+        if not isinstance(value, str) or value not in words:
+            raise wrong(name, f"one of {', '.join(words)}", shown(value))
         return words[value]
     if type_ == "bool":
+        if not isinstance(value, (bool, np.bool_)):
+            raise wrong(name, "True or False", shown(value))
         return bool(value)
-    if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
-        raise BattenError("argument", f"{name} is not a number")
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise wrong(name, "a number", shown(value))
+    try:
+        number = float(value)
+    except (OverflowError, ValueError):
+        number = np.inf
+    if not np.isfinite(number):
+        raise wrong(name, "a finite number", shown(value), "number")
     if type_ == "double":
-        return float(value)
-    if value != int(value) or abs(value) > 0x7fffffff or (type_ == "size_t" and value < 0):
-        raise BattenError("count" if type_ == "size_t" else "argument", f"{name} is not a whole number")
-    return int(value)
+        return number
+    low, high = WITHIN.get(name, (0 if type_ == "size_t" else -0x7fffffff, 0x7fffffff))
+    if number != int(number) or not low <= number <= high:
+        raise wrong(name, f"a whole number from {low} to {high}", shown(value),
+                    name if name in ("degree", "dimension") else "count" if type_ == "size_t" else "argument")
+    return int(number)
 
 
-def address_of(value, kind, name):
-    if not isinstance(value, KINDS[kind]):
-        raise BattenError("argument", f"{name} is no {kind}")
-    return value._address()
+def bound(plan, given, options):
+    """The arguments that must be there, in their order; those that have a name are taken out of the options."""
+    missing = plan.required[len(given):]
+    if len(given) > len(plan.required) or not all(name in options for name in missing):
+        raise TypeError(f"{plan.name}() takes {', '.join(plan.required) or 'nothing'}, found {len(given)}"
+                        + "".join(f", {name}" for name in options))
+    given = [*given, *(options.pop(name) for name in missing)]
+    if twice := set(options) & set(plan.required):
+        raise TypeError(f"{plan.name}() has {min(twice)} twice")
+    if unknown := set(options) - set(plan.options):
+        raise TypeError(f"{plan.name}() has no option {min(unknown)}, but {', '.join(plan.options)}")
+    return given
 
 
-def method(call, name):
-    """The Python function of a call. Its signature names what it takes."""
-    plan = Plan(call)
-    free = call["names"][0].startswith("b.")
+def quick(plan, run):
+    """The same call without a plan, where it takes nothing but a curve and at most a parameter; what is unusual goes to run."""
+    words = [w for w in plan.words if w.kind != "self"]
+    function = plan.function
+    if plan.returns not in ("double", "int", "size_t", "bool", "void") or any(w.kind not in ("scalar", "result") for w in words):
+        return run
+    if not words:
+        def call(self):
+            own = self._own
+            return function(own.address) if own else run(self)
+    elif [w.name for w in words] == ["u"] and plan.returns == "double":
+        def call(self, *given, **options):
+            if len(given) == 1 and not options and given[0].__class__ in FAST and self.__class__ is kind:
+                u, own = given[0], self._own
+                if own and -1e300 < u < 1e300:
+                    return function(own.address, u)
+            return run(self, *given, **options)
+    elif [w.name for w in words] == ["u", "order", "out"]:
+        rooms, filled, none = {dim: ctypes.c_double * dim for dim in (2, 3)}, np.frombuffer, object()
 
-    def run(*given, **options):
-        self = None if free else given[0]
-        given = given if free else given[1:]
-        for key in [key for key in options if key in plan.required[len(given):]]:
-            given = (*given, options.pop(key)) if plan.required[len(given)] == key else given
-        if len(given) != len(plan.required):
-            raise TypeError(f"{name}() takes {', '.join(plan.required) or 'nothing'}")
-        if unknown := set(options) - set(plan.options):
-            raise TypeError(f"{name}() has no option {min(unknown)}")
-        return Call(plan, self, given, options).run()
+        def call(self, u=none, **options):
+            if not options and u.__class__ in FAST and self.__class__ is kind:
+                own = self._own
+                if own and -1e300 < u < 1e300:
+                    out = rooms[self._dim]()
+                    function(own.address, u, 0, out)
+                    return filled(out)
+            return run(self, *(() if u is none else (u,)), **options)
+    else:
+        return run
+    kind = KINDS["Curve"]
+    return call
 
+
+def method(call, called):
+    """The Python function of one name of a call. Its signature names what it takes."""
+    kind, name = called
+    plan = Plan(call, name)
+    free = kind == "b"
+
+    if free:
+        def run(*given, **options):
+            return Call(plan, None, bound(plan, given, options), options).run()
+    else:
+        def run(self, /, *given, **options):
+            if not isinstance(self, KINDS[kind]):
+                raise wrong("self", f"a {kind}", shown(self))
+            given = bound(plan, given, options)
+            with self._lock:
+                return Call(plan, self, given, options).run()
+
+    plain = all(w.kind in ("self", "result") for w in plan.words)
+    makes = any(w.bare in CLASSES and w.kind == "result" for w in plan.words) or "bat_shape *" in plan.returns
+    is_property = not free and plain and not makes and call["c"] != "bat_shape_commit"
+    found = quick(plan, run) if kind == "Curve" else run
     parameter = inspect.Parameter
-    run.__signature__ = inspect.Signature(
+    found.__signature__ = inspect.Signature(
         ([] if free else [parameter("self", parameter.POSITIONAL_ONLY)])
         + [parameter(word, parameter.POSITIONAL_OR_KEYWORD) for word in plan.required]
         + [parameter(word, parameter.KEYWORD_ONLY, default=plan.defaults.get(word)) for word in plan.options])
-    run.__name__, run.__doc__ = name, f"{call['c']} (include/batten)"
-    plain = all(w.kind in ("self", "result") for w in plan.words)
-    makes = any(w.bare in CLASSES and w.kind == "result" for w in plan.words) or "bat_shape *" in plan.returns
-    return run, not free and plain and not makes and call["c"] != "bat_shape_commit"
+    found.__name__, found.__qualname__, found.__module__ = name, name if free else f"{kind}.{name}", "batten"
+    found.__doc__ = DOCS[call["c"]]
+    return found, is_property

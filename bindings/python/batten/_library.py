@@ -1,6 +1,7 @@
 """libbatten, and the structs that go in and out of it, as calls.json describes them."""
 import ctypes
 import json
+import keyword
 import pathlib
 import re
 from types import SimpleNamespace
@@ -9,9 +10,12 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 TABLE = json.loads((HERE / "calls.json").read_text("utf-8"))
+DOCS = json.loads((HERE / "docs.json").read_text("utf-8"))
 CLASSES = TABLE["classes"]
 SCALARS = {"double": ctypes.c_double, "int": ctypes.c_int, "size_t": ctypes.c_size_t, "bool": ctypes.c_bool}
 NUMPY = {"double": np.float64, "int": np.intc}
+WHEN_NEEDED = None if int(np.__version__.split(".")[0]) > 1 else False  # for np.array(copy=...)
+NUMBERS_MOST = 1 << 26  # of one result: half a GB
 
 
 class BattenError(ValueError):
@@ -20,6 +24,29 @@ class BattenError(ValueError):
     def __init__(self, status, message, best=None):
         super().__init__(message)
         self.status, self.code, self.best = status, TABLE["enums"]["bat_status"][status], best
+
+    def __reduce__(self):
+        return BattenError, (self.status, str(self), self.best)
+
+
+BattenError.__module__ = "batten"
+
+
+def shown(value):
+    """A value that was not expected, in words."""
+    if isinstance(value, np.ma.MaskedArray):
+        return f"a masked array with {np.ma.count_masked(value)} masked numbers"
+    if isinstance(value, np.ndarray) and value.ndim:
+        return f"an array of shape {value.shape} of {value.dtype}"
+    if value is None or isinstance(value, (bool, int, float, complex, str, bytes, np.generic)):
+        text = str(value) if isinstance(value, np.generic) else repr(value) if not isinstance(value, int) or abs(value) < 10**30 else "a huge number"
+        return text if len(text) <= 40 else text[:40] + "..."
+    return f"a {type(value).__name__}" + (f" of {len(value)}" if isinstance(value, (list, tuple, dict)) else "")
+
+
+def wrong(name, expected, found, status="argument"):
+    """The error of an argument."""
+    return BattenError(status, f"{name}: expected {expected}, found {found}")
 
 
 def bare(type_):
@@ -36,7 +63,25 @@ def field_type(field):
     return one * field["room"] if field["room"] else one
 
 
-STRUCTS = {}
+def same(a, b):
+    """Whether two values of fields are equal; nan is equal to nan."""
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        return np.array_equal(a, b, equal_nan=True)
+    return a == b or a != a and b != b
+
+
+class Record(SimpleNamespace):
+    """Values with names, that copy, compare and pickle."""
+
+    def __eq__(self, other):
+        if type(self) is not type(other):
+            return NotImplemented
+        return vars(self).keys() == vars(other).keys() and all(same(value, vars(other)[name]) for name, value in vars(self).items())
+
+    __hash__ = None
+
+
+STRUCTS, RECORDS = {}, {}
 
 
 def define(name):
@@ -46,6 +91,7 @@ def define(name):
         for field in fields:
             define(bare(field["type"]))
         STRUCTS[name] = type(name, (ctypes.Structure,), {"_fields_": [(f["name"], field_type(f)) for f in fields]})
+        RECORDS[name] = type(TABLE["structs"][name]["title"], (Record,), {"__module__": "batten"})
 
 
 for struct in TABLE["structs"]:
@@ -54,31 +100,53 @@ for struct in TABLE["structs"]:
 lib = ctypes.CDLL(str(next(HERE.glob("*batten*.so*"), None) or next(HERE.glob("*batten*.d*"))))
 lib.bat_status_message.restype = lib.bat_version.restype = ctypes.c_char_p
 lib.bat_free.argtypes = [ctypes.c_void_p]
+lib.bat_free.restype = None
 
 
-def check(code, best=None):
+def check(code, best=None, where=""):
     """Raises what a status says, but for OK."""
     if code:
-        word = next(word for word, number in TABLE["enums"]["bat_status"].items() if number == code)
-        raise BattenError(word, lib.bat_status_message(code).decode(), best)
+        raise BattenError(word_of("bat_status", code), lib.bat_status_message(code).decode() + where, best)
 
 
 def word_of(enum, number):
     return next((word for word, value in TABLE["enums"][enum].items() if value == number), number)
 
 
-def doubles(value, name, size=None):
-    """An array of numbers in a row, without a copy where it is one already; None among points is a point of zeros."""
-    if isinstance(value, (list, tuple)) and any(one is None for one in value):
-        size = size or next((len(one) for one in value if one is not None), 2)
-        value = [(0.0,) * size if one is None else one for one in value]
+def numeric(value, name):
+    """A value as an array of numbers of any type."""
+    if np.ma.is_masked(value):
+        raise wrong(name, "numbers without a mask", shown(value))
     try:
-        array = np.ascontiguousarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise BattenError("argument", f"{name} is not an array of numbers") from None
-    if value is None or array.ndim not in (1, 2):
-        raise BattenError("argument", f"{name} is not an array of points or numbers")
+        array = np.asarray(value)
+        if array.dtype.kind == "O" and value is not None:
+            array = array.astype(np.float64)
+    except Exception:  # of what others wrote: __array__, __float__
+        raise wrong(name, "an array of numbers", shown(value)) from None
+    if array.dtype.kind not in "iuf" or array.ndim not in (1, 2):
+        raise wrong(name, "an array of points or numbers", shown(array if array.ndim else value))
     return array
+
+
+def doubles(value, name, size=None):
+    """An array of finite numbers in a row, without a copy where it is one already; None among tangents is a point of zeros."""
+    if size and name == "tangents" and isinstance(value, (list, tuple)):
+        value = [(0.0,) * size if one is None else one for one in value]
+    array = np.array(numeric(value, name), dtype=np.float64, order="C", copy=WHEN_NEEDED)
+    if not array.flags.aligned:
+        array = array.copy()
+    if not np.isfinite(array).all():
+        place = tuple(int(one) for one in np.argwhere(~np.isfinite(array))[0])
+        raise wrong(name + "".join(f"[{one}]" for one in place), "a finite number", array[place], "number")
+    return array
+
+
+def integers(value, name):
+    """An array of whole numbers as C has them."""
+    array = numeric(value, name)
+    if array.ndim != 1 or not (np.isfinite(array).all() and (array == np.trunc(array)).all() and (abs(array) <= 0x7fffffff).all()):
+        raise wrong(name, "a row of whole numbers", shown(value))
+    return np.ascontiguousarray(array, dtype=np.intc)
 
 
 def pointer(array):
@@ -89,7 +157,7 @@ def copied(type_, address, shape):
     """A copy of what lies at an address: numbers as an array, structs as a list."""
     count = int(np.prod(shape))
     if not address or not count:
-        return np.empty(shape) if type_ in NUMPY else []
+        return np.empty(shape, dtype=NUMPY[type_]) if type_ in NUMPY else []
     items = (value_type(type_) * count).from_address(address)
     if type_ in NUMPY:
         return np.frombuffer(items, dtype=NUMPY[type_]).reshape(shape).copy()
@@ -102,6 +170,7 @@ def record(type_, item):
     for field in TABLE["structs"][type_]["fields"]:
         name, kind = field["name"], field["type"]
         value = getattr(item, name)
+        name += "_" * keyword.iskeyword(name)  # from_
         if kind.endswith("*"):
             if bare(kind) in STRUCTS:
                 found[name] = copied(bare(kind), value, (count,))
@@ -111,4 +180,4 @@ def record(type_, item):
             found[name] = np.array(value[:]) if kind == "double" else list(value)
         elif name != "size":
             found[name] = record(kind, value) if kind in STRUCTS else word_of(kind, value) if kind in TABLE["enums"] else value
-    return SimpleNamespace(**found)
+    return RECORDS[type_](**found)
