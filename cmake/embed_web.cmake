@@ -40,7 +40,7 @@ set(starting ${ROOT}/page/starting.js) # a part of index.html
 list(REMOVE_ITEM files ${starting})
 list(FILTER files EXCLUDE REGEX "/web/module/|/node_modules/|/web/engine/types\\.js$")
 if(PART)
-  list(FILTER files EXCLUDE REGEX "/web/icons/app[^/]*$|/web/keep/(offline|keeping)\\.js$")
+  list(FILTER files EXCLUDE REGEX "/web/icons/app[^/]*$|/web/keep/keeping\\.js$")
 else()
   list(FILTER files EXCLUDE REGEX "/web/embed/")
 endif()

@@ -13,7 +13,7 @@ add_custom_command(OUTPUT ${editor}/page/index.html VERBATIM COMMENT "The editor
     "-DWORDS=${words_list}" "-DFACE=${FACE_LIST}" -DROOT=${PROJECT_SOURCE_DIR}/web -DOUT=${made}/page -DFOLDER=${editor}/page
     -DHEAD=${CMAKE_CURRENT_SOURCE_DIR}/editor/head.txt -DPART=ON -P ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${editor}/page/index.html)
-foreach(name index.js index.d.ts README.md)
+foreach(name index.js index.d.ts vite.js vite.d.ts README.md)
   add_custom_command(OUTPUT ${editor}/${name} DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/editor/${name} VERBATIM
     COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/editor/${name} ${editor}/${name})
   list(APPEND editor_files ${editor}/${name})

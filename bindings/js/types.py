@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes index.d.ts of batten-core from calls.json: types.py CALLS.json HEAD.d.ts OUT.d.ts. In HEAD stands what is written by
+"""Writes index.d.ts of batten-core from calls.json and docs.json beside it: types.py CALLS.json HEAD.d.ts OUT.d.ts. In HEAD stands what is written by
 hand; members of a class there go before those that are made here."""
 import json
 import pathlib
@@ -24,7 +24,8 @@ def bare(type_):
 
 
 class Types:
-    def __init__(self, calls):
+    def __init__(self, calls, docs):
+        self.docs = docs
         self.structs, self.enums, self.classes = calls["structs"], calls["enums"], calls["classes"]
         self.calls = calls["calls"]
 
@@ -99,6 +100,11 @@ class Types:
             return shown[0][1]
         return "{ " + "; ".join(f"{name}: {type_}" for name, type_, _ in shown) + " }"
 
+    def note(self, call):
+        """What the header says of a call, as a comment."""
+        lines = self.docs[call["c"]].replace("*/", "* /").split("\n")
+        return "\n".join(["  /**", *(f"   * {line}" for one in lines for line in (one, "")), "   */"]).replace("   * \n   */", "   */").replace("   * \n", "   *\n") + "\n"
+
     def member(self, call, called):
         kind, name = called.split(".")
         arguments = [found for word, type_ in call["args"] if (found := self.argument(word, type_))]
@@ -115,7 +121,7 @@ class Types:
         parts = bags + ([f"{{ {'; '.join(bag)} }}"] if bag else [])
         plain = all(word[0] in "@>" for word, _ in call["args"])
         makes = any(type_ in result for type_ in self.classes.values()) or result == "this"
-        note = f"  /** {call['c']} */\n"
+        note = self.note(call)
         if kind != "b" and plain and not makes and not name.endswith("()"):
             return f"{note}  readonly {name}: {result};"
         if parts:
@@ -129,8 +135,10 @@ class Types:
                 mark = f"  // {kind}: the calls of C\n"
                 if mark not in head:
                     sys.exit(f"types.py: no mark for {kind}")
-                if re.search(rf"class {kind} [^}}]*?\n  {called.split('.')[1]}\(", head):
-                    continue  # written by hand
+                byhand = re.compile(rf"(class {kind} (?:(?!\n}}).)*?\n)(  {called.split('.')[1]}\()", re.S)
+                if byhand.search(head):  # with a comment of its own, or this one
+                    head = byhand.sub(lambda found: found[1] + ("" if found[1].endswith("*/\n") else self.note(call)) + found[2], head, count=1)
+                    continue
                 head = head.replace(mark, self.member(call, called) + "\n" + mark)
         structs = [name for name in self.structs if name not in
                    ("bat_stroke", "bat_spline", "bat_region", "bat_sketch_live_info", "bat_frame_arrays")]
@@ -139,4 +147,5 @@ class Types:
 
 if __name__ == "__main__":
     source, head, out = map(pathlib.Path, sys.argv[1:])
-    out.write_text(Types(json.loads(source.read_text())).text(head.read_text("utf-8")), "utf-8")
+    docs = json.loads(source.with_name("docs.json").read_text("utf-8"))
+    out.write_text(Types(json.loads(source.read_text()), docs).text(head.read_text("utf-8")), "utf-8")

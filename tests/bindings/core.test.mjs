@@ -4,6 +4,8 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import v8 from 'node:v8';
+import vm from 'node:vm';
 import { Worker } from 'node:worker_threads';
 import zlib from 'node:zlib';
 
@@ -178,6 +180,19 @@ test('arrays in the memory of the module are not copied, and memory does not lea
     round();
   }
   assert.equal(b.memory.buffer.byteLength, before);
+});
+
+test('numbers that nobody holds any more are freed by the collector', async () => {
+  v8.setFlagsFromString('--expose-gc');
+  const collect = vm.runInNewContext('gc');
+  const other = await load();
+  const size = () => other.memory.buffer.byteLength;
+  for (let i = 0; i < 40; i++) {
+    other.array(1 << 17);
+    collect();
+    await new Promise((done) => setTimeout(done));
+  }
+  assert.ok(size() < 20 << 20, `${size()}`); // 40 MB if they stayed
 });
 
 test('the small module draws, and says what it has not', async () => {

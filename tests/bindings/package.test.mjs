@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
+import http from 'node:http';
 import os from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
@@ -49,6 +50,26 @@ console.log(fitCurve([[0, 0], [5, 5], [10, 0]], 1).length > 0, getStroke([[0, 0]
     run('esbuild', 'bundle.mjs', '--bundle', '--minify', '--format=esm', '--platform=node', '--loader:.wasm=file', '--outfile=out/bundle.mjs');
     assert.match(run('node', 'out/bundle.mjs'), /^\d true true\n$/);
   });
+  await t.test("as Vite's dev server bundles it, into a folder without the modules", () => {
+    run('esbuild', 'use.mjs', '--bundle', '--format=esm', '--platform=node', '--outfile=node_modules/.vite/deps/use.mjs');
+    assert.match(run('node', 'node_modules/.vite/deps/use.mjs'), /^\d true true\n$/);
+  });
+  await t.test('what is served in place of a module is named', async () => {
+    const server = http.createServer((_, response) => response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html>'));
+    await new Promise((done) => server.listen(0, '127.0.0.1', done));
+    const { load } = await import(path.join(project, 'node_modules/batten-core/index.js'));
+    await assert.rejects(load({ wasm: `http://127.0.0.1:${server.address().port}/batten.wasm` }), { status: 'state', message: /batten\.wasm is no WebAssembly but text\/html/ });
+    server.close();
+  });
+  await t.test('its types have comments, and no any', () => {
+    const types = fs.readFileSync(path.join(project, 'node_modules/batten-core/index.d.ts'), 'utf8');
+    assert.doesNotMatch(types.replace(/\/\*[^]*?\*\//g, ''), /\bany\b/);
+    for (const [, kind, body] of types.matchAll(/export class (\w+) [^{]*\{([^]*?)\n\}/g)) {
+      for (const [, before, name] of body.matchAll(/(.*)\n {2}(?:readonly )?(\w+)[(:<]/g)) {
+        assert.ok(kind === 'BattenError' || kind === 'Numbers' || /\*\/$/.test(before) || /version|constructor/.test(name), `${kind}.${name}`);
+      }
+    }
+  });
   await t.test('with types', () => {
     write('use.mts', `import { load, BattenError, type Curve } from 'batten-core';
 import fitCurve from 'batten-core/fit-curve';
@@ -60,6 +81,7 @@ const [left, right] = curve.split(0.5);
 const path: string = left.join(right, { continuity: 1 }).toSVG();
 const pieces: number[][][] = fitCurve([[0, 0], [1, 1]], 1);
 try { curve.nearest([0, 0]).distance.toFixed(error); } catch (caught) { if (caught instanceof BattenError && caught.status === 'far') throw caught; }
+{ using kept = curve.copy(); kept.free(); }
 // @ts-expect-error: no such option
 b.fit([0, 0, 1, 1], { tolerence: 1 });
 // @ts-expect-error: no such word

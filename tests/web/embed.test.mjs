@@ -50,10 +50,15 @@ before(async () => {
   run('npm', 'install', '--offline', '--no-audit', '--no-fund', path.join(project, packed));
   fs.writeFileSync(path.join(project, 'host.js'), HOST.replace("'batten-editor'", "'./node_modules/batten-editor/index.js'"));
   fs.writeFileSync(path.join(project, 'index.html'), '<!doctype html><html lang="en"><title>Host</title><link rel="icon" href="data:,"><script type="module" src="host.js"></script><h1>A page</h1>');
+  // As Vite's dev server has it: bundled into a folder of its own, and the page itself in place of what is not there.
+  run('esbuild', 'node_modules/batten-editor/index.js', '--bundle', '--format=esm', '--outfile=node_modules/.vite/deps/batten-editor.js');
+  fs.writeFileSync(path.join(project, 'vite.js'), HOST.replace("'batten-editor'", "'./node_modules/.vite/deps/batten-editor.js'"));
+  fs.writeFileSync(path.join(project, 'vite.html'), fs.readFileSync(path.join(project, 'index.html'), 'utf8').replace('host.js', '/vite.js'));
   fs.copyFileSync(EXAMPLE, path.join(project, 'car.svg'));
   fs.writeFileSync(path.join(project, 'square.svg'), SQUARE);
   server = http.createServer((request, response) => {
-    const file = path.join(project, new URL(request.url, 'http://x/').pathname.replace(/\/$/, '/index.html'));
+    const asked = new URL(request.url, 'http://x/').pathname.replace(/^\/nothing\/.*|^\/node_modules\/\.vite\/.*html$/, '/vite.html');
+    const file = path.join(project, asked.replace(/\/$/, '/index.html'));
     if (!file.startsWith(project) || !fs.existsSync(file)) {
       response.writeHead(404).end();
       return;
@@ -74,10 +79,10 @@ after(async () => {
 });
 
 /** The page around, with an element. */
-async function visit(attributes = { id: 'one', src: 'square.svg' }) {
+async function visit(attributes = { id: 'one', src: 'square.svg' }, where = '') {
   const context = await browser.newContext({ viewport: { width: 1000, height: 1200 }, acceptDownloads: true });
   const page = await context.newPage();
-  await page.goto(address);
+  await page.goto(address + where);
   await page.waitForSelector('html[data-host=yes]');
   const hand = new Hand(page, await context.newCDPSession(page));
   await page.evaluate((given) => { make(given); }, attributes);
@@ -112,6 +117,29 @@ async function draw(page, hand, id = 'one') {
 const digest = (frame) => frame.evaluate(() => batten.engine.digest());
 const of = (page, id, what) => page.evaluate(([name, member]) => document.getElementById(name)[member], [id, what]);
 const paths = (svg) => svg.split('<path').length - 1;
+
+test('it works from the bundle of a dev server, and never shows the page around it inside itself', async () => {
+  const { page } = await visit({ id: 'one', src: 'square.svg' }, 'vite.html');
+  assert.equal(paths(await of(page, 'one', 'svg')), 1);
+  await page.evaluate(() => { make({ id: 'lost', page: 'nothing/' }); });
+  await said(page, 'lost', 'error');
+  assert.match(await page.evaluate(() => told.find(([id]) => id === 'lost')[2]), /serve the folder "page" of batten-editor/);
+  assert.equal(await page.evaluate(() => document.getElementById('lost').shadowRoot.querySelector('iframe')), null);
+  assert.equal(page.frames().length, 2, 'the page and one editor');
+  await page.context().close();
+});
+
+test('a build of Vite takes the page along', async () => {
+  const { default: battenEditor } = await import(path.join(project, 'node_modules/batten-editor/vite.js'));
+  const plugin = battenEditor();
+  const built = new Map();
+  plugin.configResolved({ build: { assetsDir: 'assets' } });
+  plugin.generateBundle.call({ emitFile: ({ fileName, source }) => built.set(fileName, source) });
+  const page = path.join(project, 'node_modules/batten-editor/page');
+  const files = fs.readdirSync(page, { recursive: true }).filter((name) => fs.statSync(path.join(page, name)).isFile());
+  assert.deepEqual([...built.keys()].sort(), files.map((name) => `assets/page/${name}`).sort());
+  assert.ok(built.get('assets/page/index.html').equals(fs.readFileSync(path.join(page, 'index.html'))));
+});
 
 test('it opens src, tells changes and saves to the page', async () => {
   const { page, hand } = await visit();
@@ -244,9 +272,19 @@ test('no src, one that is not there, one that is no drawing; no editor', async (
 
 test('everything is in the package; it is imported where there is no page, and has types', () => {
   const folder = path.join(project, 'node_modules/batten-editor');
-  assert.deepEqual(fs.readdirSync(folder).sort(), ['LICENSE', 'README.md', 'index.d.ts', 'index.js', 'package.json', 'page']);
+  assert.deepEqual(fs.readdirSync(folder).sort(), ['LICENSE', 'README.md', 'index.d.ts', 'index.js', 'package.json', 'page', 'vite.d.ts', 'vite.js']);
   assert.deepEqual(fs.readdirSync(path.join(folder, 'page')).filter((name) => !/^[0-9a-f]{16}$/.test(name)), ['index.html']);
   const [build] = fs.readdirSync(path.join(folder, 'page')).filter((name) => name !== 'index.html');
+  // A dev server looks up every script that another names, also those that this page never asks for.
+  const scripts = fs.readdirSync(path.join(folder, 'page', build), { recursive: true }).filter((name) => name.endsWith('.js'));
+  assert.ok(scripts.length > 50);
+  for (const name of scripts) {
+    const text = fs.readFileSync(path.join(folder, 'page', build, name), 'utf8');
+    assert.doesNotMatch(text, /new URL\(`[^`]*\$\{[^`]*`, *import\.meta\.url/, name);
+    for (const [, named] of text.matchAll(/(?:\bfrom|\bimport\(?) *"(\.[^"]+)"/g)) {
+      assert.ok(fs.existsSync(path.join(folder, 'page', build, path.dirname(name), named)), `${name}: ${named}`);
+    }
+  }
   assert.deepEqual(fs.readdirSync(path.join(folder, 'page', build, 'fonts')).sort(), ['OFL.txt', 'inter.woff2']);
   fs.writeFileSync(path.join(project, 'use.mjs'), "import { BattenEditor } from 'batten-editor';\nconsole.log(typeof BattenEditor);");
   assert.equal(run('node', 'use.mjs'), 'function\n');

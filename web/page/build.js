@@ -3,8 +3,10 @@
 /** A file of this build is not available. */
 export class Missing extends Error {}
 
+const here = import.meta.url; // apart from the URL, or Vite's dev server takes the line for a list of all files
+
 /** @param {string} name a path in this folder @returns {string} */
-export const addressOf = (name) => new URL(`../${name}`, import.meta.url).href;
+export const addressOf = (name) => new URL(`../${name}`, here).href;
 
 const [, scope, build] = /^(.*\/)([^/]*)\/$/.exec(addressOf('')) ?? [];
 /** Held as long as this page lives: so long the service worker keeps the files of its build, whatever comes after it. */

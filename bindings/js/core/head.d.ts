@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" />
 /** Points: flat (x, y, x, y, ...), or each an array or an object. */
 export type Points = ArrayLike<number> | Numbers | readonly (ArrayLike<number> | { x: number; y: number; z?: number } | null)[];
 export type NumberList = ArrayLike<number> | Numbers;
@@ -31,20 +32,31 @@ export class Numbers {
   readonly length: number;
   /** A view, good until the next call: that may enlarge the memory, which leaves the view empty. */
   readonly values: Float64Array;
+  /** Gives the memory back at once; else that happens when nobody holds the numbers any more. */
   free(): void;
+  [Symbol.dispose](): void;
 }
 
 /** What the module holds. It is freed when nobody holds it any more, or at once by free() or `using`. */
 declare class Handle {
   protected constructor();
+  /** Gives the memory back at once. Any use after that throws a BattenError with status 'state'. */
   free(): void;
+  [Symbol.dispose](): void;
 }
 
+/** A Path2D, where there is such a class. */
+type Drawn = typeof globalThis extends { Path2D: { prototype: infer P } } ? P : PathLike;
+
 export class Curve extends Handle {
+  /** Frames at n places, or at parameters: arrays of three numbers each. */
   frames(n: number | ArrayLike<number>, options?: FrameOptions): { u: Float64Array } & FrameArrays;
   finder(): Finder;
+  /** Draws the curve on a path, such as a canvas' context, as cubics; gives the path back. */
   trace<P extends PathLike>(path: P, options?: { tolerance?: number }): P;
-  toPath2D(options?: { tolerance?: number }): any;
+  /** The curve as a path for a canvas. */
+  toPath2D(options?: { tolerance?: number }): Drawn;
+  /** SVG path data. */
   toSVG(options?: { tolerance?: number; decimals?: number }): string;
   // Curve: the calls of C
 }
@@ -54,6 +66,7 @@ export class Finder extends Handle {
 }
 
 export class Chain extends Handle {
+  /** Frames at many parameters. */
   many(u: ArrayLike<number>): FrameArrays;
   // Chain: the calls of C
 }
@@ -67,6 +80,7 @@ export class LiveShape extends Handle {
 }
 
 export class LiveSketch extends Handle {
+  /** Adds a sample: its coordinates. */
   add(...place: number[]): this;
   // LiveSketch: the calls of C
 }
@@ -74,6 +88,7 @@ export class LiveSketch extends Handle {
 export class Batten {
   private constructor();
   readonly version: string;
+  /** Numbers in the module's memory, for arguments and results (`into`) that are not copied. */
   array(length: number): Numbers;
   // Batten: the calls of C
 }

@@ -72,7 +72,7 @@ export class Curve extends Handle {
     return finder;
   }
 
-  /** @param {any} path a Path2D, a canvas' context, or whatever has moveTo, bezierCurveTo and closePath */
+  /** @template {import('./index.js').PathLike} P @param {P} path a Path2D, a canvas' context, or whatever has moveTo, bezierCurveTo and closePath @returns {P} */
   trace(path, { tolerance = 0.01 } = {}) {
     return trace(this.toCubics({ tolerance }), this.dimension, this.closed, path);
   }
@@ -216,6 +216,9 @@ for (const call of calls.calls) {
   }
 }
 
+/** Vite's dev server bundles packages into a folder of its own, without the files beside them: there, the package's own address. */
+const beside = (url) => new URL(url.href.replace(/\/node_modules\/\.(?:vite|cache)\/.*\/(?=[^/]*$)/, '/node_modules/batten-core/'));
+
 async function moduleOf(source) {
   if (source instanceof WebAssembly.Module) {
     return source;
@@ -232,7 +235,11 @@ async function moduleOf(source) {
   if (!response.ok) {
     throw new BattenError('state', `${url}: ${response.status} ${response.statusText}`);
   }
-  return WebAssembly.compile(await response.arrayBuffer());
+  const bytes = await response.arrayBuffer();
+  if (bytes.byteLength < 4 || new DataView(bytes).getUint32(0) !== 0x0061736d) {
+    throw new BattenError('state', `${url} is no WebAssembly but ${response.headers.get('content-type')}: where the module is, load({ wasm }) says`);
+  }
+  return WebAssembly.compile(bytes);
 }
 
 /** The modules by the word of `small`; each address in full, since bundlers look for such. */
@@ -253,5 +260,5 @@ export async function load({ small = false, wasm } = {}) {
   if (!Object.hasOwn(MODULES, String(small))) {
     throw new BattenError('argument', `small is true, 'sketch' or 'levels', not ${small}`);
   }
-  return new Batten(await WebAssembly.instantiate(await moduleOf(wasm ?? MODULES[String(small)]()), {}));
+  return new Batten(await WebAssembly.instantiate(await moduleOf(wasm ?? beside(MODULES[String(small)]())), {}));
 }

@@ -3,6 +3,9 @@ import { BattenError } from './error.js';
 
 const SIZES = { double: 8, int: 4, size_t: 4, bool: 1 };
 
+/** Frees the numbers that nobody holds any more. */
+const lost = new FinalizationRegistry((/** @type {{ exports: Record<string, Function>, at: number }} */ { exports, at }) => exports.free(at));
+
 /** Numbers in the module's memory, which calls read and write where they are. */
 export class Numbers {
   #memory;
@@ -16,6 +19,7 @@ export class Numbers {
     this.#memory = memory;
     this.#at = memory.allocate(8 * length);
     this.length = length;
+    lost.register(this, { exports: memory.exports, at: this.#at }, this);
     this.values.fill(0);
   }
 
@@ -34,6 +38,7 @@ export class Numbers {
   free() {
     if (this.#at) {
       this.#memory.exports.free(this.#at);
+      lost.unregister(this);
       this.#at = 0;
     }
   }

@@ -5,6 +5,8 @@
 
 const PATIENCE = 10000; // milliseconds from the frame's load until its silence is an error
 const EMPTY = 'drawing.svg';
+// Vite's dev server bundles packages into a folder of its own, without the files beside them.
+const HERE = import.meta.url.replace(/\/node_modules\/\.(?:vite|cache)\/.*$/, '/node_modules/batten-editor/index.js');
 
 /** The last part of an address, as the name of a file. */
 function nameOf(address) {
@@ -13,6 +15,13 @@ function nameOf(address) {
   } catch {
     return EMPTY;
   }
+}
+
+/** Whether a frame of an editor shows a page that is none. Of frames of other origins that cannot be seen. */
+function isAnother(frame) {
+  const root = frame?.getRootNode();
+  return root?.host?.localName === 'batten-editor' && Boolean(frame.contentDocument?.head) &&
+    !frame.contentDocument.querySelector('meta[name="batten-embedded"]') && frame.contentDocument.URL !== 'about:blank';
 }
 
 /** @param {Uint8Array[]} parts */
@@ -115,13 +124,20 @@ export class BattenEditor extends (globalThis.HTMLElement ?? class {}) {
     const frame = document.createElement('iframe');
     frame.title = this.title || 'Batten';
     frame.allow = 'clipboard-read; clipboard-write; fullscreen';
+    const none = `No editor at ${this.#address()}: serve the folder "page" of batten-editor, and say where with the attribute page`;
     frame.addEventListener('load', () => {
-      if (!this.#met) {
-        this.#patience = setTimeout(() => this.#tell('error', { message: `No editor at ${frame.src}` }), PATIENCE);
+      if (isAnother(frame)) {
+        frame.remove(); // such as the page that has this element, which servers send in place of what they lack
+        this.#tell('error', { message: none });
+      } else if (!this.#met) {
+        this.#patience = setTimeout(() => this.#tell('error', { message: none }), PATIENCE);
       }
     });
-    frame.src = this.#address().href;
     this.#frame = frame;
+    if (isAnother(this.#window.frameElement)) {
+      return; // this page is shown by such an element by mistake
+    }
+    frame.src = this.#address().href;
     this.#root.append(frame);
     this.#fetch();
   }
@@ -165,8 +181,7 @@ export class BattenEditor extends (globalThis.HTMLElement ?? class {}) {
 
   #address() {
     const { page } = this;
-    return new URL('index.html', page ? new URL(page.replace(/\/?$/, '/'), this.ownerDocument.baseURI) :
-      new URL('./page/', import.meta.url));
+    return new URL('index.html', page ? new URL(page.replace(/\/?$/, '/'), this.ownerDocument.baseURI) : new URL('page/', HERE));
   }
 
   #tell(type, detail, options = {}) {
