@@ -284,6 +284,8 @@ class Values(unittest.TestCase):
         u = np.array([[0.0, middle], [middle, end]])
         self.assertEqual((self.open(u).shape, self.open(u, order=1).shape), ((2, 2, 2), (2, 2, 2, 2)))
         np.testing.assert_allclose(self.open(u)[1, 1], self.open.at(end), rtol=1e-14)
+        back = np.random.default_rng(5).permutation(self.open.spread(30))
+        np.testing.assert_allclose(self.open(back), [self.open.at(one) for one in back], rtol=1e-12, atol=1e-12)
         np.testing.assert_array_equal(self.open(np.float32(0.5)), self.open(0.5))
 
     def test_numbers_of_any_kind(self):

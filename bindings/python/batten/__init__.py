@@ -164,7 +164,11 @@ class Curve(_Handle):
         if is_one(u):
             return self.at(u, **options)
         places = doubles(np.ravel(u) if isinstance(u, np.ndarray) and not np.ma.isMaskedArray(u) else u, "u")
-        found = self.at_many(places.ravel(), **options)
+        places, order = places.ravel(), slice(None)
+        if (places[1:] < places[:-1]).any():  # at_many takes them in their order
+            sorting = np.argsort(places, kind="stable")
+            places, order = places[sorting], np.argsort(sorting)
+        found = self.at_many(places, **options)[order]
         return found.reshape(np.shape(u) + found.shape[1:])
 
     def frames(self, n, **options):
