@@ -3,12 +3,13 @@ import collections
 import ctypes
 import functools
 import inspect
+import math
 import numbers
 import re
 
 import numpy as np
 
-from ._library import (CLASSES, DOCS, NUMBERS_MOST, NUMPY, SCALARS, STRUCTS, TABLE, BattenError, Record, bare, check, copied, doubles,
+from ._library import (CLASSES, DOCS, NUMBERS_MOST, NUMPY, SCALARS, STRUCTS, TABLE, Record, bare, check, copied, doubles,
                        integers, lib, pointer, record, shown, value_type, wrong)
 
 KINDS = {}  # the classes, by name
@@ -84,6 +85,17 @@ class Plan:
         return SCALARS.get(word.bare, ctypes.c_int)
 
 
+@functools.lru_cache(maxsize=None)
+def compiled(formula):
+    """(names, code) of a formula of calls.txt."""
+    return re.findall(r"#?[a-z_]\w*", formula), compile(formula.replace("#", "n_"), formula, "eval")
+
+
+@functools.lru_cache(maxsize=None)
+def factors(formula):
+    return re.findall(r"\([^)]*\)|[^*]+", formula)
+
+
 class Call:
     def __init__(self, plan, self_, given, options):
         self.plan, self.self, self.options, self.kept, self.results = plan, self_, options, [], []
@@ -124,13 +136,9 @@ class Call:
 
     def evaluate(self, formula):
         """The value of a formula of calls.txt, such as (order+1)*dim."""
-        if formula.isidentifier():
-            return int(self.look(formula))
-        names = {name: self.look(name) for name in re.findall(r"#?[a-z_]\w*", formula)}
-        text = re.sub(r"#?[a-z_]\w*", lambda found: repr(names[found[0]]), formula)
-        if not re.fullmatch(r"[\d.()+*/ -]+", text):
-            raise BattenError("argument", f"{formula} is not a number")
-        found = eval(text, {"__builtins__": {}})  # digits and operators of our own table
+        names, code = compiled(formula)
+        names = {name: self.look(name) for name in names}
+        found = eval(code, {"__builtins__": {}}, {name.replace("#", "n_"): value for name, value in names.items()})
         if found != int(found):
             counted = [name for name in names if name[0] == "#"]
             raise wrong(counted[0][1:] if counted else formula, f"a number of points of which {formula} is whole", names[counted[0]] if counted else found, "count")
@@ -138,12 +146,11 @@ class Call:
 
     def shape(self, formula):
         """The factors of a formula as the shape of an array; what has no derivatives has no axis for them."""
-        factors = re.findall(r"\([^)]*\)|[^*]+", formula)
-        shape = tuple(self.evaluate(f) for f in factors if not (f == "(order+1)" and self.values["order"] in (0, None)))
-        most = float(np.prod(shape, dtype=np.float64))
+        shape = tuple(self.evaluate(f) for f in factors(formula) if not (f == "(order+1)" and self.values["order"] in (0, None)))
+        most = math.prod(shape)
         if min(shape) < 0 or most > NUMBERS_MOST:
             names = [name for name in re.findall(r"[a-z]\w*", formula) if name in self.values]
-            raise wrong(names[0] if names else formula, f"results of 0 to {NUMBERS_MOST} numbers", f"{most:.0f}", "count")
+            raise wrong(names[0] if names else formula, f"results of 0 to {NUMBERS_MOST} numbers", most, "count")
         return shape
 
     def look(self, name):
