@@ -57,6 +57,8 @@ export class Shell {
     this.mirroring = false;
     /** @type {import('./stage/dial.js').Dial | undefined} */
     this.dial = undefined;
+    /** @type {import('./stage/over.js').Over | undefined} */
+    this.over = undefined;
     this.#connect();
     this.loop.watch();
   }
@@ -87,10 +89,10 @@ export class Shell {
     this.input.onlift = keep;
     addEventListener('pagehide', keep);
     document.addEventListener('visibilitychange', keep);
-    this.stage.addEventListener('pointerdown', () => {
+    this.input.onbegin = () => {
       this.notices.pass();
       this.notices.over('left');
-    });
+    };
   }
 
   /** Loads the list of objects and keyboard navigation between regions. */

@@ -21,6 +21,7 @@
 
 static const double PINCH_SOON = 250; /* ms within which a second finger turns a stroke into a pinch */
 static const double PINCH_NEAR = 24;  /* px that the first finger may have moved meanwhile */
+static const double HOVERS = 500;     /* ms since a hovering pen was last heard of */
 static const double AT_REST = 6; /* px that a finger may move from where it lay before the view follows */
 
 static double bounded(double value, double low, double high, double otherwise) {
@@ -145,6 +146,13 @@ static bat_duty assign_finger(bat_context *c) {
     return duty;
 }
 
+/* Whether a touch belongs to the hand whose pen hovers. A pen in a hand is never quite still: it sends events. */
+static bool rests(const bat_context *c, const bat_pointer *event) {
+    return event->device == BAT_DEVICE_TOUCH && c->input->pen_hovers &&
+           event->time - c->input->pen_time <= HOVERS &&
+           c->settings->values[BAT_PROPERTY_PALM_REJECTION] != 0;
+}
+
 /* Decides the duty of a contact that comes down; may end what the tool is doing. */
 static bat_duty assign(bat_context *c, const bat_pointer *event) {
     bat_contacts *contacts = &c->input->contacts;
@@ -154,7 +162,7 @@ static bat_duty assign(bat_context *c, const bat_pointer *event) {
                   bat_contacts_count(contacts, BAT_DUTY_ORBIT, NULL) > 0;
     bool only_pens = c->input->pen_seen && c->settings->values[BAT_PROPERTY_PALM_REJECTION] != 0;
 
-    if (bat_contact_is_palm(event)) return BAT_DUTY_IGNORED;
+    if (bat_contact_is_palm(event) || rests(c, event)) return BAT_DUTY_IGNORED;
     if (working) {
         bat_contact *first = &contacts->list[at_work];
         if (event->device != BAT_DEVICE_TOUCH || first->device != BAT_DEVICE_TOUCH) return BAT_DUTY_IGNORED;
@@ -231,7 +239,8 @@ static void move(bat_context *c, const bat_pointer *event, int index) {
     bat_contact *contact = &c->input->contacts.list[index];
     const bat_slot *tool = bat_toolbox_tool(c);
     bool finger = contact->device == BAT_DEVICE_TOUCH;
-    if (bat_contact_is_palm(event)) bat_finger_stop(c, index); /* it came down edge first */
+    if (bat_contact_is_palm(event) || rests(c, event))
+        bat_finger_stop(c, index); /* it came down edge first */
     contact->far = fmax(contact->far, bat_hypot(event->x - contact->start[0], event->y - contact->start[1]));
     bat_taps_move(c, event, contact);
     if (contact->duty == BAT_DUTY_TOOL || !finger) point(c, event);
@@ -306,6 +315,7 @@ static void see_pen(bat_context *c, const bat_pointer *event) {
         bat_fingers_meet_pen(c, event->time);
     c->input->pen_seen = true;
     c->input->pen_time = event->time;
+    c->input->pen_hovers = event->phase == BAT_POINTER_HOVER;
     c->input->taps.spoiled = true; /* rules out a tap */
 }
 

@@ -49,6 +49,7 @@ export async function settleIn(shell) {
       void shell.mirrorDrawing();
       void want(import('./tips.js')).then(({ tips }) => tips());
       void want(import('../sheets/typed.js')).then(({ keepTyped }) => keepTyped(shell));
+      void want(import('../stage/over.js')).then(({ Over }) => Over.begin(shell));
     }, { signal: seen.signal });
   }
   // A screen reader may read without any input.

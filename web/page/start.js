@@ -1,6 +1,7 @@
-// The empty page: what to begin with, and at first the three hands, once. Pens draw through all of it: only a tap on a
-// button is for the button. Fetched when a page is empty.
+// The empty page: what to begin with, and at first the three hands, once. Pens draw through all of it (stage/over.js).
+// Fetched when a page is empty.
 
+import { Over } from '../stage/over.js';
 import { addressOf, dress, want } from './build.js';
 import { keep, kept } from './kept.js';
 import { tell, word } from './words.js';
@@ -8,7 +9,6 @@ import { tell, word } from './words.js';
 /** @typedef {import('../main.js').Shell} Shell */
 
 const STORE = 'batten-hands'; // whether the hands have been seen
-const SLACK = 6; // pixels that a tap may move
 const UNIT = 96 / 25.4; // units of the drawing in a millimetre
 const MILLIMETRES = 1; // of the property unit
 /** @type {[string, number, number][]} in millimetres */
@@ -34,9 +34,6 @@ export class Start {
   constructor(shell) {
     this.shell = shell;
     this.box = /** @type {HTMLElement} */ (document.getElementById('welcome'));
-    /** Where a press on one of the buttons began. @type {{ button: HTMLElement, x: number, y: number } | null} */
-    this.press = null;
-    this.tapped = false;
     /** The length of the journal when it was last looked at: what is longer has steps. */
     this.steps = shell.engine.journal.length;
     /** @type {import('../sheets/hands.js').Hands | undefined} */
@@ -50,7 +47,7 @@ export class Start {
       this.#button('shell.start-trace', () => this.#trace()),
       this.#button('shell.start-car', () => void this.#car())]);
     this.box.append(this.row, this.form);
-    this.#listen();
+    Over.begin(shell);
     new MutationObserver(() => this.#turned()).observe(this.box, { attributeFilter: ['hidden'] });
     this.#turned();
   }
@@ -58,35 +55,8 @@ export class Start {
   /** @param {string} key @param {() => void} act */
   #button(key, act) {
     const made = tell(button('', 'start-button'), { text: key });
-    made.addEventListener('click', () => {
-      if (!this.tapped) { // by a key, or by what acts for the user
-        act();
-      }
-    });
-    made.addEventListener('tap', act);
+    made.addEventListener('click', act);
     return made;
-  }
-
-  #listen() {
-    const { stage, input, notices } = this.shell;
-    stage.addEventListener('pointerdown', ({ target, clientX, clientY }) => {
-      const on = target instanceof Element ? /** @type {HTMLElement | null} */ (target.closest('.start-button')) : null;
-      this.press = on && { button: on, x: clientX, y: clientY };
-      this.tapped = false;
-    }, true);
-    stage.addEventListener('pointerup', (event) => {
-      const { press } = this;
-      this.press = null;
-      if (press && Math.hypot(event.clientX - press.x, event.clientY - press.y) < SLACK) {
-        input.take(event); // no dot is drawn
-        this.tapped = true;
-        requestAnimationFrame(() => { // after the click that may follow
-          this.tapped = false;
-          press.button.dispatchEvent(new Event('tap'));
-          notices.pass(); // that nothing was drawn
-        });
-      }
-    }, true);
   }
 
   /** The empty page has come, or has gone. */
@@ -142,7 +112,6 @@ export class Start {
     const ready = document.createElement('div');
     ready.append(...sizes, free);
     form.append(typed, ready);
-    form.addEventListener('pointerdown', (event) => event.stopPropagation()); // no stroke begins in a field
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.#new(fields[0].valueAsNumber, fields[1].valueAsNumber);

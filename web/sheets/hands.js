@@ -40,7 +40,6 @@ export class Hands {
     close.type = 'button';
     close.className = 'hands-close';
     close.textContent = '×';
-    close.addEventListener('pointerdown', (event) => event.stopPropagation());
     close.addEventListener('click', () => this.end());
     this.card.append(...HANDS.map((hand) => this.#hand(hand)), close);
     box.prepend(this.card);

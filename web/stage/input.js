@@ -80,6 +80,8 @@ export class Input {
     this.press = null;
     /** Asks for the menu of what fits there. @type {(x: number, y: number, there: boolean) => void} */
     this.onpress = () => {};
+    /** Called when a pointer comes down. */
+    this.onbegin = () => {};
     /** Called when a pointer was lifted. */
     this.onlift = () => {};
     /** @type {Set<string>} */
@@ -94,8 +96,9 @@ export class Input {
 
   #listen() {
     const stage = this.stage;
-    stage.addEventListener('pointerdown', (event) => this.#down(event));
-    stage.addEventListener('pointermove', (event) => this.#move(event));
+    // What lies in the stage, such as buttons of the empty page, is no drawing (over.js).
+    stage.addEventListener('pointerdown', (event) => event.target === stage && this.#down(event));
+    stage.addEventListener('pointermove', (event) => event.target === stage && this.#move(event));
     stage.addEventListener('pointerup', (event) => this.#end(event, Phase.UP));
     stage.addEventListener('pointercancel', (event) => this.#end(event, Phase.CANCEL));
     stage.addEventListener('lostpointercapture', (event) => this.#liftThat(event)); // alone: neither an end nor a cancel came
@@ -219,16 +222,16 @@ export class Input {
 
   /** It was long: it is taken back as a stroke. @param {PointerEvent} event */
   #pressed(event) {
-    this.take(event);
-    this.onpress(event.clientX, event.clientY, true);
-  }
-
-  /** Takes a contact back as a stroke: it was for something else. @param {PointerEvent} event */
-  take(event) {
-    clearTimeout(this.press?.timer);
     this.press = null;
     this.#drop(event);
     this.#tell([this.#sample(event, Phase.CANCEL)]);
+    this.onpress(event.clientX, event.clientY, true);
+  }
+
+  /** What was pressed beside the drawing turns out to be a stroke. @param {PointerEvent[]} events so far */
+  begin([down, ...moves]) {
+    this.#down(down);
+    moves.forEach((event) => this.#move(event));
   }
 
   /** A press goes on. @param {PointerEvent} event */
@@ -264,6 +267,7 @@ export class Input {
     } catch {
       // The contact is already gone; its end follows as an event.
     }
+    this.onbegin();
     this.#press(event);
     this.#keep(event);
     this.#tell([this.#sample(event, Phase.DOWN)]);

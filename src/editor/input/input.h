@@ -33,6 +33,7 @@ typedef struct bat_input {
     bool holding_pan, pen_seen;
     double pan_time;   /* when the key that pans went down; below 0: a pointer was used meanwhile */
     double pen_time;   /* of the last pen event */
+    bool pen_hovers;   /* as that event said */
     bool pen_near;     /* a pointer is over the drawing */
     double pen[2];     /* its last position, view pixels */
     bat_device points; /* its kind */

@@ -287,6 +287,37 @@ static void the_pen_points_beside_a_hand(void **state) {
     }
 }
 
+/* While a pen hovers, a hand that rests and rolls, however small its contacts, neither moves the view nor draws: also
+ * one that came down first. Once the pen has gone, fingers move the view again. */
+static void a_hand_rests_while_the_pen_hovers(void **state) {
+    (void)state;
+    for (int before = 0; before < 2; before++)
+        for (int hands = 1; hands <= 2; hands++) {
+            bat_editor *editor = pen_editor();
+            const outcome plain = outcome_of(editor);
+            pen p = pen_for(editor);
+            p.time = 2000;
+            if (!before) pen_event(&p, BAT_POINTER_HOVER, 400, 300);
+            for (int i = 0; i < hands; i++)
+                touch(editor, BAT_POINTER_DOWN, (uint32_t)i + 1, 500 + 90 * i, 600, FINGER, 2005);
+            for (int k = 1; k <= 20; k++) {
+                p.time = 2005 + 8 * k;
+                pen_event(&p, BAT_POINTER_HOVER, 400 + k, 300);
+                for (int i = 0; i < hands; i++)
+                    touch(editor, BAT_POINTER_MOVE, (uint32_t)i + 1, 500 + 90 * i + 3 * k,
+                          600 + 2 * k * (i + 1), FINGER, 2006 + 8 * k);
+            }
+            const outcome now = outcome_of(editor);
+            assert_memory_equal(&now, &plain, sizeof now);
+            for (int i = 0; i < hands; i++)
+                touch(editor, BAT_POINTER_UP, (uint32_t)i + 1, 560 + 90 * i, 640, 0, 2200);
+            pen_event(&p, BAT_POINTER_LEAVE, 420, 300);
+            slide(editor, 1, (double[]){500, 600}, (double[]){560, 640}, FINGER, 2300);
+            assert_true(editor->stage.view.x == -60 && editor->stage.view.y == -40);
+            bat_editor_free(editor);
+        }
+}
+
 /* Contacts whose ends were lost fill every place: the pen finds one. */
 static void the_pen_finds_a_place(void **state) {
     (void)state;
@@ -441,6 +472,7 @@ int main(void) {
         cmocka_unit_test(a_pan_is_taken_back),
         cmocka_unit_test(a_dab_before_the_first_pen),
         cmocka_unit_test(the_pen_points_beside_a_hand),
+        cmocka_unit_test(a_hand_rests_while_the_pen_hovers),
         cmocka_unit_test(the_pen_finds_a_place),
         cmocka_unit_test(a_palm_does_not_pinch_with_the_pen),
         cmocka_unit_test(what_waits_goes_on_waiting),
