@@ -59,6 +59,8 @@ export class Shell {
     this.dial = undefined;
     /** @type {import('./stage/over.js').Over | undefined} */
     this.over = undefined;
+    /** @type {import('./stage/settling.js').Settling | undefined} */
+    this.settling = undefined;
     this.#connect();
     this.loop.watch();
   }

@@ -66,7 +66,7 @@ typedef struct bat_item {
     uint32_t id, version; /* the same pair means the same path: cache it. 0, 0: do not cache.
                              * Objects: the low 32 bits of their id; the page: 0xffffffff */
     uint32_t role, flags;
-    uint32_t stroke, fill; /* 0xRRGGBBAA, role OBJECT only; `fill` of a CLIP: of its mask, 0: none */
+    uint32_t stroke, fill; /* 0xRRGGBBAA: OBJECT, what is drawn; `fill` of a CLIP: its mask, 0: none */
     float width, opacity;  /* width in document units, or in view pixels with SCREEN_WIDTH */
     uint32_t cap, join;    /* bat_cap, bat_join */
     float miter_limit;

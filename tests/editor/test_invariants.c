@@ -251,7 +251,6 @@ static void of_sketching(void **state) {
     DAMAGED(e, s->edit.samples.count, 1, "samples are left of a stroke that ended");
     DAMAGED(e, s->live, (bat_sketch_live *)&number, "a preview outlived its stroke");
     DAMAGED(e, s->preview.curve, curve, "a preview outlived its stroke");
-    DAMAGED(e, s->preview.blends, &number, "a preview outlived its stroke");
     DAMAGED(e, s->has_pending, true, "a pending fit without a curve");
     DAMAGED(e, s->state, BAT_SKETCHING_PENDING, "nothing is pending");
     s->has_pending = true, s->pending_result = (bat_edit_result){1, {curve}, NULL};

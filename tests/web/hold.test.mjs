@@ -1,4 +1,4 @@
-// A stroke held at its end becomes a figure, dragged while it is held; the chips offer the stroke as drawn.
+// A stroke held at its end is offered a figure: a chip makes it; drawn on, the stroke is whole.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -23,39 +23,55 @@ const round = ([x, y], r) => Array.from({ length: 91 }, (_, i) => {
   return [x + r * (1 + 0.03 * Math.sin(3 * angle)) * Math.cos(angle), y + 0.62 * r * Math.sin(angle)];
 });
 
-for (const [pointerType, colorScheme] of [['pen', 'light'], ['mouse', 'dark']]) {
-  test(`${pointerType}: a rest makes a figure of the stroke`, async (t) => {
+for (const [pointerType, colorScheme, viewport] of [['pen', 'light', { width: 1544, height: 800 }], ['mouse', 'dark', { width: 1544, height: 800 }],
+  ['pen', 'dark', { width: 390, height: 844 }]]) {
+  const name = `${pointerType}-${viewport.width}`;
+  test(`${name}: a rest offers a figure in place of the stroke`, async (t) => {
     const server = await serve({ name: 'new.svg', bytes: EMPTY });
     t.after(() => server.close());
-    const { page, hand } = await open(browser, server.address, { colorScheme });
+    const { page, hand } = await open(browser, server.address, { colorScheme, viewport });
     await page.evaluate(() => { globalThis.rests = true; });
     const opened = await state(page);
-    const held = (hint) => page.waitForFunction((text) => document.getElementById('hint').textContent.startsWith(text), hint);
-    const away = [760, 300];
-    await hand.stroke(careless([300, 240], [700, 330]), { pointerType, during: async () => {
-      await held('Drag to fit the shape');
-      await page.screenshot({ path: path.join(SCREENSHOTS, `hold-line-${colorScheme}.png`) });
-      await hand.drag([700, 330], away, pointerType);
-    }, end: away });
-    const line = await state(page);
-    assert.notEqual(line.digest, opened.digest);
-    assert.equal(line.check, '');
+    const held = () => page.waitForFunction(() => document.getElementById('hint').textContent.startsWith('Lift'));
+    const [from, end, away] = viewport.width > 700 ? [[300, 240], [700, 330], [760, 420]] : [[80, 340], [300, 400], [320, 460]];
+    const line = careless(from, end);
+    await hand.stroke(line, { pointerType, during: async () => {
+      await held();
+      await page.screenshot({ path: path.join(SCREENSHOTS, `hold-line-${name}.png`) });
+    } });
+    await quiet(page);
+    const drawn = await state(page);
     const chips = page.locator('.chips button');
     await chips.first().waitFor();
-    assert.deepEqual(await chips.allTextContents(), ['Straight line', 'As drawn']);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `hold-chips-${colorScheme}.png`) });
+    assert.deepEqual(await chips.allTextContents(), ['New line', 'Straight line']);
+    assert.equal(await page.locator('.chips [aria-pressed=true]').textContent(), 'New line', 'as it was drawn');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `hold-chips-${name}.png`) });
     await chips.nth(1).click();
     await settle(page);
-    assert.notEqual((await state(page)).digest, line.digest);
+    assert.notEqual((await state(page)).digest, drawn.digest);
+    assert.equal((await state(page)).check, '');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `hold-taken-${name}.png`) });
     await page.keyboard.press('Control+z');
     await settle(page);
     assert.equal((await state(page)).digest, opened.digest, 'all of it is one step');
-    await hand.stroke(round([560, 480], 130), { pointerType, during: async () => {
-      await held('Drag to fit the shape');
-      await page.screenshot({ path: path.join(SCREENSHOTS, `hold-ellipse-${colorScheme}.png`) });
-      await page.keyboard.press('Escape');
-      await settle(page);
-    } });
+    // Drawn on, nothing is left of the offer.
+    await hand.stroke(line, { pointerType, during: async () => {
+      await held();
+      await hand.drag(end, away, pointerType);
+      await page.waitForFunction(() => !document.getElementById('hint').textContent.startsWith('Lift'));
+    }, end: away });
+    await quiet(page);
+    assert.ok(!(await chips.allTextContents()).includes('Straight line'));
+    await page.keyboard.press('Control+z');
+    await settle(page);
+    if (viewport.width > 700) {
+      await hand.stroke(round([560, 480], 130), { pointerType, during: async () => {
+        await held();
+        await page.screenshot({ path: path.join(SCREENSHOTS, `hold-ellipse-${name}.png`) });
+        await page.keyboard.press('Escape');
+        await settle(page);
+      } });
+    }
     assert.equal((await state(page)).digest, opened.digest, 'cancelled, nothing is left');
     await quiet(page);
   });

@@ -50,6 +50,9 @@ export async function settleIn(shell) {
       void want(import('./tips.js')).then(({ tips }) => tips());
       void want(import('../sheets/typed.js')).then(({ keepTyped }) => keepTyped(shell));
       void want(import('../stage/over.js')).then(({ Over }) => Over.begin(shell));
+      void want(import('../stage/settling.js')).then(({ Settling }) => {
+        shell.settling = new Settling(shell);
+      });
     }, { signal: seen.signal });
   }
   // A screen reader may read without any input.

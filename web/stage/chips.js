@@ -155,6 +155,8 @@ export class Chips {
   #place() {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.stage;
     const within = (/** @type {number} */ x, /** @type {number} */ most) => Math.max(EDGE, Math.min(x, most - EDGE));
+    const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
+    this.box.style.maxWidth = `${(offsetWidth - 2 * EDGE) / scale}px`;
     const size = this.box.getBoundingClientRect();
     const { width, height } = size;
     const [x0, y0, x1, y1] = this.around ?? [0, 0, ...this.at];
@@ -168,7 +170,6 @@ export class Chips {
     const fits = (/** @type {number[]} */ [x, y]) => x === within(x, offsetWidth - width - SLACK) && y === within(y, offsetHeight - height) &&
       !this.#coversLevels([x, y], size);
     const [left, top] = inside(places.find(fits) ?? places[0]);
-    const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
     this.box.style.setProperty('left', `${(offsetLeft + left) / scale}px`);
     this.box.style.setProperty('top', `${(offsetTop + top) / scale}px`);
   }

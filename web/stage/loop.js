@@ -82,6 +82,7 @@ export class Loop {
       void this.#deepen(frame.tilt + frame.moves !== 0);
     }
     this.space?.show(frame);
+    this.shell.settling?.show(frame);
     painter.paint(frame);
     panel.show(frame);
     this.#tell(frame);

@@ -372,11 +372,11 @@ export class Painter {
 
   /** @param {Item} item @param {number} zoom @returns {Look} */
   #look(item, zoom) {
-    const own = item.role === Role.OBJECT;
+    const own = item.role === Role.OBJECT || item.stroke > 0; // a line that is being drawn
     const role = this.theme.roles[item.role] ?? this.theme.roles[1];
     // The page is always filled, whatever the engine's flags for its border say.
     const filled = item.flags & Flag.FILLED || isPage(item);
-    const stroked = item.flags & Flag.STROKED && !(own && this.flat);
+    const stroked = item.flags & Flag.STROKED && !(own && item.id && this.flat);
     const width = item.flags & Flag.SCREEN_WIDTH ? item.width / zoom : item.width;
     return {
       fill: filled ? own ? this.theme.colour(item.fill) : role.fill : '',

@@ -17,7 +17,7 @@ static void word(const bat_context *c, const bat_again *again, int reading, bat_
     const bat_edit *edit = &again->edit[reading];
     const bat_string said = bat_again_word(again, reading);
     bat_text_string(&words, bat_word(c, said));
-    bool one = said != BAT_STRING_READ_DRAWN && said != BAT_STRING_READ_CONVERGED &&
+    bool one = reading != again->figure && reading != again->converged &&
                (edit->kind == BAT_EDIT_REDRAW || edit->kind == BAT_EDIT_LEVEL ||
                 edit->kind == BAT_EDIT_EXTEND);
     const bat_document *document = c->session->document;

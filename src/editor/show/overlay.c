@@ -116,7 +116,8 @@ void bat_overlay_end(bat_overlay *overlay, double pixel) {
         bat_path part = overlay->path;
         part.count = end;
         bat_path_bounds(&part, start, item.bounds);
-        float more = item.flags & BAT_ITEM_STROKED ? bat_path_float(item.width / 2 * pixel) : 0;
+        const double unit = item.flags & BAT_ITEM_SCREEN_WIDTH ? pixel : 1;
+        float more = item.flags & BAT_ITEM_STROKED ? bat_path_float(item.width / 2 * unit) : 0;
         item.bounds[0] -= more;
         item.bounds[1] -= more;
         item.bounds[2] += more;

@@ -63,21 +63,5 @@ void bat_figure_nearest(size_t count, const double *pixels, bat_figure *out) {
         if (found.kind != BAT_FIGURE_CLOTHOID) place(&found, (double)i / (double)(out->count - 1), p);
         for (int k = 0; k < 2; k++) p[k] = trace.middle[k] + trace.size * p[k];
     }
-    memcpy(out->anchor, out->points, sizeof out->anchor);
-    if (!trace.closed) return;
-    memcpy(out->points + 2 * (out->count - 1), out->points, sizeof out->anchor);
-    for (int k = 0; k < 2; k++) out->anchor[k] = trace.middle[k] + trace.size * found.number[k];
-}
-
-void bat_figure_drag(const bat_figure *figure, const double from[2], const double to[2], double *points) {
-    const double *a = figure->anchor, x = from[0] - a[0], y = from[1] - a[1], u = to[0] - a[0],
-                 v = to[1] - a[1];
-    const double square = x * x + y * y;
-    double c = 1, s = 0;
-    if (square > 0) c = (x * u + y * v) / square, s = (x * v - y * u) / square;
-    for (size_t i = 0; i < figure->count; i++) {
-        const double px = figure->points[2 * i] - a[0], py = figure->points[2 * i + 1] - a[1];
-        points[2 * i] = a[0] + c * px - s * py;
-        points[2 * i + 1] = a[1] + s * px + c * py;
-    }
+    if (trace.closed) memcpy(out->points + 2 * (out->count - 1), out->points, 2 * sizeof *out->points);
 }

@@ -25,16 +25,13 @@ enum { BAT_FIGURE_POINTS = 256 };
 
 typedef struct bat_figure {
     bat_figure_kind kind;
-    double miss;      /* rms distance of the stroke, pixels */
-    double anchor[2]; /* what stays when it is dragged: the start; of a closed one, the middle */
-    size_t count;     /* points below */
+    double miss;                          /* rms distance of the stroke, pixels */
+    size_t count;                         /* points below */
     double points[2 * BAT_FIGURE_POINTS]; /* x y along it, the two ends (closed: the same) among them */
 } bat_figure;
 
 /* count places of a stroke, x y each, view pixels; bad numbers are dropped. Cost: linear in count, plus some
  * 0.3 ms. */
 void bat_figure_nearest(size_t count, const double *pixels, bat_figure *out);
-/* The figure turned and scaled about its anchor so that what was at `from` comes to `to`. points: out->count of them. */
-void bat_figure_drag(const bat_figure *figure, const double from[2], const double to[2], double *points);
 
 #endif

@@ -33,7 +33,7 @@ static void hover_lights_the_curve_up(void **state) {
         if (item) { /* the nearest of the two, whole */
             double y = places[i].y < 400 ? 200 : 600;
             assert_true(fabs((item->bounds[1] + item->bounds[3]) / 2 + frame->origin[1] - y) < 0.01);
-            assert_true(fabs(item->bounds[2] - item->bounds[0] - 600) < 4);
+            assert_true(fabs(item->bounds[2] - item->bounds[0] - item->width - 600) < 0.1);
         }
     }
     pen_event(&p, BAT_POINTER_HOVER, 500, 200);

@@ -54,19 +54,17 @@ static void take_samples(bat_samples *own, bat_samples *samples) {
     bat_samples_clear(samples);
 }
 
-/* The stroke as it was drawn. */
-static void keep_drawn(bat_again *again, bat_sketch_hold *hold) {
-    again->raw = again->converged = -1;
-    again->figure = hold->on ? hold->figure.kind : BAT_FIGURE_NONE;
-    if (!hold->on) return;
-    take_samples(&again->drawn, &hold->drawn.samples);
-    again->raw = again->count++;
-    again->edit[again->raw] = hold->drawn;
-    again->edit[again->raw].samples = again->drawn;
+/* The figure that the stroke offers, in place of what it was taken as. */
+static void keep_figure(bat_again *again, const bat_sketch_hold *hold) {
+    again->figure = again->converged = -1;
+    again->kind = hold->figure.kind;
+    const bat_edit *drawn = &again->edit[again->at];
+    if (bat_hold_edit(hold, drawn, &again->along, &again->edit[again->count]) == BAT_OK)
+        again->figure = again->count++;
 }
 
 void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples,
-                    bat_sketch_hold *hold) {
+                    const bat_sketch_hold *hold) {
     again->at = -1;
     for (int i = 0; i < again->count; i++)
         if (again->edit[i].kind == edit->kind && (edit->kind == BAT_EDIT_NEW || same(&again->edit[i], edit)))
@@ -80,7 +78,7 @@ void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_
     again->edit[again->at].object = edit->object;
     take_samples(&again->samples, samples);
     for (int i = 0; i < again->count; i++) again->edit[i].samples = again->samples;
-    keep_drawn(again, hold);
+    keep_figure(again, hold);
     const size_t size = (size_t)again->samples.dimension;
     again->place[2] = 0;
     memcpy(again->place, again->samples.places + size * (again->samples.count - 1),
@@ -113,7 +111,7 @@ void bat_again_free(bat_again *again) {
     bat_curve_free(again->before);
     again->before = NULL;
     bat_samples_free(&again->samples);
-    bat_samples_free(&again->drawn);
+    bat_samples_free(&again->along);
 }
 
 bool bat_again_holds(const bat_context *c, const bat_again *again) {
@@ -217,9 +215,7 @@ bat_string bat_again_word(const bat_again *again, int reading) {
         [BAT_EDIT_SMOOTH] = BAT_STRING_READ_REDRAW, [BAT_EDIT_JOIN] = BAT_STRING_READ_JOIN,
         [BAT_EDIT_LEVEL] = BAT_STRING_READ_REDRAW,  [BAT_EDIT_EXTEND] = BAT_STRING_READ_EXTEND,
         [BAT_EDIT_CLOSE] = BAT_STRING_READ_CLOSE,   [BAT_EDIT_SEVERAL] = BAT_STRING_READ_SEVERAL};
-    const bat_edit_kind kind = again->edit[reading].kind;
-    if (reading == again->raw) return BAT_STRING_READ_DRAWN;
+    if (reading == again->figure) return bat_hold_word(again->kind);
     if (reading == again->converged) return BAT_STRING_READ_CONVERGED;
-    if (kind == BAT_EDIT_NEW && again->figure) return bat_hold_word(again->figure);
-    return words[kind];
+    return words[again->edit[reading].kind];
 }

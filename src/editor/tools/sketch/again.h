@@ -15,15 +15,15 @@ enum { BAT_AGAIN_MOST = 4 }; /* readings that are offered at most */
 
 typedef struct bat_again {
     int count, at;                     /* readings, the cheapest first; the one in force. count 0: none */
-    bat_edit edit[BAT_AGAIN_MOST + 1]; /* all share the samples below */
+    bat_edit edit[BAT_AGAIN_MOST + 2]; /* all but the figure share the samples below */
     bat_samples samples;               /* owned */
-    bat_figure_kind figure;            /* the figure that the samples represent, or none */
-    int raw;               /* the reading as the original stroke instead of the figure; -1: none */
-    bat_samples drawn;     /* its samples, owned */
-    int converged;         /* the reading as one of several careless strokes; -1: none */
-    bat_together together; /* what they mean, owned */
-    double amount;         /* from raw, 0, to fair, 1; as drawn: 1/2 */
-    double tolerance;      /* of the stroke as drawn, document units */
+    int figure;                        /* the reading as the figure that was offered; -1: none */
+    bat_figure_kind kind;              /* of that */
+    bat_samples along;                 /* its samples, owned */
+    int converged;                     /* the reading as one of several careless strokes; -1: none */
+    bat_together together;             /* what they mean, owned */
+    double amount;                     /* from raw, 0, to fair, 1; as drawn: 1/2 */
+    double tolerance;                  /* of the stroke as drawn, document units */
     bat_curve *before;   /* what the reading in force has redrawn, owned; NULL: nothing, or several curves */
     bat_edit_result fit; /* the preview while the amount is being chosen */
     uint64_t revision;   /* of the document after the stroke */
@@ -36,10 +36,10 @@ typedef struct bat_again {
 /* Gathers the other possible meanings of the stroke: readings not much dearer than the best, and always a new line.
  * The edits have no samples until bat_again_keep. */
 void bat_again_gather(bat_context *c, const bat_meaning *meaning, const bat_edit *edit, bat_again *again);
-/* The stroke has been committed as `edit`. Takes ownership of its samples (*samples gets other memory in exchange),
- * and, when the stroke was held, also of the samples that it was drawn with. */
+/* The stroke has been committed as `edit`. Takes ownership of its samples (*samples gets other memory in exchange).
+ * The figure that it offers, when it was held, is one reading more. */
 void bat_again_keep(bat_context *c, bat_again *again, const bat_edit *edit, bat_samples *samples,
-                    bat_sketch_hold *hold);
+                    const bat_sketch_hold *hold);
 /* After bat_again_keep: the stroke has been committed as one of several, which takes the first place among its readings.
  * Takes over what they mean. */
 void bat_again_converged(bat_again *again, bat_together *together);

@@ -156,29 +156,6 @@ void bat_sketching_update_stroke(bat_context *c, bat_sketching *s) {
         bat_sketching_refresh_preview(c, s);
 }
 
-/* After the samples have been replaced: decides anew what they mean. */
-static void read_figure(bat_context *c, bat_sketching *s, bat_status status) {
-    bat_sketching_drop_session(s);
-    s->preview_due = true;
-    s->predicted_count = 0;
-    if (status == BAT_OK) status = bat_meaning_begin(c, &s->meaning, s->device);
-    if (status != BAT_OK) give_up(c, s, status);
-}
-
-/* The pen rests: turns the stroke so far into a figure. */
-static void hold(bat_context *c, bat_sketching *s) {
-    bat_status status = BAT_OK;
-    while (status == BAT_OK && bat_steady_catch_up(&s->steady))
-        status = add_sample(s, &(bat_pointer){.x = s->hover[0], .y = s->hover[1], .time = s->hold.since});
-    if (status == BAT_OK) status = bat_meaning_look(c, &s->meaning, &s->edit.stage, &s->edit.samples, true);
-    if (status == BAT_OK && s->meaning.count)
-        bat_meaning_apply(c, &s->meaning, &s->meaning.readings[0], &s->edit);
-    if (status == BAT_OK) status = bat_hold_take(&s->hold, &s->edit);
-    if (status == BAT_STATE || status == BAT_DOT) return; /* like no figure: the stroke goes on unchanged */
-    read_figure(c, s, status);
-    if (s->hold.on) bat_notice(c, bat_hold_word(s->hold.figure.kind));
-}
-
 void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event) {
     bat_sketching *s = state;
     if (s->state != BAT_SKETCHING_DRAWING) return; /* cancelled, but the pen is still down */
@@ -192,10 +169,6 @@ void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event) {
     s->predicted_count = 0;
     s->hover[0] = event->x; /* where to look for the highlight after the stroke */
     s->hover[1] = event->y;
-    if (s->hold.on) {
-        read_figure(c, s, bat_hold_drag(&s->hold, &s->edit, s->hover));
-        return;
-    }
     bat_steady_move(&s->steady, s->hover);
     bat_status status = add_sample(s, event);
     while (event->phase == BAT_POINTER_UP && status == BAT_OK && bat_steady_catch_up(&s->steady))
@@ -207,6 +180,6 @@ void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event) {
     if (event->modifiers & BAT_ALT) bat_sketching_start_smoothing(s);
     if (s->travelled > TAP && s->has_pending) bat_sketching_drop_pending(s);
     const double seconds = c->settings->values[BAT_PROPERTY_HOLD_TIME];
-    if (bat_hold_due(&s->hold, event, s->edit.samples.count, seconds) && !s->forced && !s->smoothing)
-        hold(c, s);
+    if (!s->forced && !s->smoothing && bat_hold_rests(&s->hold, event, &s->edit.samples, seconds))
+        s->preview_due = true;
 }

@@ -88,10 +88,7 @@ static void commit(bat_context *c, bat_sketching *s, bat_edit_result *result, co
         return;
     }
     bat_sketching_say_done(c, &s->edit, report, strayed, closed);
-    if (s->hold.on)
-        s->hairs.count = 0; /* a figure is not careless */
-    else
-        bat_hairs_note(c, &s->hairs, &s->edit, false);
+    bat_hairs_note(c, &s->hairs, &s->edit, false);
     if (!choice) return;
     bat_again_keep(c, &s->again, &s->edit, &s->edit.samples, &s->hold);
     bat_sketching_keep(c, s);

@@ -19,7 +19,7 @@ bat_string bat_sketching_hint(const bat_context *c, const void *state) {
     const bat_sketching *s = state;
     if (s->has_pending) return BAT_STRING_HINT_PENDING;
     if (s->state == BAT_SKETCHING_DRAWING) {
-        if (s->hold.on) return BAT_STRING_HINT_HELD;
+        if (s->hold.figure.kind != BAT_FIGURE_NONE) return BAT_STRING_HINT_HELD;
         if (bat_sketching_smooths_nothing(s)) return BAT_STRING_HINT_SMOOTH_NOTHING;
         if (s->edit.kind == BAT_EDIT_SMOOTH) return BAT_STRING_HINT_SMOOTHING;
         if (s->preview.converges) return BAT_STRING_HINT_CONVERGING;

@@ -11,7 +11,6 @@
 #include "editor/view/stage.h"
 
 static const double REACH = 12, REACH_TOUCH = 24; /* px: reach of the pen for curves */
-static const float HIGHLIGHT_WIDTH = 3;
 
 static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
 
@@ -82,8 +81,11 @@ void bat_sketching_look(bat_context *c, bat_sketching *s) {
 void bat_sketching_highlight(const bat_context *c, bat_overlay *overlay, int dimension, bat_id object,
                              int curve) {
     const bat_curve *target = bat_edit_target_in(c->session->document, dimension, object, curve);
-    if (!target) return;
-    bat_overlay_item(overlay, BAT_ROLE_HIGHLIGHT, BAT_ITEM_STROKED, HIGHLIGHT_WIDTH);
+    const bat_object *held = bat_document_at(c->session->document,
+                                             bat_document_find(c->session->document, object));
+    if (!target || !held) return;
+    const bat_width_profile profile = bat_object_widths(held);
+    bat_sketching_halo(overlay, BAT_ROLE_HIGHLIGHT, bat_sketching_width(c, bat_object_style(held), &profile));
     bat_path_curve(&overlay->path, target);
 }
 

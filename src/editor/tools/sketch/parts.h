@@ -70,6 +70,12 @@ bool bat_sketching_accept(bat_context *c, void *state); /* false: nothing awaits
 bat_status bat_sketching_trace(bat_context *c, void *state, const bat_traced *stroke);
 bat_status bat_sketching_lift(bat_context *c, void *state, const bat_traced *stroke);
 
+/* ---- halo.c: the halo around a line ---- */
+/* How wide a line is seen where it is widest, view pixels. */
+float bat_sketching_width(const bat_context *c, const bat_style *style, const bat_width_profile *profile);
+/* Begins a faint item in the accent around a line of that width: on either side at most half as wide again. */
+void bat_sketching_halo(bat_overlay *overlay, bat_role role, float width);
+
 /* ---- show.c: the overlay ---- */
 void bat_sketching_show_stroke(bat_context *c, bat_sketching *s, bat_overlay *overlay);
 void bat_sketching_show_pending(const bat_context *c, const bat_sketching *s, bat_overlay *overlay);

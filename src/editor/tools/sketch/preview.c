@@ -6,7 +6,6 @@
 #include "editor/session/session.h"
 #include "editor/tools/sketch/parts.h"
 #include "editor/view/stage.h"
-#include <stdlib.h>
 #include <string.h>
 
 bool bat_sketching_one_changes(const bat_edit *edit) {
@@ -36,27 +35,10 @@ bat_status bat_sketching_feed(bat_context *c, bat_sketching *s) {
     return status;
 }
 
-/* Keeps the points before and after the new stretch, where the fit blends into the old curve, in drawing coordinates. */
-static void keep_blends(bat_sketching_preview *preview, const bat_stage *stage,
-                        const bat_sketch_live_info *info) {
-    const int dimension = bat_stage_dimension(stage);
-    if (!info->target || info->stroke_last >= info->target_count || info->stroke_first > info->stroke_last)
-        return;
-    size_t counts[2] = {info->stroke_first + 1, info->target_count - info->stroke_last};
-    double *blends = malloc((counts[0] + counts[1]) * 2 * sizeof *blends);
-    if (!blends) return; /* out of memory: only the picture lacks them */
-    for (size_t i = 0; i < counts[0] + counts[1]; i++) {
-        size_t at = i < counts[0] ? i : info->stroke_last + i - counts[0];
-        bat_stage_look(stage, dimension, info->target + at * (size_t)dimension, blends + 2 * i);
-    }
-    preview->blends = blends;
-    memcpy(preview->blend_counts, counts, sizeof counts);
-}
-
 bool bat_sketching_converged(const bat_context *c, const bat_sketching *s, bat_together *together,
                              bat_curve **curve, bat_sketch_report *report) {
     const bat_edit *edit = &s->edit;
-    if (s->forced || s->smoothing || s->hold.on) return false;
+    if (s->forced || s->smoothing) return false;
     if (bat_hairs_join(c, &s->hairs, edit, together) != BAT_OK) return false;
     const bat_curve *target = bat_edit_target(c->session->document, edit->object, edit->curve);
     if (bat_together_shape(together, edit, 1, target, curve, report) == BAT_OK) return true;
@@ -92,7 +74,6 @@ static void fit(bat_context *c, bat_sketching *s) {
     if (status != BAT_OK && status != BAT_TOLERANCE) return;
     s->preview.curve = curve;
     s->preview.report = info.report;
-    if (curve && bat_sketching_one_changes(&s->edit)) keep_blends(&s->preview, &s->edit.stage, &info);
 }
 
 /* What follows the curve; with symmetry, also what follows its twin, which becomes its image. */

@@ -87,8 +87,7 @@ static const char *check(const bat_context *c, const void *state) {
     bool drawing = s->state == BAT_SKETCHING_DRAWING;
     if (drawing && !s->edit.samples.count) return "a stroke under way has no samples";
     if (!drawing && s->edit.samples.count) return "samples are left of a stroke that ended";
-    if (!drawing && (s->live || s->preview.curve || s->preview.blends))
-        return "a preview outlived its stroke";
+    if (!drawing && (s->live || s->preview.curve)) return "a preview outlived its stroke";
     if (drawing && bat_contacts_count(&c->input->contacts, BAT_DUTY_TOOL, NULL) != 1)
         return "a stroke without a pen";
     if (s->fed > s->edit.samples.count) return "the session has samples that the stroke has not";

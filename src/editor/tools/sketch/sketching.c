@@ -1,11 +1,9 @@
 /* The sketch tool's memory: what it keeps, and releasing it. */
 #include "editor/input/samples.h"
 #include "editor/tools/sketch/parts.h"
-#include <stdlib.h>
 
 void bat_sketching_drop_preview(bat_sketching *s) {
     bat_curve_free(s->preview.curve);
-    free(s->preview.blends);
     bat_followers_clear(&s->preview.followers);
     s->preview = (bat_sketching_preview){0};
 }
@@ -25,7 +23,7 @@ void bat_sketching_end_stroke(bat_sketching *s) {
     bat_sketching_drop_session(s);
     bat_sketching_drop_preview(s);
     bat_samples_clear(&s->edit.samples);
-    bat_hold_end(&s->hold);
+    s->hold.figure.kind = BAT_FIGURE_NONE;
     s->state = s->has_pending ? BAT_SKETCHING_PENDING : BAT_SKETCHING_IDLE;
     s->preview_due = false;
     bat_meaning_end(&s->meaning);
@@ -40,6 +38,5 @@ void bat_sketching_end(void *state) {
     bat_again_free(&s->again);
     bat_hairs_free(&s->hairs);
     bat_kept_free(&s->kept);
-    bat_samples_free(&s->hold.drawn.samples);
     bat_meaning_end(&s->meaning);
 }

@@ -25,8 +25,6 @@ typedef struct bat_sketching_preview {
     bat_curve *curve; /* owned; NULL: nothing to show */
     bool converges;   /* it is what several careless strokes mean together */
     bat_sketch_report report;
-    double *blends; /* points of the two transitions, x y, owned */
-    size_t blend_counts[2];
     bat_followers followers; /* of the curve */
 } bat_sketching_preview;
 
@@ -43,7 +41,7 @@ typedef struct bat_sketching {
     /* DRAWING */
     bat_edit edit;           /* made by the stroke under the pen */
     bat_steady steady;       /* between the pen and the samples */
-    bat_sketch_hold hold;    /* a stroke held at its end becomes a figure */
+    bat_sketch_hold hold;    /* a stroke held at its end offers a figure */
     bool forced;             /* its meaning was given in advance */
     bat_meaning meaning;     /* its possible meanings */
     double tap[2], tap_time; /* of the last dot: view pixels, ms */
