@@ -7,7 +7,7 @@ foreach(language ${LANGUAGES})
   set(words ${CMAKE_BINARY_DIR}/words.${language}.json)
   add_custom_command(OUTPUT ${words} VERBATIM
     DEPENDS ${PROJECT_SOURCE_DIR}/src/editor/tables/strings.def ${PROJECT_SOURCE_DIR}/src/editor/tables/words.in
-    COMMAND ${CMAKE_C_COMPILER} -E -P -x c -I${PROJECT_SOURCE_DIR}/src "-DTEXT(id,key,en,ko)=key:${language},"
+    COMMAND ${CMAKE_C_COMPILER} -E -P -x c -I${PROJECT_SOURCE_DIR}/src "-DTEXT(id,key,en,ko)=key:${language}," "-DWORDS(key,words)=key:words,"
             -o ${words} ${PROJECT_SOURCE_DIR}/src/editor/tables/words.in)
   list(APPEND WORDS ${words})
 endforeach()

@@ -82,11 +82,11 @@ defs = (root / "src/editor/tables/commands.def").read_text("utf-8")
 commands = set(re.findall(r'^(?:COMMAND|HELD)\(\w+, "([^"]+)"', defs, re.M))
 rows = re.findall(r'^PROPERTY\(\w+, "([^"]+)".*?([A-Z]+)\)$', re.sub(r",\n\s+", ", ", defs), re.M)
 settings = {name for name, group in rows if group != "LEVELS"} - commands
-keywords = (root / "web/sheets/keywords.js").read_text("utf-8")
-for names, table in ((commands, "COMMANDS"), (settings, "SETTINGS")):
-    listed = set(re.findall(r"^  '([a-z0-9-]+)': '\S", re.search(rf"const {table} = {{(.*?)^}};", keywords, re.M | re.S)[1], re.M))
-    faults += [f"web/sheets/keywords.js: {table} have no {name}" for name in sorted(names - listed)]
-    faults += [f"web/sheets/keywords.js: {table} have {name}, which there is not" for name in sorted(listed - names)]
+searched = set(re.findall(r'^WORDS\("([^"]+)\.words", "[^"]', (root / "src/editor/tables/strings.def").read_text("utf-8"), re.M))
+named = {f"command.{name}" for name in commands} | {f"property.{name}" for name in settings}
+faults += [f"strings.def: {key} has no WORDS" for key in sorted(named - searched)]
+faults += [f"strings.def: WORDS of {key}, which there is not" for key in sorted(searched - named)
+           if not key.startswith("format.") and key not in keys]
 faults += [f"{key}: not in strings.def" for key in sorted(asked - keys)]
 print("\n".join(faults))
 print(f"{len(files)} scripts and the page read, {len(faults)} faults")

@@ -90,7 +90,7 @@ const WORDS = {
   'layers': 'layers', 'settings': 'settings', 'preferences': 'settings', 'help': 'shortcuts', 'manual': 'shortcuts', 'shortcuts': 'shortcuts',
   'smooth': 'tool-smooth', 'align': 'align-left align-top', 'trim': 'curve-split', 'scissors': 'curve-split', 'node': 'tool-points',
   'corner': 'corner-make', 'dash': 'setting-dashes', 'ruler': 'show-rulers', 'snap': 'snap', 'language': 'setting-language',
-  'taper': 'setting-widths', 'units': 'setting-unit', 'artboard': 'position', 'print': 'export-pdf', 'import': 'open',
+  'taper': 'setting-widths', 'units': 'setting-unit', 'artboard': 'numbers', 'print': 'export-pdf', 'import': 'open',
   'zebra': 'setting-look look-next', 'mask': 'region-intersect',
 };
 

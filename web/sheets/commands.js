@@ -2,7 +2,6 @@
 // by the words that one has. Fetched at the first sign of a user.
 
 import { found } from './finder.js';
-import { COMMANDS } from './keywords.js';
 import { shortcutOf } from './keys.js';
 import { keyName, tell, word } from '../page/words.js';
 
@@ -134,7 +133,7 @@ export class CommandSheet {
 
   /** What fits the search, the best first: Enter runs that. */
   #found() {
-    const commands = this.commands.map((row) => ({ label: row.label, words: COMMANDS[row.name] ?? '',
+    const commands = this.commands.map((row) => ({ label: row.label, words: word(`command.${row.name}.words`),
       help: [word(`command.${row.name}.help`), ...row.keys, ...row.keys.map(keyName)].join(' '), make: () => this.#row(row) }));
     const others = this.others().map((other) => ({ ...other, make: () => this.#other(other) }));
     const entries = found([...commands, ...others].map((one) => ({ ...one, label: one.label.toLowerCase(), more: one.help.toLowerCase() })),
