@@ -119,7 +119,7 @@ static bool runs_along(const track *t, const stretch *s, double gap) {
     return most <= DOUBTFUL * gap || stays_near(t, s, worst, gap);
 }
 
-static bool are_linked(const track t[2], const bat_contact *x, const bat_contact *y, double gap) {
+static bool are_linked(const track t[2], const bat_touching *x, const bat_touching *y, double gap) {
     const stretch there = {x->at.u, way(&t[0].own, x->at.u, y->at.u), x->at.v,
                            way(&t[1].own, x->at.v, y->at.v)};
     const stretch back = {there.v, there.dv, there.u, there.du};
@@ -128,19 +128,19 @@ static bool are_linked(const track t[2], const bat_contact *x, const bat_contact
 
 /* ---- groups ---- */
 
-static size_t root_of(const bat_contact *all, size_t i) {
+static size_t root_of(const bat_touching *all, size_t i) {
     while (all[i].group != i) i = all[i].group;
     return i;
 }
 
 /* Of two places of one contact the one that stands for it. */
-static bool is_better(const bat_contact *x, const bat_contact *y) {
+static bool is_better(const bat_touching *x, const bat_touching *y) {
     if (x->exact != y->exact) return x->exact;
     return x->distance < y->distance;
 }
 
-static void unite(bat_contact *all, size_t i, size_t j) {
-    bat_contact *into = all + (i < j ? i : j), *from = all + (i < j ? j : i);
+static void unite(bat_touching *all, size_t i, size_t j) {
+    bat_touching *into = all + (i < j ? i : j), *from = all + (i < j ? j : i);
     from->group = into->group;
     if (is_better(from, into))
         into->at = from->at, into->exact = from->exact, into->distance = from->distance;
@@ -150,15 +150,15 @@ static void unite(bat_contact *all, size_t i, size_t j) {
 }
 
 static int by_place(const void *a, const void *b) {
-    const bat_contact *x = a, *y = b;
+    const bat_touching *x = a, *y = b;
     if (x->at.u != y->at.u) return x->at.u < y->at.u ? -1 : 1;
     return (x->at.v > y->at.v) - (x->at.v < y->at.v);
 }
 
 /* Each place is looked at together with the few that follow it along the first curve. */
-static size_t group(const track t[2], bat_contact *all, size_t count, double gap) {
+static size_t group(const track t[2], bat_touching *all, size_t count, double gap) {
     qsort(all, count, sizeof *all, by_place); /* no ties but of equals */
-    bat_contact *places = all;
+    bat_touching *places = all;
     for (size_t i = 0; i < count; i++) {
         all[i].group = i, all[i].alone = true;
         all[i].ends[0] = all[i].ends[1] = all[i].at;
@@ -229,7 +229,7 @@ static bool is_straight(const course *c, double u, double reach) {
 }
 
 /* A single place where the directions are plainly not parallel, nor anywhere near. */
-static bool is_plain(const track t[2], const bat_contact *c, double gap, double *turn) {
+static bool is_plain(const track t[2], const bat_touching *c, double gap, double *turn) {
     double speed;
     if (!c->exact || !c->alone) return false;
     const vec across = vec_cross(direction_at(&t[1].own, c->at.v, &speed),
@@ -253,7 +253,7 @@ static bat_contact_kind kind_along(const track *t, const double ends[2][2], cons
 }
 
 /* A tight bend within the gap looks like a crossing along one curve and like none along the other: none it is. */
-static void give_kind(const track t[2], bat_contact *c, const double clear[2][2], double gap) {
+static void give_kind(const track t[2], bat_touching *c, const double clear[2][2], double gap) {
     double turn = 0;
     int sign[2];
     const bool plane = bat_curve_dimension(t[0].own.curve) == 2;
@@ -275,7 +275,7 @@ static void give_kind(const track t[2], bat_contact *c, const double clear[2][2]
 }
 
 /* How far it is along both curves from one contact to another. */
-static void clearance(const track t[2], const bat_contact *from, const bat_contact *to, double out[2]) {
+static void clearance(const track t[2], const bat_touching *from, const bat_touching *to, double out[2]) {
     const double u = fabs(way(&t[0].own, from->ends[1].u, to->ends[0].u)),
                  v = fabs(way(&t[1].own, from->ends[1].v, to->ends[0].v));
     out[0] = from == to ? t[0].own.to - t[0].own.from : u;
@@ -283,7 +283,7 @@ static void clearance(const track t[2], const bat_contact *from, const bat_conta
 }
 
 size_t bat_contacts_settle(const bat_curve *a, const bat_curve *b, double gap, size_t count,
-                           bat_contact *all) {
+                           bat_touching *all) {
     const course x = course_of(a, gap), y = course_of(b, gap);
     const track both[2] = {{x, y}, {y, x}};
     const size_t kept = group(both, all, count, gap);

@@ -394,7 +394,7 @@ static double nearest_of(const bat_encounter *m, const bat_candidate *x, bat_cro
 }
 
 /* Takes the contacts over. */
-static bat_status hand_over(bat_encounter *m, size_t count, bat_contact *all, bat_meeting *out) {
+static bat_status hand_over(bat_encounter *m, size_t count, bat_touching *all, bat_meeting *out) {
     count = bat_contacts_settle(m->a, m->b, m->gap, count, all);
     bat_crossing *crossings = malloc((count + 1) * sizeof *crossings);
     for (size_t i = 0; i < count && crossings; i++) crossings[i] = all[i].at;
@@ -409,7 +409,7 @@ static bat_status hand_over(bat_encounter *m, size_t count, bat_contact *all, ba
 bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
     gather(m);
     size_t count = 0;
-    bat_contact *all = malloc((m->count + 1) * sizeof *all);
+    bat_touching *all = malloc((m->count + 1) * sizeof *all);
     if (!all) return BAT_MEMORY;
     for (size_t i = 0; i < m->count; i++) {
         if (within(m, m->candidates + i) || trivial(m, m->candidates + i)) continue;
@@ -425,7 +425,7 @@ bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
         bool known = false;
         for (size_t j = 0; j < count && !known && (a_seam || b_seam); j++)
             known = same_crossing(m, &all[j].at, &at);
-        if (!known) all[count++] = (bat_contact){.at = at, .distance = distance, .exact = from->exact};
+        if (!known) all[count++] = (bat_touching){.at = at, .distance = distance, .exact = from->exact};
     }
     return hand_over(m, count, all, out);
 }

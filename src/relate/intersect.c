@@ -63,8 +63,9 @@ static void turn_over(bat_meeting *meeting) {
         meeting->overlaps[i] = (bat_overlap){{o.v[low], o.v[1 - low]}, {o.u[low], o.u[1 - low]}};
     }
     qsort(meeting->crossings, meeting->count, sizeof *meeting->crossings, by_u); /* no ties but of equals */
-    if (meeting->overlap_count)
-        qsort(meeting->overlaps, meeting->overlap_count, sizeof *meeting->overlaps, by_first);
+    bat_overlap *const overlaps = meeting->overlaps;
+    if (overlaps)
+        qsort(overlaps, meeting->overlap_count, sizeof *overlaps, by_first); /* no ties but of equals */
 }
 
 bat_status bat_curve_intersect(const bat_curve *a, const bat_curve *b, double tolerance, bat_meeting *out) {

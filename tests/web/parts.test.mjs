@@ -150,7 +150,7 @@ test('without an answer the page stays: it is better than none', async (t) => {
   await hand.stroke(await on(page, SKY));
   await page.waitForLoadState('networkidle');
   server.close();
-  await page.click('[data-name=menu]');
+  await page.click('[data-name=settings]');
   await said(page, 'some things do not work');
   await page.click('[data-about=missing] button');
   await page.waitForFunction(() => /does not answer/.test(document.getElementById('notice-text').textContent));

@@ -120,7 +120,7 @@ test('what is meant is found by the word that one has, and what is typed too ear
   await page.fill('#menu .search', 'union');
   await shot(page, 'union');
   await page.fill('#menu .search', 'quux');
-  assert.match(await page.textContent('#menu'), /Nothing found for "quux"/);
+  assert.match(await page.textContent('#menu'), /Nothing found for “quux”/);
   // A setting and a format open where they are.
   await page.fill('#menu .search', 'stabilizer');
   await page.keyboard.press('Enter');

@@ -47,12 +47,7 @@ export async function settleIn(shell) {
       void (shell.engine.words ?? shell.words.load());
       void shell.whole.complete().then((whole) => void (whole && shell.panel.fetchChips()));
       void shell.mirrorDrawing();
-      void want(import('./tips.js')).then(({ tips }) => tips());
-      void want(import('../sheets/typed.js')).then(({ keepTyped }) => keepTyped(shell));
-      void want(import('../stage/over.js')).then(({ Over }) => Over.begin(shell));
-      void want(import('../stage/settling.js')).then(({ Settling }) => {
-        shell.settling = new Settling(shell);
-      });
+      void want(import('../sheets/first_sign.js')).then(({ begin }) => begin(shell));
     }, { signal: seen.signal });
   }
   // A screen reader may read without any input.

@@ -1,7 +1,6 @@
 // The empty page: what to begin with, and at first the three hands, once. Pens draw through all of it (stage/over.js).
 // Fetched when a page is empty.
 
-import { Over } from '../stage/over.js';
 import { addressOf, dress, want } from './build.js';
 import { keep, kept } from './kept.js';
 import { tell, word } from './words.js';
@@ -26,7 +25,8 @@ function button(text, className = '') {
 export class Start {
   /** @param {Shell} shell */
   static async make(shell) {
-    await dress('styles/start.css');
+    const [{ Over }] = await Promise.all([want(import('../stage/over.js')), dress('styles/start.css')]);
+    Over.begin(shell);
     return new Start(shell);
   }
 
@@ -47,7 +47,6 @@ export class Start {
       this.#button('shell.start-trace', () => this.#trace()),
       this.#button('shell.start-car', () => void this.#car())]);
     this.box.append(this.row, this.form);
-    Over.begin(shell);
     new MutationObserver(() => this.#turned()).observe(this.box, { attributeFilter: ['hidden'] });
     this.#turned();
   }

@@ -231,7 +231,8 @@ static void come_from_pressure(void **state) {
         runs(editor, "tool-sketch");
         pen p = pen_for(editor);
         pen_begin(&p, pen_arch, (const double[]){100, 600, 500, 620, 60}, 100); /* as wide as it will be */
-        const bat_item *wide = pen_live(bat_editor_frame(editor), BAT_ROLE_OBJECT);
+        const bat_item *wide = pen_live(bat_editor_frame(editor), BAT_ROLE_FIT);
+        if (!on) wide = wide && wide->flags & BAT_ITEM_FILLED ? wide : NULL; /* a line of one width */
         assert_true(on ? wide && wide->flags & BAT_ITEM_FILLED && wide->path_count > 100 : !wide);
         assert_true(!wide || wide->bounds[3] - wide->bounds[1] > 60);
         bat_editor_key(editor, "Escape", true, 0, 0);

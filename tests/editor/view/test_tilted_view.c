@@ -254,6 +254,7 @@ static void with_a_pen_one_finger_turns_a_tilted_view(void **state) {
     bat_editor *editor = drawing();
     pen p = pen_for(editor);
     pen_event(&p, BAT_POINTER_HOVER, 700, 700);
+    pen_event(&p, BAT_POINTER_LEAVE, 700, 700); /* while it hovers, hands rest */
     swipe(editor, 1, 0, -100);
     assert_true(tilt_of(editor) == 0); /* face-on it pans */
     bat_editor_command(editor, "orbit-up");
