@@ -240,7 +240,7 @@ static uint64_t look_at_document(const void *shared, int seed) {
     uint64_t digest = bat_document_digest(document);
     bat_document_bounds(document, box);
     bat_document_page(document, page);
-    page[0] += bat_document_scale(document) * bat_document_unit(document);
+    page[0] += bat_document_scale(document) * (double)bat_document_unit(document);
     digest = add_doubles(add_doubles(digest, box, 4), page, 4);
     digest = add(digest, bat_document_check(document) == NULL);
     for (int i = 0; i < bat_document_count(document); i++) {
