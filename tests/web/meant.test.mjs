@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -33,12 +33,13 @@ for (const pointerType of ['pen', 'mouse', 'touch']) {
       return now.digest;
     };
     await page.evaluate(() => batten.engine.set('many-strokes', 1));
-    const over = bow([330, 305], [520, 305], 62);
+    const over = bow([320, 290], [580, 290], 62);
     const first = await draw(bow([280, 320], [620, 320], 80));
     const button = page.locator('#tools [data-name=meaning-next]');
     const next = async (said) => {
       await (pointerType === 'pen' ? page.keyboard.press('w') : button.click());
-      await settle(page);
+      await page.waitForFunction((meaning) => batten.engine.get('stroke-meaning') === meaning, ['', 'Redraw only', 'New only'].indexOf(said));
+      await quiet(page);
       assert.equal(await button.locator('span').isVisible(), said !== '');
       assert.equal(await button.locator('span').textContent(), said || 'As drawn');
       assert.equal(await button.getAttribute('aria-pressed'), String(said !== ''));
