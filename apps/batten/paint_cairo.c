@@ -479,8 +479,9 @@ static bool say_size(byte_list *png, double pixels_a_metre) {
     enum { HEADER = 33, CHUNK = 21 };
     const uint32_t per = (uint32_t)fmin(fmax(round(pixels_a_metre), 1), 0x7fffffff);
     unsigned char chunk[CHUNK] = {0, 0, 0, 9, 'p', 'H', 'Y', 's', [16] = 1};
+    if (png->size < HEADER) return false;
     unsigned char *all = realloc(png->data, png->size + CHUNK);
-    if (!all || png->size < HEADER) return false;
+    if (!all) return false;
     png->data = all;
     for (int k = 0; k < 8; k++) chunk[8 + k] = (unsigned char)(per >> (24 - 8 * (k % 4)));
     const uint32_t check = (uint32_t)crc32(0, chunk + 4, 13);

@@ -214,7 +214,10 @@ static bat_editor *spline(int n) {
     for (int i = 0; i < n; i++) p[2 * i] = 100 + 800.0 * i / n, p[2 * i + 1] = 400 + 40 * sin(p[2 * i] / 30);
     bat_style style = bat_style_defaults();
     bat_spline data = {.dimension = 2, .count = (size_t)n, .points = p};
-    if (bat_object_create_spline(bat_document_new_id(made), "", &style, &data, NULL, &object) != BAT_OK)
+    bat_tangents_options options; /* where directions are found together, how often depends on the points */
+    bat_tangents_options_init(&options);
+    options.mode = BAT_TANGENTS_FAITHFUL;
+    if (bat_object_create_spline(bat_document_new_id(made), "", &style, &data, &options, &object) != BAT_OK)
         abort();
     append(made, object, 0);
     free(p);

@@ -36,7 +36,7 @@ for (const [what, halve] of Object.entries(halves)) {
     [server.stale, server.without, server.spoil] = [{}, /^$/, (name, body) => body];
     await page.reload();
     await page.waitForSelector('[data-about=update]');
-    await Promise.all([page.waitForEvent('load'), page.click('[data-about=update] button')]);
+    await Promise.all([page.waitForEvent('load'), page.locator('[data-about=update] button').first().evaluate((one) => one.click())]);
     await ready(page);
     assert.equal(await version(page), '2');
     assert.equal((await state(page)).digest, drawn);
