@@ -215,7 +215,7 @@ static bat_editor *spline(int n) {
     bat_style style = bat_style_defaults();
     bat_spline data = {.dimension = 2, .count = (size_t)n, .points = p};
     bat_tangents_options options; /* where directions are found together, how often depends on the points */
-    bat_tangents_options_init(&options);
+    bat_tangents_options_init(&options, sizeof options);
     options.mode = BAT_TANGENTS_FAITHFUL;
     if (bat_object_create_spline(bat_document_new_id(made), "", &style, &data, &options, &object) != BAT_OK)
         abort();
