@@ -40,7 +40,7 @@ static void random_setup(random_source *r, setup *s, int round) {
                              s->points,
                              round % 5 ? s->tangents : NULL,
                              round % 3 ? s->tension : NULL};
-    s->options = (bat_tangents_options){sizeof(bat_tangents_options), (bat_tangents_mode)(round % 3),
+    s->options = (bat_tangents_options){sizeof(bat_tangents_options), (bat_tangents_mode)(round % 4),
                                         (bat_tangents_default)(round % 3)};
 }
 

@@ -163,6 +163,11 @@ static bool inverse(const block *m, block *out) {
     return true;
 }
 
+static void add_columns(const block *m, double right[3][2]) {
+    for (int k = 0; k < 2; k++)
+        for (int r = 0; r < 2; r++) right[1 + k][r] += m->at[k][r];
+}
+
 static void replace(const block *m, double v[2]) {
     double out[2] = {0, 0};
     take_away(m, v, out);
@@ -174,12 +179,9 @@ static bool solve(const chain *c) {
     equation *e = c->equations;
     const int last = c->count - 1, n = c->ring ? last : c->count;
     block divided;
-    if (c->ring) {
-        for (int k = 0; k < 2; k++)
-            for (int r = 0; r < 2; r++) {
-                e[0].right[1 + k][r] += e[0].lower.at[k][r];
-                e[n - 1].right[1 + k][r] += e[n - 1].upper.at[k][r];
-            }
+    if (c->ring) { /* one after the other: in a ring of two both are the same equation */
+        add_columns(&e[0].lower, e[0].right);
+        add_columns(&e[n - 1].upper, e[n - 1].right);
     }
     for (int i = 0; i < n; i++) {
         if (!inverse(&e[i].middle, &divided)) return false;
@@ -271,14 +273,14 @@ static bool settle(const chain *c) {
     return off <= CLOSE * CLOSE && is_near(c);
 }
 
-/* The bisectors of the chords; where they turn back, sideways. */
+/* The bisectors of the chords; where they turn back, sideways, and there and back to opposite sides. */
 static void bisect(const chain *c) {
     const bat_round_row *row = c->row;
     for (int i = 0; i < c->count; i++) {
         const int here = point_of(c, i);
         const vec before = row->chords[point_of(c, i - 1)], sum = vec_add(before, row->chords[here]);
-        const vec aside = row->dimension == 2 ? (vec){-before.y, before.x, 0} : vec_any_normal(before);
-        row->directions[here] = vec_norm(sum) > REVERSED ? vec_unit(sum) : aside;
+        const vec normal = row->dimension == 2 ? (vec){0, 0, 1} : vec_any_normal(before);
+        row->directions[here] = vec_norm(sum) > REVERSED ? vec_unit(sum) : vec_cross(normal, before);
     }
 }
 
@@ -286,7 +288,8 @@ static void find(const chain *c) {
     vec *own = c->row->directions;
     bisect(c);
     keep(c, own, c->mock);
-    if (!isnan(find_step(c, mock_bends, mock_bends))) take_step(c, 1, c->mock);
+    const bool done = jumps(c, mock_bends, own) <= DONE * DONE; /* a ring of two may turn about its chord */
+    if (!done && !isnan(find_step(c, mock_bends, mock_bends))) take_step(c, 1, c->mock);
     keep(c, c->mock, own);
     if (!settle(c)) keep(c, c->mock, own);
 }

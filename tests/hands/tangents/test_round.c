@@ -418,6 +418,32 @@ static void anything_goes(void **state) {
     }
 }
 
+/* In space, too, two points alone are a circle's two halves, in some plane through them. */
+static void two_in_space(void **state) {
+    (void)state;
+    random_source source = {11};
+    for (int round = 0; round < 100; round++) {
+        double points[6];
+        for (int i = 0; i < 6; i++) points[i] = random_between(&source, -300, 300);
+        const bat_spline s = {3, true, 2, points, NULL, NULL};
+        const vec a = vec_load(points, 3), b = vec_load(points + 3, 3),
+                  middle = vec_scale(vec_add(a, b), 0.5);
+        const double radius = vec_norm(vec_sub(b, a)) / 2;
+        made m = make(&s);
+        assert_int_equal(m.segments, 2);
+        vec half[2];
+        for (int i = 0; i < 2; i++) {
+            vec c[4];
+            for (int j = 0; j < 4; j++) c[j] = control(&m, 3, i, j);
+            half[i] = vec_sub(cubic(c, 0.5), middle);
+            assert_true(fabs(vec_norm(half[i]) - radius) < 1e-12 * radius);
+            assert_true(fabs(vec_dot(half[i], vec_sub(b, a))) < 1e-12 * radius * radius);
+        }
+        assert_true(vec_norm(vec_add(half[0], half[1])) < 1e-12 * radius);
+        end(&m);
+    }
+}
+
 /* A point that repeats the one before is left out; two points alone are a line, and closed a circle's two halves. */
 static void few_points(void **state) {
     (void)state;
@@ -499,6 +525,7 @@ int main(void) {
                                        cmocka_unit_test(is_the_default),
                                        cmocka_unit_test(anything_goes),
                                        cmocka_unit_test(few_points),
+                                       cmocka_unit_test(two_in_space),
                                        cmocka_unit_test(insertion_keeps_the_shape),
                                        cmocka_unit_test(failing_allocations)};
     return cmocka_run_group_tests(tests, NULL, NULL);
