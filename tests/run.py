@@ -20,6 +20,7 @@ CORES = os.cpu_count() or 2
 TERMINAL = sys.stdout.isatty()
 EVERY = 1 if TERMINAL else 30  # seconds between words on progress
 SLOWEST = 10
+AGAIN = 5  # sessions in the browser at most that are run once more
 
 MODULE = ("wasm", ["all", "npm", "parity_module"])
 TWINS = [("wasm", ["units_module"]), ("release", ["all", "parity", "units"])]
@@ -127,7 +128,7 @@ STARTS = re.compile(r"^\s*Start\s+\d+: (\S+)")
 ENDS = re.compile(r"^\s*(\d+)/(\d+) Test\s+#\d+: (\S+) [ .]*(\*\*\*)?")
 
 
-def test(trees, choice):
+def test(trees, choice, jobs=CORES + 1):
     """Runs the tests. (name, whether it passed, seconds) of each."""
     folder, running, progress = one_list(trees), [], Progress()
     report = folder / "report.xml"
@@ -149,7 +150,7 @@ def test(trees, choice):
             progress.tell(f"{state['done']} done; running: {', '.join(running)}")
 
     say(f"tests of {', '.join(trees)}")
-    follow(["ctest", "--test-dir", folder, f"-j{CORES + 1}", "--output-on-failure", "--no-tests=error", "--output-junit", report,
+    follow(["ctest", "--test-dir", folder, f"-j{jobs}", "--output-on-failure", "--no-tests=error", "--output-junit", report,
             *choice], folder / "log.txt", look)
     progress.show(f"[{progress.passed()}] done")
     try:
@@ -157,6 +158,21 @@ def test(trees, choice):
     except (OSError, xml.ParseError):
         cases = []
     return [(case.get("name"), case.get("status") == "run", float(case.get("time") or 0)) for case in cases]
+
+
+def once_more(trees, done):
+    """
+    Sessions in the browser that failed are run again, alone: one that passes then is said to be unsteady, with what it printed the
+    first time above. A fault fails twice; of more than a few the machine is not the reason.
+    """
+    failed = [name for name, passed, _ in done if not passed]
+    again = [name for name in failed if name.startswith("web_")]
+    if not 0 < len(again) <= AGAIN:
+        return done, []
+    say(f"once more, alone: {', '.join(again)}")
+    second = {name: passed for name, passed, _ in test(trees, ["-R", f"^({'|'.join(again)})$"], 1)}
+    unsteady = [name for name in again if second.get(name)]
+    return [(name, passed or name in unsteady, seconds) for name, passed, seconds in done], unsteady
 
 
 def main():
@@ -171,11 +187,14 @@ def main():
     bad = [] if packages() else ["npm"]
     unbuilt = [preset for preset, targets in builds if not build(preset, targets)]
     bad += [f"build/{preset}" for preset in unbuilt]
-    done = test([tree for tree in trees if tree not in unbuilt], choice) if set(trees) - set(unbuilt) else []
+    trees = [tree for tree in trees if tree not in unbuilt]
+    done, unsteady = once_more(trees, test(trees, choice)) if trees else ([], [])
     bad += [name for name, passed, _ in done if not passed] + ([] if done else ["no test ran"])
     good = sum(passed for _, passed, _ in done)
     print("The slowest:", *(f"{name} {seconds:.0f} s" for name, _, seconds in sorted(done, key=lambda row: -row[2])[:SLOWEST]),
           sep="\n    ")
+    if unsteady:
+        print("Unsteady, to be mended: these failed, and passed when run again alone:", *unsteady, sep="\n    ")
     if bad:
         print("Failed:", *bad, sep="\n    ")
     print(f"After {clock(time.monotonic() - begun)} minutes:\n{good} passed, {len(bad)} failed")

@@ -120,6 +120,7 @@ async function start() {
   if (kept('batten-scale')) {
     void want(import('./page/scale.js'));
   }
+  const settling = want(import('./page/settle_in.js')); // there when it is ready, so that it hears the first key
   const embedded = document.querySelector('meta[name=batten-embedded]');
   const guest = embedded && await (await import('./embed/guest.js')).meet();
   const keeper = guest?.keeper ?? new Keeper();
@@ -136,7 +137,7 @@ async function start() {
   // For the console, and for tests.
   Object.assign(globalThis, { batten: shell });
   document.documentElement.dataset.ready = 'yes';
-  void want(import('./page/settle_in.js')).then(({ settleIn }) => settleIn(shell));
+  void (await settling).settleIn(shell);
 }
 
 start().catch((error) => reportError(error)); // page/starting.js says it

@@ -40,17 +40,6 @@ static int print(const bat_curve *curve, const bat_joint *joints, int count, con
     return write_text(&text);
 }
 
-/* The spline in a text, and how it says that it is made. */
-static bat_status read_spline(const char *text, size_t size, bat_spline *spline, void **block,
-                              bat_tangents_options *options, bat_problem *problem) {
-    bat_json json;
-    bat_status status = bat_json_parse(text, size, &json, problem);
-    if (status != BAT_OK) return status;
-    status = bat_spline_from_json(&json, 1, spline, block, options, problem);
-    bat_json_free(&json);
-    return status;
-}
-
 static int run(const cli_arguments *arguments) {
     static const char *const modes[] = {"faithful", "paper", "even", "round"};
     static const char *const defaults[] = {"centripetal", "uniform", "chordal"};
@@ -66,7 +55,7 @@ static int run(const cli_arguments *arguments) {
     void *block;
     bat_problem problem = {.place = ""};
     bat_tangents_options options = bat_tangents_defaults();
-    bat_status status = read_spline(data, size, &spline, &block, &options, &problem);
+    bat_status status = bat_spline_read_as(data, size, &spline, &block, &options, &problem);
     free(data);
     if (status != BAT_OK) return fail_problem(name, status, &problem);
     if (missing >= 0) options.mode = BAT_TANGENTS_FAITHFUL; /* whose rule it is */

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, expectFaults, Hand, launch, launchAt, place, quiet, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, expectFaults, Hand, launch, launchAt, place, quiet, ready, SCREENSHOTS, settle, state, until } from './page.mjs';
 import { serve } from './server.mjs';
 
 const SKY = bezier([60, 60], [140, 20], [220, 100], [320, 60]);
@@ -206,6 +206,6 @@ test('a quota without room for the files of the page: nothing of them takes the 
   await client.send('Storage.overrideQuotaForOrigin', { origin: new URL(server.address).origin, quotaSize: 1 << 20 });
   await page.goto(server.address);
   await ready(page);
-  await page.waitForFunction(async () => !await navigator.serviceWorker.getRegistration() && (await caches.keys()).length === 0);
+  await until(page, async () => !await navigator.serviceWorker.getRegistration() && (await caches.keys()).length === 0);
   await draw({ page, hand: new Hand(page, client) });
 });

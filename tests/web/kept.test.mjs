@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, expectFaults, GONE, Hand, launch, launchAt, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, expectFaults, GONE, Hand, launch, launchAt, open, place, ready, SCREENSHOTS, settle, state, until } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
 const ROOF = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
@@ -201,7 +201,7 @@ for (const [lasting, name] of [[false, 'a private window'], [true, 'a profile']]
       assert.equal(await kept(page), 0);
       await hand.stroke(await on(page, SKY.map(([x, y]) => [x, y + shift])));
       await page.waitForSelector('[data-about=unkept] >> text=cleared the unsaved work');
-      await page.waitForFunction(async () => {
+      await until(page, async () => {
         await batten.keeper.settled();
         return (await batten.keeper.find('car.svg'))?.journal.length === batten.engine.journal.length;
       });
@@ -315,7 +315,7 @@ test('what earlier versions kept is taken over, and their folder goes only then'
   await other.goto(new URL('1/icons/batten.svg', server.address).href);
   await other.evaluate(async (text) => {
     const root = await navigator.storage.getDirectory();
-    await root.removeEntry('drawings', { recursive: true });
+    await freed(() => root.removeEntry('drawings', { recursive: true }));
     const all = await root.getDirectoryHandle('journals', { create: true });
     const write = async (key, name, content) => {
       const folder = await all.getDirectoryHandle(key, { create: true });
@@ -435,7 +435,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     await become('drawing.svg');
     assert.equal((await state(page)).digest, more.digest);
     await other.page.close();
-    await page.waitForFunction(async () => (await navigator.locks.query()).held.length === 1);
+    await until(page, async () => (await navigator.locks.query()).held.length === 2);
     // Deleted by one press, and brought back by another.
     await page.focus('#stage');
     await list();

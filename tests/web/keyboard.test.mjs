@@ -301,3 +301,20 @@ test('the ring around what has the focus comes with the Tab key, and goes with a
   assert.deepEqual((await focused())[1], true);
   await context.close();
 });
+
+test('a key that is pressed as soon as the page is ready has the list come', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(server.close);
+  const context = await browser.newContext();
+  let go;
+  const held = new Promise((done) => (go = done));
+  await context.route(/keep\/(clipboard|watch|offline)\.js$/, async (route) => {
+    await held;
+    await route.continue();
+  });
+  const { page } = await open(context, server.address);
+  await page.keyboard.press('v');
+  await page.waitForSelector('#mirror', { state: 'attached' });
+  go();
+  await context.close();
+});

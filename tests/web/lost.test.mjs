@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { downloaded, drop, expectFaults, Hand, launch, open, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { downloaded, drop, expectFaults, Hand, HANG, launch, open, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const STROKES = 5;
@@ -25,7 +25,7 @@ const list = (page) => page.evaluate(async () => (await batten.keeper.list()).ma
 const said = (page) => page.evaluate(() => document.querySelector('.notices').innerText);
 /** @param {RegExp} words that the page says, or comes to say */
 const says = async (page, words) => {
-  for (const from = Date.now(); !words.test(await said(page)) && Date.now() - from < 10000;) {
+  for (const from = Date.now(); !words.test(await said(page)) && Date.now() - from < HANG;) {
     await new Promise((done) => setTimeout(done, 50));
   }
   assert.match(await said(page), words);
@@ -65,7 +65,7 @@ async function spoil(context, page, change, value) {
     for await (const [name, handle] of folder.entries()) {
       const bytes = new Uint8Array(await (await handle.getFile()).arrayBuffer());
       if (bytes.length > 1) {
-        const stream = await handle.createWritable();
+        const stream = await freed(() => handle.createWritable());
         const made = how(bytes, given);
         await stream.write(made);
         await stream.close();

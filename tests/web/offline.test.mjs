@@ -7,7 +7,7 @@ import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { bezier, launch, launchAt, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, launch, launchAt, open, place, ready, SCREENSHOTS, settle, state, until } from './page.mjs';
 import { edit, EXAMPLE, PROGRAM, serve } from './server.mjs';
 
 const SKY = bezier([60, 60], [140, 20], [220, 100], [320, 60]);
@@ -147,7 +147,7 @@ test('a newer version is offered, not slipped in; unsaved work goes along', asyn
   assert.equal(await version(), '2');
   assert.equal((await state(page)).digest, drawn.digest);
   assert.equal(await page.isVisible('[data-about=update]'), false);
-  await page.waitForFunction(async () => (await caches.keys()).length === 1);
+  await until(page, async () => (await caches.keys()).length === 1);
   assert.deepEqual(await page.evaluate(() => caches.keys()), [`batten ${server.address} 2`]);
   await context.close();
 });

@@ -109,11 +109,23 @@ function watchNames() {
   }).observe(document, { childList: true, subtree: true });
 }
 
+/** Runs in every page: changes kept files as soon as the page that was closed before has let go of them. */
+function waitForFiles() {
+  globalThis.freed = (change) => change().catch(async (error) => {
+    if (error.name !== 'NoModificationAllowedError') {
+      throw error;
+    }
+    await new Promise((done) => setTimeout(done, 50));
+    return globalThis.freed(change);
+  });
+}
+
 /** @param {import('playwright-core').BrowserContext} context */
 async function watch(context) {
   contexts.push(context);
   context.setDefaultTimeout(HANG);
   await context.addInitScript(countTimers);
+  await context.addInitScript(waitForFiles);
   // Pages are those of one who has been here; start.test.mjs and lost.test.mjs look at the first.
   await context.addInitScript((names) => {
     try {
@@ -200,6 +212,13 @@ export async function downloaded(download) {
 export async function ready(page) {
   await page.waitForSelector('html[data-ready=yes]');
   await settle(page);
+}
+
+/** Waits until a promise made in the page gives true: waitForFunction takes the promise itself for true. */
+export async function until(page, holds, value) {
+  for (const from = Date.now(); !await page.evaluate(holds, value); await new Promise((done) => setTimeout(done, 20))) {
+    assert.ok(Date.now() - from < HANG, `never: ${holds}`);
+  }
 }
 
 /** Waits for two frames: input so far has been painted. */

@@ -14,11 +14,13 @@ let passed = 0;
 /** What failed, and the first lines of why. @type {string[]} */
 const failed = [];
 
-// A frame that a test takes from the engine is one that the page does not paint (glance() in page.mjs keeps it whole).
+// What reads well in a test and is wrong. A frame that a test takes from the engine is one that the page does not paint.
+const WRONG = [[/engine\.frame\(/, 'takes a frame from the page: use glance()'],
+  [/waitForFunction\(async/, 'waits for a promise, which is true at once: use until()']];
 for (const file of all) {
-  if (/engine\.frame\(/.test(fs.readFileSync(file, 'utf8'))) {
-    failed.push(path.basename(file));
-    console.log(`FAIL  ${path.basename(file)} takes a frame from the page: use glance()`);
+  for (const [pattern, why] of WRONG.filter(([pattern]) => pattern.test(fs.readFileSync(file, 'utf8')))) {
+    failed.push(`${path.basename(file)}: ${pattern}`);
+    console.log(`FAIL  ${path.basename(file)} ${why}`);
   }
 }
 

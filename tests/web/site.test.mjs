@@ -121,7 +121,8 @@ test('what the page loads first is small', async () => {
   await ready(page);
   const early = await page.evaluate(() => performance.getEntriesByType('resource')
     .filter((entry) => entry.startTime < performance.getEntriesByName('ready')[0].startTime).map((entry) => entry.name));
-  const sizes = await Promise.all([site.address, ...early].map(async (url) =>
+  const once = new Set([site.address, ...early]); // the second time the browser has it: a transfer of 0 bytes
+  const sizes = await Promise.all([...once].map(async (url) =>
     zlib.gzipSync(await answers.get(url).body(), { level: 9 }).length));
   const total = sizes.reduce((sum, size) => sum + size, 0);
   console.log(`first load of the site: ${total} bytes gzip, ${sizes.length} files`);
@@ -152,8 +153,8 @@ test('#open= and #journal=, of this server alone', async () => {
     return batten.engine.digest();
   }));
   assert.equal(await page.evaluate(() => glance().canUndo), true);
-  await page.evaluate(() => { location.hash = '#open=demos/car.svg'; });
-  await page.waitForFunction(() => globalThis.batten?.files.name === 'car.svg' && document.documentElement.dataset.ready === 'yes');
+  await page.evaluate(() => { globalThis.before = true; location.hash = '#open=demos/car.svg'; });
+  await page.waitForFunction(() => !globalThis.before && globalThis.batten?.files.name === 'car.svg' && document.documentElement.dataset.ready === 'yes');
   await page.evaluate(() => { location.hash = '#open=https://example.org/car.svg'; });
   await page.waitForFunction(() => /example\.org/.test(document.getElementById('notice-text')?.textContent ?? ''));
   stays();

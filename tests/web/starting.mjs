@@ -1,6 +1,6 @@
 // What the tests of a start share: what the page says of it, its build, and what the browser has cached.
 import assert from 'node:assert/strict';
-import { bezier, expectFaults, GONE, open, place, ready, state } from './page.mjs';
+import { bezier, expectFaults, GONE, open, place, ready, state, until } from './page.mjs';
 import { serve } from './server.mjs';
 
 const SKY = bezier([60, 60], [140, 20], [220, 100], [320, 60]);
@@ -55,5 +55,5 @@ export async function kept(t, browser) {
 export async function forgotten(page) {
   await controlled(page);
   await page.evaluate(() => navigator.serviceWorker.controller.postMessage('forget'));
-  await page.waitForFunction(async () => !await navigator.serviceWorker.getRegistration() && (await globalThis.caches.keys()).length === 0);
+  await until(page, async () => !await navigator.serviceWorker.getRegistration() && (await globalThis.caches.keys()).length === 0);
 }

@@ -2,7 +2,7 @@
 // what was drawn is still there.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { expectFaults, launch, quiet, ready, settle, state } from './page.mjs';
+import { expectFaults, launch, quiet, ready, settle, state, until } from './page.mjs';
 import { caches, controlled, kept, said, tryAgain, updated, version } from './starting.mjs';
 
 let browser;
@@ -94,7 +94,7 @@ test('without a server Try again forgets nothing', async (t) => {
 test('an order to forget: no worker and nothing cached, but what was drawn', async (t) => {
   const { page, drawn } = await kept(t, browser);
   await page.evaluate(() => navigator.serviceWorker.controller.postMessage('forget'));
-  await page.waitForFunction(async () => !await navigator.serviceWorker.getRegistration() && (await globalThis.caches.keys()).length === 0);
+  await until(page, async () => !await navigator.serviceWorker.getRegistration() && (await globalThis.caches.keys()).length === 0);
   await page.evaluate(() => { batten.files.leaving = true; });
   await page.reload();
   await ready(page);
@@ -130,10 +130,11 @@ test('a tab older than an update gets its parts from its own build, as long as i
   assert.deepEqual(await caches(other), ['1', '2']);
   await page.evaluate(() => { batten.files.leaving = true; });
   await page.close();
+  await until(other, async () => !(await navigator.locks.query()).held.some(({ name }) => name.endsWith(' 1')));
   await other.evaluate(() => { batten.files.leaving = true; });
   await other.reload();
   await ready(other);
-  await other.waitForFunction(async () => (await globalThis.caches.keys()).length === 1);
+  await until(other, async () => (await globalThis.caches.keys()).length === 1);
   assert.deepEqual(await caches(other), ['2']);
 });
 

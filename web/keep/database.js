@@ -1,6 +1,5 @@
 // A room of files in the browser's database, for browsers whose private file system cannot be written in place. A file is the
-// pieces that were written to it, by their places; a piece is written whole or not at all. Fetched when it
-// is needed.
+// pieces that were written to it, by their places; a piece is written whole or not at all. Fetched when needed.
 
 /** @typedef {import('./store.js').Room} Room */
 /** @typedef {import('./store.js').Access} Access */

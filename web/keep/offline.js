@@ -2,6 +2,8 @@
 
 import { word } from '../page/words.js';
 
+const SLOW = 1500; // milliseconds: a browser may keep the old worker, which has nothing to do, until a page loads
+
 /**
  * @param {import('../page/notice.js').Notices} notices
  * @param {() => Promise<void>} pack prepares the page to be closed
@@ -24,7 +26,11 @@ export async function settle(notices, pack) {
   const offer = (waiting) => notices.ask('update', word('shell.update'), [{ label: word('shell.update-now'), run: async () => {
     await pack();
     if (waiting?.state === 'installed') {
-      workers.addEventListener('controllerchange', () => location.reload());
+      const late = setTimeout(() => location.reload(), SLOW);
+      workers.addEventListener('controllerchange', () => {
+        clearTimeout(late);
+        location.reload();
+      });
       waiting.postMessage('use');
     } else {
       location.reload();

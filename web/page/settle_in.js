@@ -37,8 +37,6 @@ export async function settleIn(shell) {
       }
     }
   });
-  const { Clipboard } = await want(import('../keep/clipboard.js'));
-  shell.requests.clipboard = new Clipboard(shell.engine, shell.files, shell.notices, shell.wake);
   // Explanations and rarely used code are fetched at the first sign of a user.
   const seen = new AbortController();
   for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {
@@ -50,6 +48,8 @@ export async function settleIn(shell) {
       void want(import('../sheets/first_sign.js')).then(({ begin }) => begin(shell));
     }, { signal: seen.signal });
   }
+  const { Clipboard } = await want(import('../keep/clipboard.js'));
+  shell.requests.clipboard = new Clipboard(shell.engine, shell.files, shell.notices, shell.wake);
   // A screen reader may read without any input.
   setTimeout(() => void shell.mirrorDrawing(), UNTOUCHED);
   const { watch } = await want(import('../keep/watch.js'));

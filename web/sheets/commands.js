@@ -85,10 +85,14 @@ export class CommandSheet {
     this.search.addEventListener('input', () => this.fill());
     this.body = make('div', 'command-list');
     sheet.replaceChildren(tell(make('h2', ''), { text: 'shell.menu' }), this.search, this.body);
-    sheet.addEventListener('toggle', (event) => {
-      if (/** @type {ToggleEvent} */ (event).newState === 'closed') {
+    /** Whether it is shown: it is built for that, and for nothing else. */
+    this.open = sheet.matches(':popover-open');
+    sheet.addEventListener('beforetoggle', (event) => {
+      this.open = /** @type {ToggleEvent} */ (event).newState === 'open';
+      if (!this.open) {
         this.editing = '';
         this.search.value = '';
+        this.body.replaceChildren();
       }
       this.fill();
     });
@@ -98,6 +102,9 @@ export class CommandSheet {
 
   /** Rebuilds the sheet when texts or keys have changed, or something else is searched. */
   fill() {
+    if (!this.open) {
+      return;
+    }
     const focus = document.activeElement instanceof HTMLElement && this.body.contains(document.activeElement) ?
       document.activeElement.dataset.focus : undefined;
     this.commands = this.words.tables.commands;
@@ -244,7 +251,7 @@ export class CommandSheet {
     }
     event.preventDefault();
     /** @type {HTMLElement[]} */
-    const all = [this.search, .../** @type {NodeListOf<HTMLElement>} */ (this.body.querySelectorAll('li:not([hidden]) [data-command]'))];
+    const all = [this.search, .../** @type {NodeListOf<HTMLElement>} */ (this.body.querySelectorAll('li [data-command]'))];
     const best = this.body.querySelector('.best') && by > 0 && document.activeElement === this.search && all.length > 2;
     const at = best ? 1 : all.indexOf(/** @type {HTMLElement} */ (document.activeElement));
     if (first) {

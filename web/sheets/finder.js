@@ -8,7 +8,7 @@ const OF_MORE = 0.5;
 const INSIDE = 3; // letters that are also looked for in the midst of words
 const FAR = 0.25; // share of the best score below which nothing is shown
 const LATER = 0.01; // what a word less counts for each before it: the chief ones stand first
-const LONG = 0.01; // of two names that fit alike the shorter is first
+const LONG = 1e-4; // what each letter counts: of two names that fit alike the shorter is first
 
 /** The words of a text. @param {string} text */
 const wordsOf = (text) => text.split(/[\s,.:;()]+/).filter(Boolean);
@@ -21,7 +21,7 @@ const fit = (words, part) => words.reduce((best, one, i) => Math.max(best,
  * 0: it does not have all that is searched.
  * @param {Findable} one @param {string[]} parts what is searched, in small letters
  */
-export function scoreOf({ label, words, more }, parts) {
+function scoreOf({ label, words, more }, parts) {
   const [name, others, help] = [label, words, more].map(wordsOf);
   let sum = 0;
   for (const part of parts) {
@@ -33,7 +33,7 @@ export function scoreOf({ label, words, more }, parts) {
   }
   const whole = parts.join(' ');
   const together = parts.length > 1 && (label.includes(whole) || ` ${words} `.includes(` ${whole} `)) ? OF_WORDS * 2 : 0;
-  return sum + together - LONG * label.length / 100;
+  return sum + together - LONG * label.length;
 }
 
 /**

@@ -1,5 +1,6 @@
 // What is typed before the sheet of commands is shown goes into its search, not into the drawing. Fetched at the first sign of a user.
 
+import { belongsToControl } from '../stage/input.js';
 import { shortcutOf } from './keys.js';
 
 const PATIENCE = 2000; // milliseconds until what is typed means the drawing again, if no sheet comes
@@ -16,8 +17,8 @@ export function keepTyped({ requests, words }) {
   };
   void requests.commandSheet(); // it is there when it is asked for
   addEventListener('keydown', (event) => {
-    const { target, key } = event;
-    const field = target instanceof HTMLElement && target.matches('input, select, textarea, [contenteditable]');
+    const { key } = event;
+    const field = belongsToControl(event);
     if (typed === null) {
       const keys = words.tables.commands.find(({ name }) => name === 'shortcuts')?.keys ?? [];
       if (!field && !menu.matches(':popover-open') && keys.includes(shortcutOf(event))) {

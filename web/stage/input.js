@@ -37,7 +37,7 @@ function isLost(held, event) {
 }
 
 /** Whether a key belongs to the control that has the focus. @param {KeyboardEvent} event */
-function belongsToControl(event) {
+export function belongsToControl(event) {
   const target = event.target instanceof Element ? event.target : null;
   if (!target) {
     return false;

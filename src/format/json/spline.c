@@ -122,16 +122,21 @@ bat_status bat_spline_from_json(const bat_json *json, uint32_t node, bat_spline 
     return BAT_OK;
 }
 
+bat_status bat_spline_read_as(const char *text, size_t size, bat_spline *out, void **block,
+                              bat_tangents_options *options, bat_problem *problem) {
+    bat_json json;
+    bat_status status = bat_json_parse(text, size, &json, problem);
+    if (status != BAT_OK) return status;
+    status = bat_spline_from_json(&json, 1, out, block, options, problem);
+    bat_json_free(&json);
+    return status;
+}
+
 bat_status bat_spline_read(const char *text, size_t size, bat_spline *out, void **block,
                            bat_problem *problem) {
     if (!text || !out || !block)
         return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
-    bat_json json;
-    bat_status status = bat_json_parse(text, size, &json, problem);
-    if (status != BAT_OK) return status;
-    status = bat_spline_from_json(&json, 1, out, block, NULL, problem);
-    bat_json_free(&json);
-    return status;
+    return bat_spline_read_as(text, size, out, block, NULL, problem);
 }
 
 /* ---- and back ---- */

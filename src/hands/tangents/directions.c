@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum { STEPS = 40, HALVINGS = 10 };
-static const double DONE = 1e-13;  /* of curvature times length: no step is made any more */
+static const double DONE = 1e-13;  /* of curvature times length, root mean square: no step is made any more */
 static const double CLOSE = 1e-10; /* of curvature times length: then curvature is continuous */
 static const double STRIDE = 0.5;  /* radians: the longest step of a direction */
 static const double NUDGE = 1e-6;  /* radians: for differences */
@@ -261,10 +261,12 @@ static double improve(const chain *c, double off) {
     return off;
 }
 
+static bool is_done(const chain *c, double off) { return off <= c->count * DONE * DONE; }
+
 /* True curvature made continuous; false: it does not come close, or goes too far. */
 static bool settle(const chain *c) {
     double off = jumps(c, true_bends, c->row->directions);
-    for (int step = 0; step < STEPS && off > DONE * DONE; step++) {
+    for (int step = 0; step < STEPS && !is_done(c, off); step++) {
         const double now = improve(c, off);
         if (!(now < off)) break;
         keep(c, c->tried, c->row->directions);
@@ -288,7 +290,7 @@ static void find(const chain *c) {
     vec *own = c->row->directions;
     bisect(c);
     keep(c, own, c->mock);
-    const bool done = jumps(c, mock_bends, own) <= DONE * DONE; /* a ring of two may turn about its chord */
+    const bool done = is_done(c, jumps(c, mock_bends, own)); /* a ring of two may turn about its chord */
     if (!done && !isnan(find_step(c, mock_bends, mock_bends))) take_step(c, 1, c->mock);
     keep(c, c->mock, own);
     if (!settle(c)) keep(c, c->mock, own);
