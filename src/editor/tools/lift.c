@@ -16,6 +16,7 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
 #include "form/view/lift.h"
+#include <batten/levels.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,13 +34,21 @@ typedef struct bat_lifting {
     bat_status status;
 } bat_lifting;
 
+/* Whether all that levels hold is in the curve as it is seen: they are taken apart anew from it. */
+static bool all_is_seen(const bat_shape *shape) {
+    for (int k = 1; shape && k <= bat_shape_levels(shape); k++)
+        if (bat_shape_is_muted(shape, k) || bat_shape_gain(shape, k) != 1) return false;
+    return true;
+}
+
 /* The curve that is selected, and can be lifted. */
 static const bat_curve *target(const bat_context *c, bat_id *id) {
     const bat_selection *selection = &c->choice->selection;
     const int at = selection->count == 1 ? bat_document_find(c->session->document, selection->ids[0]) : -1;
     const bat_object *object = at < 0 ? NULL : bat_document_at(c->session->document, at);
     if (!object || bat_seen_out_of_reach(c, at) || !bat_object_is_made_of_curves(object) ||
-        bat_object_curve_count(object) != 1 || bat_object_shape(object, 0) || bat_object_spline(object))
+        bat_object_curve_count(object) != 1 || !all_is_seen(bat_object_shape(object, 0)) ||
+        bat_object_spline(object))
         return NULL;
     *id = selection->ids[0];
     return bat_object_curve(object, 0);
@@ -119,13 +128,37 @@ static void choose(bat_context *c, const double pixel[2]) {
     if (bat_selection_add(&c->choice->selection, pick.object) != BAT_OK) bat_notice_failure(c, BAT_MEMORY);
 }
 
+/* As many levels as before over as coarse a base, of the curve as it was made: from above it is as it was. */
+static bat_status take_apart(const bat_shape *was, const bat_curve *made, bat_shape **out) {
+    bat_shape_options options = *bat_shape_options_of(was);
+    options.has_first = options.has_reference = false; /* they were of the page */
+    bat_status status = bat_shape_decompose_to(made, bat_shape_levels(was),
+                                               bat_curve_count(bat_shape_curve(was, 0)), &options, out);
+    return status == BAT_OK ? bat_shape_commit(*out) : status;
+}
+
 /* The object with the curve as it was made; its dimension may be another than before. */
 static bat_status commit(bat_context *c, bat_lifting *l, bat_id id) {
     const int at = bat_document_find(c->session->document, id);
+    const bat_object *before = bat_document_at(c->session->document, at);
     bat_object *after = NULL;
     bat_curve *made = l->made;
+    bat_shape *shape = NULL;
     l->made = NULL;
-    bat_status status = bat_object_with_curves(bat_document_at(c->session->document, at), 1, &made, &after);
+    bat_status status = BAT_OK;
+    if (bat_object_shape(before, 0)) status = take_apart(bat_object_shape(before, 0), made, &shape);
+    if (status != BAT_OK) {
+        bat_shape_free(shape);
+        bat_curve_free(made);
+        return status;
+    }
+    status = bat_object_with_curves(before, 1, &made, &after);
+    if (shape && status == BAT_OK) {
+        bat_object *flat = after;
+        status = bat_object_with_shape(flat, 0, shape, &after);
+        bat_object_release(flat);
+    } else
+        bat_shape_free(shape);
     if (status != BAT_OK) return status;
     status = bat_transaction_begin(c);
     if (status == BAT_OK)

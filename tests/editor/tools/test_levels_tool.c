@@ -173,6 +173,42 @@ static void a_level_is_dragged(void **state) {
     }
 }
 
+/* With Alt the place under the pen, or a control point, goes along the curve's normal there, however the pen goes. */
+static void alt_drags_along_the_normal(void **state) {
+    (void)state;
+    for (int point = 0; point < 2; point++) {
+        pen p;
+        bat_editor *editor = apart_editor(&p);
+        const bat_curve *curve = bat_shape_curve(shape_at(editor, 0), point ? 1 : 3);
+        double domain[2], at[2], there[4], after[2], all[64];
+        if (point) assert_true(bat_editor_key(editor, "]", true, 0, p.time));
+        const int index = 3;
+        bat_curve_domain(curve, domain);
+        bat_curve_greville(curve, all);
+        const double u = point ? all[index] : domain[0] + 0.37 * (domain[1] - domain[0]);
+        bat_curve_eval(curve, u, 1, there);
+        const double *tangent = there + 2;
+        if (point)
+            memcpy(at, bat_curve_points(curve) + 2 * index, sizeof at);
+        else
+            bat_curve_eval(curve, u, 0, at);
+        p.modifiers = BAT_ALT;
+        drag(&p, at[0], at[1], at[0] + 31, at[1] - 44);
+        const bat_curve *now = bat_shape_curve(shape_at(editor, 0), point ? 1 : 3);
+        if (point)
+            memcpy(after, bat_curve_points(now) + 2 * index, sizeof after);
+        else
+            bat_curve_eval(now, u, 0, after);
+        const double length = hypot(tangent[0], tangent[1]);
+        const double along = ((after[0] - at[0]) * tangent[0] + (after[1] - at[1]) * tangent[1]) / length;
+        const double across = (-(after[0] - at[0]) * tangent[1] + (after[1] - at[1]) * tangent[0]) / length;
+        assert_true(fabs(along) < 0.5);
+        assert_true(fabs(across - (-31 * tangent[1] - 44 * tangent[0]) / length) < 0.5);
+        assert_int_equal(round_trip(editor, plain_digest()), 2);
+        bat_editor_free(editor);
+    }
+}
+
 static void points_of_a_level(void **state) {
     (void)state;
     pen p;
@@ -552,6 +588,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(taken_apart_when_accepted),
         cmocka_unit_test(a_level_is_dragged),
+        cmocka_unit_test(alt_drags_along_the_normal),
         cmocka_unit_test(points_of_a_level),
         cmocka_unit_test(faders),
         cmocka_unit_test(keys_step_levels),

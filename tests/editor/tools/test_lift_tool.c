@@ -24,14 +24,15 @@ static bat_curve *ring(void) {
     return curve;
 }
 
-static bat_editor *with(bat_curve *curve, int tilts) {
-    bat_editor *editor = editor_with(1, &curve);
+static bat_editor *ready(bat_editor *editor, int tilts) {
     assert_int_equal(bat_editor_select(editor, 1, false), BAT_OK);
     assert_int_equal(bat_editor_command(editor, "tool-lift"), BAT_OK);
     for (int i = 0; i < tilts; i++) assert_int_equal(bat_editor_command(editor, "orbit-up"), BAT_OK);
     bat_editor_frame(editor);
     return editor;
 }
+
+static bat_editor *with(bat_curve *curve, int tilts) { return ready(editor_with(1, &curve), tilts); }
 
 static const bat_curve *curve_of(const bat_editor *editor) {
     return bat_object_curve(bat_document_at(bat_editor_document(editor), 0), 0);
@@ -43,6 +44,39 @@ static bool hinted(bat_editor *editor, const char *words) {
 
 static double height_at(double share) { return 40 + 15 * cos(4 * PI * share); }
 
+/* A stroke round the picture of the curve, at heights that are known. */
+static void draw_round(bat_editor *editor, const bat_curve *was) {
+    double domain[2], at[3] = {0}, seen[2], pixel[2];
+    pen p = pen_for(editor);
+    bat_curve_domain(was, domain);
+    for (int i = 0; i <= 240; i++) {
+        const double share = fmod(0.2 + i / 240.0, 1);
+        bat_curve_eval(was, domain[0] + (domain[1] - domain[0]) * share, 0, at);
+        at[2] = -height_at(share);
+        assert_true(bat_stage_look(&editor->stage, 3, at, seen));
+        bat_stage_project(&editor->stage, seen, pixel);
+        pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, pixel[0], pixel[1]);
+        if (i % 40 == 0) bat_editor_frame(editor);
+        check(editor);
+    }
+    pen_event(&p, BAT_POINTER_UP, pixel[0], pixel[1]);
+}
+
+/* The curve has those heights, and from above it is as it was. */
+static void stands(const bat_curve *made, const bat_curve *was) {
+    double domain[2], at[3] = {0}, before[3];
+    bat_curve_domain(was, domain);
+    assert_int_equal(bat_curve_dimension(made), 3);
+    assert_true(bat_curve_is_closed(made));
+    for (int i = 0; i < 200; i++) {
+        const double u = domain[0] + (domain[1] - domain[0]) * i / 200;
+        bat_curve_eval(made, u, 0, at);
+        bat_curve_eval(was, u, 0, before);
+        assert_true(hypot(at[0] - before[0], at[1] - before[1]) < 1e-9);
+        if (!(fabs(-at[2] - height_at(i / 200.0)) < 4)) fail_msg("%g at %d", -at[2], i);
+    }
+}
+
 /* A stroke round the picture, in parallel and in perspective: the ring gets its heights, its first view stays. */
 static void a_ring_is_lifted_by_a_stroke_round_it(void **state) {
     (void)state;
@@ -51,33 +85,49 @@ static void a_ring_is_lifted_by_a_stroke_round_it(void **state) {
         bat_editor *editor = with(ring(), 4);
         if (deep) assert_int_equal(bat_editor_set(editor, "perspective", 1), BAT_OK);
         const uint64_t first = digest(editor);
-        double domain[2], at[3] = {0}, before[3], seen[2], pixel[2];
-        pen p = pen_for(editor);
         bat_curve_copy(curve_of(editor), &was);
-        bat_curve_domain(was, domain);
         assert_true(hinted(editor, "how high"));
-        for (int i = 0; i <= 240; i++) {
-            const double share = fmod(0.2 + i / 240.0, 1);
-            bat_curve_eval(was, domain[0] + (domain[1] - domain[0]) * share, 0, at);
-            at[2] = -height_at(share);
-            assert_true(bat_stage_look(&editor->stage, 3, at, seen));
-            bat_stage_project(&editor->stage, seen, pixel);
-            pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, pixel[0], pixel[1]);
-            if (i % 40 == 0) bat_editor_frame(editor);
-            check(editor);
-        }
-        pen_event(&p, BAT_POINTER_UP, pixel[0], pixel[1]);
-        const bat_curve *made = curve_of(editor);
-        assert_int_equal(bat_curve_dimension(made), 3);
-        assert_true(bat_curve_is_closed(made));
-        for (int i = 0; i < 200; i++) {
-            const double u = domain[0] + (domain[1] - domain[0]) * i / 200;
-            bat_curve_eval(made, u, 0, at);
-            bat_curve_eval(was, u, 0, before);
-            assert_true(hypot(at[0] - before[0], at[1] - before[1]) < 1e-9);
-            if (!(fabs(-at[2] - height_at(i / 200.0)) < 4)) fail_msg("%d: %g at %d", deep, -at[2], i);
-        }
+        draw_round(editor, was);
+        stands(curve_of(editor), was);
         assert_int_equal(round_trip(editor, first), 1);
+        bat_curve_free(was);
+        bat_editor_free(editor);
+    }
+}
+
+/* A ring with two levels keeps two, over as coarse a base; with one of them hidden or scaled it is refused with words. */
+static void levels_stay(void **state) {
+    (void)state;
+    for (int way = 0; way < 3; way++) {
+        bat_curve *was = ring();
+        bat_shape *shape = NULL;
+        bat_object *after = NULL;
+        bat_document *document = NULL;
+        assert_int_equal(bat_shape_decompose_to(was, 2, 6, NULL, &shape), BAT_OK);
+        if (way == 1) assert_int_equal(bat_shape_set_muted(shape, 2, true), BAT_OK);
+        if (way == 2) assert_int_equal(bat_shape_set_gain(shape, 1, 0.5), BAT_OK);
+        bat_document_create(&document);
+        bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+        pen_add(document, ring());
+        assert_int_equal(bat_object_with_shape(bat_document_at(document, 0), 0, shape, &after), BAT_OK);
+        assert_int_equal(bat_document_replace(document, 0, after), BAT_OK);
+        bat_object_release(after);
+        bat_editor *editor = ready(editor_of(document), 4);
+        const uint64_t first = digest(editor);
+        draw_round(editor, was);
+        const bat_shape *made = bat_object_shape(bat_document_at(bat_editor_document(editor), 0), 0);
+        assert_non_null(made);
+        if (way) {
+            assert_true(digest(editor) == first);
+            assert_non_null(strstr(bat_editor_frame(editor)->notice, "hidden or scaled"));
+        } else {
+            assert_int_equal(bat_shape_levels(made), 2);
+            assert_int_equal(bat_curve_count(bat_shape_curve(made, 0)), 6);
+            assert_int_equal(bat_curve_dimension(bat_shape_curve(made, 0)), 3);
+            stands(bat_shape_curve(made, 2), was);
+            stands(curve_of(editor), was);
+            assert_int_equal(round_trip(editor, first), 1);
+        }
         bat_curve_free(was);
         bat_editor_free(editor);
     }
@@ -141,6 +191,7 @@ static void small_ones(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ring_is_lifted_by_a_stroke_round_it),
+        cmocka_unit_test(levels_stay),
         cmocka_unit_test(what_does_not_show_is_said_first),
         cmocka_unit_test(small_ones),
     };

@@ -142,6 +142,11 @@ static bool drag_delta(bat_context *c, const bat_leveling *l, double delta[3]) {
     const bool rises = (c->modifiers & BAT_ALT) && bat_curve_dimension(curve) == 3;
     c->snap->kind = BAT_SNAP_NONE;
     if (!bat_stage_way(c->stage, curve, l->start, l->at, rises, delta)) return false;
+    if ((c->modifiers & BAT_ALT) && !rises && (l->normal[0] != 0 || l->normal[1] != 0)) {
+        const double along = delta[0] * l->normal[0] + delta[1] * l->normal[1];
+        for (int k = 0; k < 2; k++) delta[k] = along * l->normal[k];
+        return true;
+    }
     if (!(c->modifiers & BAT_SHIFT) || bat_stage_tilted(c->stage) || rises) return true;
     bat_stage_seen(c->stage, l->start, from);
     bat_stage_seen(c->stage, l->at, to);
@@ -165,6 +170,28 @@ static void drag(bat_context *c) {
     bat_status status = edited(c, l->live, &l->grip, delta, &shape);
     if (status == BAT_OK) status = bat_leveling_put(c, shape);
     if (status != BAT_OK) give_up(c, status);
+}
+
+/* The normal of a curve in the plane where it is gripped: at a control point, where that point pulls most. */
+static void find_normal(bat_leveling *l) {
+    const bat_shape *shape = bat_shape_live_shape(l->live);
+    const bool point = l->grip.kind == BAT_HANDLE_POINT;
+    const bat_curve *curve = bat_shape_curve(shape, point ? l->level : bat_shape_levels(shape));
+    double u = l->grip.u, there[4]; /* the place, and the tangent */
+    l->normal[0] = l->normal[1] = 0;
+    if (bat_curve_dimension(curve) != 2) return;
+    if (point) {
+        double *all = malloc(bat_curve_count(curve) * sizeof *all);
+        if (!all) return;
+        bat_curve_greville(curve, all);
+        u = all[l->grip.index];
+        free(all);
+    }
+    bat_curve_eval(curve, u, 1, there);
+    const double speed = bat_hypot(there[2], there[3]);
+    if (!(speed > 0)) return;
+    l->normal[0] = -there[3] / speed;
+    l->normal[1] = there[2] / speed;
 }
 
 /* The curve of the object that is chosen with it; a surface is chosen as a whole. */
@@ -193,6 +220,7 @@ static void begin_drag(bat_context *c) {
         return;
     }
     if (l->grip.kind == BAT_HANDLE_POINT) l->chosen = l->grip.index;
+    if (l->live) find_normal(l);
     l->dragging = true;
 }
 

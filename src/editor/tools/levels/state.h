@@ -34,6 +34,7 @@ typedef struct bat_leveling {
     bat_shape_live *live;   /* the drag's session, owned */
     bat_relief *carved;     /* a surface's levels before the drag, owned */
     double place[2];        /* u and v of what is dragged of it */
+    double normal[2];       /* of a curve in the plane, where it is dragged; 0: it has none there */
 
     bat_ladder apart; /* the curve or surface taken apart, a preview until Enter or Esc; owned */
     uint64_t apart_revision;
