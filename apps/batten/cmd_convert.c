@@ -2,6 +2,7 @@
 #include "drawing.h"
 #include "folder.h"
 #include "io.h"
+#include "model_file.h"
 #include "picture.h"
 #include "program.h"
 
@@ -21,7 +22,9 @@ static int output_format(const cli_arguments *arguments, const bat_format **out,
     if (*out) return EXIT_DONE;
     if (strcmp(name, "-") == 0) return fail_usage(arguments->command, "for standard output, --to is needed");
     bat_formats_words(".", false, words);
-    return fail_usage(arguments->command, "%s: expected a name that ends in .pdf, .eps, %s", name, words);
+    return fail_usage(arguments->command,
+                      "%s: expected a name that ends in .pdf, .eps, .stl, .glb, .step, .iges, %s", name,
+                      words);
 }
 
 /* Lines of a template: "\\n" between them. */
@@ -180,7 +183,49 @@ static int put_page(const cli_arguments *arguments, const drawing_file *drawing,
     return failed;
 }
 
+/* What is in space, as a file of another program. */
+static int put_model(const cli_arguments *arguments, const drawing_file *drawing, const model_kind *kind,
+                     double tolerance) {
+    const char *in = arguments->operands[0], *out = arguments->operands[1];
+    bat_model model;
+    int flat;
+    const page_stand stand = arguments_value(arguments, "--floor") ? PAGE_IS_FLOOR : PAGE_IS_WALL;
+    const bat_status status = model_of_drawing(drawing->document, kind, stand, &model, &flat);
+    if (status == BAT_COUNT)
+        return fail_data(in, NULL, "expected a surface, a mesh or a curve in space, found %s",
+                         flat ? "curves that lie flat: write them as .svg or .dxf" : "none");
+    if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
+    const int failed = model_put(in, out, kind, &model, tolerance > 0 ? tolerance : 0);
+    bat_model_clear(&model);
+    if (failed) return failed;
+    if (flat) remark("%s: %d curve%s left out: on the page, not in space", in, flat, flat == 1 ? "" : "s");
+    drawing_remark_size(in, drawing->document);
+    return EXIT_DONE;
+}
+
+/* A drawing as a model: the name says so, and --to names no other format. */
+static const model_kind *model_wanted(const cli_arguments *arguments) {
+    const model_kind *kind = arguments_value(arguments, "--to") ? NULL
+                                                                : model_kind_of(arguments->operands[1]);
+    return kind && kind->of_drawings ? kind : NULL;
+}
+
+static int run_model(const cli_arguments *arguments, const model_kind *kind) {
+    double tolerance = 0;
+    drawing_file drawing;
+    int failed = options_fit(arguments, kind->ending + 1);
+    if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
+    if (!failed) failed = drawing_read(arguments->operands[0], NULL, &drawing);
+    if (failed) return failed;
+    failed = put_model(arguments, &drawing, kind, tolerance);
+    drawing_free(&drawing);
+    return failed;
+}
+
 static int run_one(const cli_arguments *arguments) {
+    if (model_wanted(arguments)) return run_model(arguments, model_wanted(arguments));
+    if (arguments_value(arguments, "--floor"))
+        return fail_usage(arguments->command, "--floor is for .stl, .glb, .step and .iges");
     const bat_format *format;
     picture_kind page;
     bat_svg_options options = bat_svg_merging();
@@ -221,24 +266,28 @@ const cli_command command_convert = {
         ".batten it is\n"
         "kept: from SVG to SVG the file stays as it is. Of a folder, or the glyphs of a font (UFO), each "
         "drawing is\n"
-        "converted into the folder OUT. Where a glyph is already, only its contours change.",
+        "converted into the folder OUT. Where a glyph is already, only its contours change.\n"
+        "Surfaces, meshes and curves in space of a drawing go to .stl, .glb, .step and .iges: upright, in "
+        "millimetres\n"
+        "(.glb: metres), what is closed with its normals outward.",
     .example = "batten convert drawing.svg drawing.batten\n"
                "batten fit stroke.csv | batten convert - stroke.svg\n"
                "batten convert Sans.ufo drawings --to svg",
     .operands = 2,
-    .options = {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
-                {"--tolerance", "T",
-                 "knots of imported paths are removed within T units; 0: only where nothing changes"},
-                {"--arcs", "T",
-                 "to .dxf: curves as arcs and lines within T mm, for cutters; to .gcode: 0.01"},
-                {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
-                {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},
-                {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},
-                {"--extremes", NULL,
-                 "to .glif: curves get a point where they are furthest left, right, up and down"},
-                {"--precision", "D",
-                 "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
-                {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
-                {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
+    .options =
+        {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
+         {"--tolerance", "T",
+          "knots of imported paths are removed within T units; .stl, .glb: how near triangles are"},
+         {"--arcs", "T", "to .dxf: curves as arcs and lines within T mm, for cutters; to .gcode: 0.01"},
+         {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
+         {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},
+         {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},
+         {"--extremes", NULL,
+          "to .glif: curves get a point where they are furthest left, right, up and down"},
+         {"--precision", "D", "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
+         {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
+         {"--floor", NULL,
+          "to .stl, .glb, .step, .iges: the page is a floor, up is towards the eye; else it is a wall"},
+         {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
     .run = run,
 };

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { run } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
-const HANG = 1200000; // milliseconds: a file that takes longer counts as hanging, however busy the machine
+const HANG = 3600000; // milliseconds: a file that takes longer counts as hanging, however busy the machine
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 
 const asked = process.argv.slice(2).map((file) => path.resolve(file));

@@ -1,0 +1,170 @@
+"""Shapes in space leave a drawing in true size, upright and outward: STL, glTF, STEP and IGES, read here without Batten."""
+
+import collections
+import json
+import math
+import re
+import struct
+import unittest
+
+from program import ProgramTest
+
+UNITS = {"px": 25.4 / 96, "mm": 1, "in": 25.4}
+
+
+# Where a place of the page (x right, y down, z away from the eye) is in the file.
+WALL = {"stl": lambda x, y, z: (x, z, -y), "glb": lambda x, y, z: (x, -y, -z)}
+FLOOR = {"stl": lambda x, y, z: (x, -y, -z), "glb": lambda x, y, z: (x, -z, y)}
+for ways in (WALL, FLOOR):
+    ways["step"] = ways["igs"] = ways["stl"]
+
+
+def triangles_of_stl(data):
+    count = struct.unpack_from("<I", data, 80)[0]
+    assert len(data) == 84 + 50 * count
+    return [tuple(struct.unpack_from("<3f", data, 84 + 50 * i + 12 + 12 * k) for k in range(3)) for i in range(count)]
+
+
+def triangles_of_glb(data):
+    magic, version, length = struct.unpack_from("<4sII", data)
+    assert (magic, version, length) == (b"glTF", 2, len(data))
+    size = struct.unpack_from("<I", data, 12)[0]
+    scene, body = json.loads(data[20:20 + size]), data[28 + size:]
+    out = []
+    for mesh in scene["meshes"]:
+        for part in mesh["primitives"]:
+            if part.get("mode", 4) != 4:
+                continue
+
+            def numbers(index, form, width):
+                accessor = scene["accessors"][index]
+                view = scene["bufferViews"][accessor["bufferView"]]
+                start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+                return list(struct.iter_unpack(form, body[start:start + accessor["count"] * width]))
+
+            places = numbers(part["attributes"]["POSITION"], "<3f", 12)
+            wide = scene["accessors"][part["indices"]]["componentType"]
+            corners = [i for (i,) in numbers(part["indices"], *{5125: ("<I", 4), 5123: ("<H", 2)}[wide])]
+            out += [tuple(places[corners[i + k]] for k in range(3)) for i in range(0, len(corners), 3)]
+    return out
+
+
+def volume(triangles):
+    return sum(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+               for a, b, c in triangles) / 6
+
+
+def open_edges(triangles):
+    """Edges that no other triangle has the other way round."""
+    edges = collections.Counter()
+    for triangle in triangles:
+        for k in range(3):
+            a, b = triangle[k], triangle[(k + 1) % 3]
+            if a != b:
+                edges[a, b] += 1
+    return sum(1 for (a, b), n in edges.items() if edges[b, a] != n)
+
+
+def box(points):
+    points = list(points)
+    return [min(p[k] for p in points) for k in range(3)] + [max(p[k] for p in points) for k in range(3)]
+
+
+def control_points_of_step(text):
+    return [tuple(float(n) for n in found.split(",")) for found in
+            re.findall(r"CARTESIAN_POINT\('[^']*',\(([^()]*)\)\)", text.replace("\n", ""))]
+
+
+class Models(ProgramTest):
+    def surface(self, profile, axis):
+        return self.json("revolve", self.file("profile.json", profile), "--axis", axis, "--tolerance", "1e-7")
+
+    def drawing(self, surfaces, unit="mm", name="drawing.batten", hidden=()):
+        objects = [{"id": i + 1, "kind": "surface", "name": "", **({"hidden": True} if i in hidden else {}),
+                    "surface": {key: surface[key] for key in ("degree", "closed", "knots", "points")}}
+                   for i, surface in enumerate(surfaces)]
+        return self.file(name, {"batten": 5, "page": [0, 0, 200, 200], "scale": UNITS[unit], "unit": unit,
+                                "next": len(surfaces) + 1, "objects": objects})
+
+    def written(self, drawing, ending, *options):
+        out = self.folder / f"out.{ending}"
+        self.done("convert", drawing, str(out), *options)
+        return out.read_bytes()
+
+
+def ball(radius, clockwise):
+    """Half a circle from pole to pole about an upright axis, as a curve of many points, in either direction."""
+    count = 60
+    points = [[100 + radius * math.sin(math.pi * i / count), 100 - radius * math.cos(math.pi * i / count)]
+              for i in range(count + 1)]
+    points[0][0] = points[-1][0] = 100
+    if clockwise:
+        points.reverse()
+    knots = [0] + list(range(count + 1)) + [count]
+    return {"degree": 1, "closed": False, "knots": knots, "points": points}
+
+
+class OfDrawings(Models):
+    def test_a_ball_drawn_in_both_directions(self):
+        """A polygon of 60 sides turned: closed, outward, as large as it is, in every unit, whichever way it was drawn."""
+        radius, sides = 30, 60
+        # Exact: frusta of the polygon's sides.
+        exact = 0
+        for i in range(sides):
+            y = [radius * math.cos(math.pi * (i + k) / sides) for k in range(2)]
+            r = [radius * math.sin(math.pi * (i + k) / sides) for k in range(2)]
+            exact += math.pi / 3 * (y[0] - y[1]) * (r[0] ** 2 + r[0] * r[1] + r[1] ** 2)
+        for clockwise, unit in ((False, "mm"), (True, "mm"), (True, "px"), (False, "in")):
+            drawing = self.drawing([self.surface(ball(radius, clockwise), "100,100,0,0,1,0")], unit)
+            for ending, read in (("stl", triangles_of_stl), ("glb", triangles_of_glb)):
+                scale = UNITS[unit] / (1000 if ending == "glb" else 1)
+                triangles = read(self.written(drawing, ending, "--tolerance", repr(3e-4 * radius * scale)))
+                self.assertEqual(open_edges(triangles), 0)
+                self.assertLess(abs(volume(triangles) / (exact * scale ** 3) - 1), 2e-3)
+                low_high = box(p for t in triangles for p in t)
+                middle = WALL[ending](100 * scale, 100 * scale, 0)
+                for k in range(3):
+                    for side, sign in ((k, -1), (3 + k, 1)):
+                        self.assertLess(abs(low_high[side] - middle[k] - sign * radius * scale), 2e-3 * radius * scale)
+
+    def test_upright(self):
+        """A cone with its tip up on the page has it up in each file; on a floor it lies."""
+        profile = {"degree": 1, "closed": False, "knots": [0, 0, 1, 2, 2], "points": [[100, 40], [120, 90], [100, 90]]}
+        surface = self.surface(profile, "100,0,0,0,1,0")
+        drawing = self.drawing([surface])
+        for ways, options in ((WALL, ()), (FLOOR, ("--floor",))):
+            for ending, read in (("stl", triangles_of_stl), ("glb", triangles_of_glb)):
+                scale = 1e-3 if ending == "glb" else 1
+                triangles = read(self.written(drawing, ending, *options))
+                self.assertGreater(volume(triangles), 0)
+                tip = ways[ending](100 * scale, 40 * scale, 0)
+                base = ways[ending](100 * scale, 90 * scale, 0)
+                points = {p for t in triangles for p in t}
+                up = max(range(3), key=lambda k: abs(tip[k] - base[k]))
+                extreme = (max if tip[up] > base[up] else min)(points, key=lambda p: p[up])
+                self.assertLess(math.dist(extreme, tip), 1e-3 * scale)
+            text = self.written(drawing, "step", *options).decode()
+            tip = ways["step"](100, 40, 0)
+            self.assertLess(min(math.dist(p, tip) for p in control_points_of_step(text)), 1e-9)
+            self.done("surface", "convert", str(self.folder / "out.step"), str(self.folder / "back.json"))
+            again = json.loads((self.folder / "back.json").read_text(encoding="utf-8"))
+            again = again[0] if isinstance(again, list) else again
+            low_high = box(p for row in again["points"] for p in row)
+            corners = [ways["step"](*p) for row in surface["points"] for p in row]
+            for a, b in zip(low_high, box(corners)):
+                self.assertLess(abs(a - b), 1e-9)
+
+    def test_what_is_refused_and_left_out(self):
+        flat = self.file("flat.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 C 10 0 20 10 30 30"/></svg>')
+        for ending in ("stl", "glb", "step", "iges"):
+            self.assertIn("curves that lie flat", self.refused(1, "convert", flat, f"no.{ending}"))
+        surface = self.surface(ball(30, False), "100,100,0,0,1,0")
+        drawing = self.drawing([surface, surface], hidden=(1,))
+        self.assertEqual(len(triangles_of_stl(self.written(drawing, "stl"))),
+                         len(triangles_of_stl(self.written(self.drawing([surface], name="one.batten"), "stl"))))
+        self.assertIn("found none", self.refused(1, "convert", self.drawing([surface], hidden=(0,)), "no.stl"))
+        self.assertIn("--floor", self.refused(2, "convert", drawing, "a.svg", "--floor"))
+
+
+if __name__ == "__main__":
+    unittest.main()
