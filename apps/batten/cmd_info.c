@@ -3,6 +3,7 @@
 #include "drawing.h"
 #include "io.h"
 #include "program.h"
+#include "format/json/losses.h"
 
 #include "document/scale.h"
 #include "results.h"
@@ -170,24 +171,33 @@ static void put_object_lines(bat_text *text, const bat_object *object) {
     }
 }
 
-/* What overwriting the file would lose, or what is not shown of a file that is kept, one kind per line. */
-static void put_losses(bat_text *text, const drawing_file *drawing) {
+/* What overwriting the file would lose, or, of a file that is kept, what is not shown and, if asked for, what makes no picture:
+ * one kind per line. */
+static void put_losses(bat_text *text, const drawing_file *drawing, bool all) {
     char line[96];
-    int total = bat_losses_total(&drawing->report.lost);
     const bool kept = drawing_keeps_file(drawing);
+    const bat_losses *lost = &drawing->report.lost, seen = bat_losses_seen(lost), *said = kept ? &seen : lost;
+    const int total = bat_losses_total(said);
     snprintf(line, sizeof line, kept ? "all but %d thing%s; saving keeps them all" : "loses %d thing%s",
              total, total == 1 ? "" : "s");
     put_line(text, kept && total ? "shows" : "saving", total ? line : "keeps everything");
     for (int i = 0; i < BAT_LOSS_COUNT; i++) {
-        if (!drawing->report.lost.count[i]) continue;
-        bat_loss_words((bat_loss)i, drawing->report.lost.count[i], line, sizeof line);
+        if (!said->count[i]) continue;
+        bat_loss_words((bat_loss)i, said->count[i], line, sizeof line);
         put_line(text, "", line);
+    }
+    const char *left = "keeps";
+    for (int i = 0; kept && all && i < BAT_LOSS_COUNT; i++) {
+        if (!lost->count[i] || seen.count[i]) continue;
+        bat_loss_words((bat_loss)i, lost->count[i], line, sizeof line);
+        put_line(text, left, line);
+        left = "";
     }
     if (drawing->report.edited)
         put_line(text, "edited", "changed by another program since Batten saved it: the drawing counts");
 }
 
-static int print_text(const char *name, const drawing_file *drawing) {
+static int print_text(const char *name, const drawing_file *drawing, bool all) {
     const bat_document *document = drawing->document;
     bat_text text = {0};
     char line[256];
@@ -205,7 +215,7 @@ static int print_text(const char *name, const drawing_file *drawing) {
     snprintf(line, sizeof line, "%d objects, %d curves, %zu points, %d knots", bat_document_count(document),
              totals.curves, totals.points, totals.knots);
     put_line(&text, "holds", line);
-    put_losses(&text, drawing);
+    put_losses(&text, drawing, all);
     bat_text_string(&text, "objects  id, name, curves\n");
     for (int i = 0; i < bat_document_count(document); i++) {
         put_object_lines(&text, bat_document_at(document, i));
@@ -223,20 +233,24 @@ static int run(const cli_arguments *arguments) {
     drawing_file drawing;
     int failed = drawing_read(name, NULL, &drawing);
     if (failed) return failed;
-    failed = arguments_value(arguments, "--json") ? print_json(name, &drawing) : print_text(name, &drawing);
+    failed = arguments_value(arguments, "--json")
+                 ? print_json(name, &drawing)
+                 : print_text(name, &drawing, arguments_value(arguments, "--kept") != NULL);
     drawing_free(&drawing);
     return failed;
 }
 
 const cli_command command_info = {
     .name = "info",
-    .usage = "FILE [--json]",
+    .usage = "FILE [--json] [--kept]",
     .summary =
         "What is in a file: objects, curves, knots, page, and what of it is not shown or saving would lose.",
     .details = "As JSON, \"keeps_all\" is false when writing over the file would lose something, and "
-               "\"left_out\"\ncounts what is not shown, by kind.",
+               "\"left_out\"\ncounts what a drawing does not hold, by kind. With --kept what makes no "
+               "picture is listed, too: metadata,\n"
+               "settings of other programs, unused definitions, and the like, which saving keeps.",
     .example = "batten info drawing.svg --json",
     .operands = 1,
-    .options = {{"--json", NULL, "as JSON"}},
+    .options = {{"--json", NULL, "as JSON"}, {"--kept", NULL, "also what is kept and makes no picture"}},
     .run = run,
 };

@@ -4,6 +4,7 @@
 #include "io.h"
 #include "pdf.h"
 #include "program.h"
+#include "format/json/losses.h"
 #include <batten/svg_read.h>
 
 #include <batten/format.h>
@@ -83,16 +84,23 @@ void drawing_remark_size(const char *name, const bat_document *document) {
                strcmp(name, "-") == 0 ? "standard input" : name);
 }
 
+/* What makes no picture in an SVG file is left out without a word. */
+static void line_of_seen(const drawing_file *drawing, char line[LEFT_OUT_ROOM]) {
+    bat_svg_report report = drawing->report;
+    if (strcmp(drawing->format->name, "svg") == 0) report.lost = bat_losses_seen(&report.lost);
+    bat_svg_report_line(&report, line, LEFT_OUT_ROOM);
+}
+
 void drawing_remark(const char *name, const drawing_file *drawing) {
     char line[LEFT_OUT_ROOM] = "";
-    bat_svg_report_line(&drawing->report, line, sizeof line);
+    line_of_seen(drawing, line);
     if (line[0]) remark("%s: %s", strcmp(name, "-") == 0 ? "standard input" : name, line);
 }
 
 void drawing_remark_kept(const char *name, const drawing_file *drawing) {
     static const char before[] = "Left out: ";
     char line[LEFT_OUT_ROOM] = "";
-    bat_svg_report_line(&drawing->report, line, sizeof line);
+    line_of_seen(drawing, line);
     if (strncmp(line, before, sizeof before - 1) != 0) return;
     remark("%s: not shown: %s Saving keeps all of it.", name, line + sizeof before - 1);
 }

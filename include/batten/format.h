@@ -180,9 +180,9 @@ typedef enum bat_loss {
     BAT_LOSS_NESTED,    /* an svg in the svg: drawn, not clipped */
     BAT_LOSS_SWITCH,    /* one of its versions is drawn */
     BAT_LOSS_INVISIBLE, /* visibility hidden, no paint, or hidden things that no document can hide */
-    BAT_LOSS_BROKEN,    /* shapes, path data, transforms, references with errors: read up to there */
-    BAT_LOSS_UNKNOWN,   /* elements, attributes, properties and values that are not known */
-    BAT_LOSS_TITLE,     /* titles, descriptions, and what is said to screen readers */
+    BAT_LOSS_BROKEN, /* shapes, path data, transforms, references, values that are not understood: read up to there */
+    BAT_LOSS_UNKNOWN, /* elements, attributes, properties and words that are not known, and have no effect */
+    BAT_LOSS_TITLE,   /* titles, descriptions, and what is said to screen readers */
     BAT_LOSS_LINK,
     BAT_LOSS_ANIMATION,
     BAT_LOSS_SCRIPT,   /* event attributes, too */

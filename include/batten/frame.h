@@ -170,8 +170,9 @@ typedef struct bat_frame {
     uint32_t readings;       /* another number whenever the last stroke's readings change; 0: none */
     uint32_t levels;         /* another number whenever the level strip shows something else; 0: no strip */
     uint32_t moves;          /* another number whenever the time strip shows something else; 0: no strip */
-    uint32_t lost;           /* things of the file that writing over it would lose */
-    uint32_t first;          /* bit i: choice i of the property "first-hints" is a hint to be shown */
+    uint32_t
+        lost; /* things of the file that writing over it would lose; where the document keeps it, objects that look otherwise than in it */
+    uint32_t first; /* bit i: choice i of the property "first-hints" is a hint to be shown */
 } bat_frame;
 
 /* ---- a tilted view, painted with a depth ---- */

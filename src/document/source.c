@@ -105,6 +105,10 @@ uint32_t bat_source_lost(const bat_source *source, bat_id id) {
     return found ? found->kinds : 0;
 }
 
+bat_id bat_source_lost_id(const bat_source *source, int index) {
+    return index < source->lost_count ? source->lost[index].id : 0;
+}
+
 uint64_t bat_sourced_shape(const bat_object *object) {
     const bat_kind_type *type = bat_object_type(object);
     const void *own = bat_object_own(object, type);

@@ -40,6 +40,8 @@ const double *bat_source_page(const bat_source *source);
 uint64_t bat_source_digest(const bat_source *source);
 int bat_source_count(const bat_source *source);
 const bat_sourced *bat_source_at(const bat_source *source, int index);
+/* The object at an index, from 0, of those that are not shown as they are in the file; 0: there are no more. */
+bat_id bat_source_lost_id(const bat_source *source, int index);
 /* The `lost` of the entry for this object; 0: nothing, or there is no entry. Logarithmic. */
 uint32_t bat_source_lost(const bat_source *source, bat_id id); /* NULL is fine */
 

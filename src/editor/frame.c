@@ -256,7 +256,7 @@ const bat_frame *bat_editor_frame(bat_editor *editor) {
         .readings = readings(c),
         .levels = levels(c),
         .moves = bat_moves_version(c),
-        .lost = (uint32_t)bat_losses_total(&c->session->losses),
+        .lost = (uint32_t)bat_losses_told(&c->session->losses, c->session->document),
         .first = bat_first_shown(c)};
     memcpy(frame->dirty, scene->dirty, sizeof frame->dirty);
     bat_box_clear(scene->dirty);

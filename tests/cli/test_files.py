@@ -302,7 +302,9 @@ class Info(ProgramTest):
         self.assertIn("roof", self.done("info", CAR).decode())
         titled = open(CAR, encoding="utf-8").read().replace(">", "><title>A car</title>", 1)
         text = self.done("info", "-", stdin=titled.encode()).decode()
-        self.assertRegex(text, r"shows +all but 1 thing; saving keeps them all\n +1 title or description\n")
+        self.assertRegex(text, r"saving +keeps everything\nobjects")
+        text = self.done("info", "-", "--kept", stdin=titled.encode()).decode()
+        self.assertRegex(text, r"saving +keeps everything\nkeeps +1 title or description\nobjects")
 
     def test_svg_saved_by_batten_keeps_everything(self):
         self.done("convert", CAR, self.folder / "car.svg")

@@ -138,7 +138,7 @@ test('what is not shown of an SVG file is told when it is opened', async () => {
   await drop(page, 'mixed.svg', `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">
     <text x="5" y="5">Hi</text><image href="b.png" width="5" height="5"/><image href="a.png" width="5" height="5"/><path d="M10 10C20 0 30 20 40 10"/></svg>`);
   const { notice } = await state(page);
-  assert.equal(notice, '2 things of this file are not shown as they are. Saving keeps them.');
+  assert.equal(notice, '2 items look different here; saving keeps them.');
   assert.equal(await count(page), 3, 'the page, the text and one path');
   await context.close();
 });

@@ -152,8 +152,8 @@ test('what is not shown is kept by saving', async (t) => {
   const server = await serve({ name: 'art.svg', bytes: Buffer.from(kept) });
   t.after(() => server.close());
   const { page, hand, context } = await open(browser, server.address);
-  assert.equal((await state(page)).notice, '2 things of this file are not shown as they are. Saving keeps them.');
-  assert.equal(await page.textContent('#unkept'), '2 not shown');
+  assert.equal((await state(page)).notice, '1 item looks different here; saving keeps it.');
+  assert.equal(await page.textContent('#unkept'), '1 approximated');
   await page.keyboard.press('Control+S');
   await page.click('#inexact button[value=save]');
   await saved(server, 1);
@@ -168,7 +168,7 @@ test('what is not shown is kept by saving', async (t) => {
   assert.match(now, /<path style="fill:none[^>]*\/><\/svg>$/);
   await page.reload();
   await ready(page);
-  assert.equal(await page.textContent('#unkept'), '2 not shown');
+  assert.equal(await page.textContent('#unkept'), '1 approximated');
   await context.close();
 });
 

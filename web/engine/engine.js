@@ -294,6 +294,11 @@ export class Engine extends Instance {
     return this.guard(() => this.wasm.editor_keeps(this.editor) !== 0, false);
   }
 
+  /** How many things look otherwise than in the file, where it is kept; else how many overwriting it would lose. */
+  get lost() {
+    return this.guard(() => this.wasm.editor_lost(this.editor), 0);
+  }
+
   /** What the file contains and the drawing does not: overwriting the file would lose it, unless it `keeps` it. */
   get losses() {
     return readLosses(this);

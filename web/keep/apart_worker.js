@@ -84,7 +84,7 @@ async function read({ first, second, image, texts, file, name, how, asked }) {
   }
   prepare(engine);
   const content = asked ? { svg: engine.save(false), holds: JSON.parse(engine.ask('editor_holds')), losses: engine.losses,
-    keeps: engine.keeps } : null;
+    lost: engine.lost, keeps: engine.keeps } : null;
   return { image: imageOf(engine), bytes, content };
 }
 

@@ -182,7 +182,7 @@ export class Files {
     try {
       take();
       this.losses = this.engine.losses;
-      const lost = totalOf(this.losses);
+      const { lost } = this.engine;
       if (lost) {
         this.notices.say(counted(this.engine.keeps ? 'shell.unshown' : 'shell.loses', lost));
       }

@@ -2,6 +2,7 @@
 #include "module.h"
 
 #include "format/formats.h"
+#include "format/json/losses.h"
 
 #include <math.h>
 #include <string.h>
@@ -94,6 +95,7 @@ MODULE_EXPORT(editor_picture)
 const void *editor_picture(const bat_editor *editor, uint32_t picture, size_t *size);
 MODULE_EXPORT(editor_save) int editor_save(const bat_editor *editor, int native, module_bytes *out);
 MODULE_EXPORT(editor_losses) const bat_losses *editor_losses(const bat_editor *editor);
+MODULE_EXPORT(editor_lost) int editor_lost(const bat_editor *editor);
 MODULE_EXPORT(editor_keeps) int editor_keeps(const bat_editor *editor);
 MODULE_EXPORT(editor_set_losses) int editor_set_losses(bat_editor *editor, const bat_losses *losses);
 MODULE_EXPORT(loss_key) const char *loss_key(int kind);
@@ -471,6 +473,12 @@ int editor_save(const bat_editor *editor, int native, module_bytes *out) {
 const bat_losses *editor_losses(const bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_losses(editor);
+}
+
+/* How many things to tell the user of: bat_frame's `lost`. */
+int editor_lost(const bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_losses_told(bat_editor_losses(editor), bat_editor_document(editor));
 }
 
 /* Whether the document keeps the file that it was read from: then saving it as SVG loses nothing. */

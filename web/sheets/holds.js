@@ -4,14 +4,13 @@
 import { figure } from './compare.js';
 import { answer, question } from './question.js';
 import { lossList, made, tally } from './losses.js';
-import { totalOf } from '../keep/files.js';
 import { counted, word } from '../page/words.js';
 import { dress } from '../page/build.js';
 
 const SHOWN = 1 << 20; // bytes: the browser paints a larger file too slowly
 
 /** @typedef {{ kinds: { words: string, count: number }[], page: string[] }} Holds */
-/** @typedef {{ svg: Uint8Array, holds: Holds, losses: import('../engine/losses.js').Losses, keeps: boolean }} Content */
+/** @typedef {{ svg: Uint8Array, holds: Holds, losses: import('../engine/losses.js').Losses, lost: number, keeps: boolean }} Content */
 
 /** The page and each kind of object with its number. @param {Holds} holds */
 function numbers({ kinds, page }) {
@@ -26,14 +25,13 @@ function numbers({ kinds, page }) {
  * @param {import('../keep/files.js').Files} files @param {string} name @param {Content} content
  * @returns {Promise<string>} 'open', 'add', or '' for neither
  */
-export async function askToOpen(files, name, { svg, holds, losses, keeps }) {
+export async function askToOpen(files, name, { svg, holds, losses, lost, keeps }) {
   await dress('styles/compare.css');
   const both = document.createElement('div');
   both.className = 'both';
   const box = document.createElement('div');
   box.append(numbers(holds));
-  const lost = totalOf(losses);
-  if (lost) {
+    if (lost) {
     box.append(made(counted(keeps ? 'shell.unshown' : 'shell.loses', lost), 'p'), ...(keeps ? [] : [lossList(losses)]));
   }
   both.append(...(svg.length <= SHOWN ? [figure(svg, name)] : []), box);

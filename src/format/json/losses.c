@@ -1,5 +1,8 @@
 #include "format/json/losses.h"
 
+#include "document/document.h"
+#include "document/source.h"
+
 #include <limits.h>
 #include <string.h>
 
@@ -19,11 +22,43 @@ static const char keys[BAT_LOSS_COUNT][12] = {
 
 const char *bat_loss_key(bat_loss kind) { return (unsigned)kind < BAT_LOSS_COUNT ? keys[kind] : NULL; }
 
+bool bat_loss_is_seen(bat_loss kind) {
+    static const bool seen[BAT_LOSS_COUNT] = {
+        [BAT_LOSS_TEXT] = true,     [BAT_LOSS_IMAGE] = true,   [BAT_LOSS_GRADIENT] = true,
+        [BAT_LOSS_PATTERN] = true,  [BAT_LOSS_CLIP] = true,    [BAT_LOSS_MASK] = true,
+        [BAT_LOSS_FILTER] = true,   [BAT_LOSS_MARKER] = true,  [BAT_LOSS_DASH] = true,
+        [BAT_LOSS_ORDER] = true,    [BAT_LOSS_EFFECT] = true,  [BAT_LOSS_UNEVEN] = true,
+        [BAT_LOSS_BLEND] = true,    [BAT_LOSS_OPACITY] = true, [BAT_LOSS_HINT] = true,
+        [BAT_LOSS_NESTED] = true,   [BAT_LOSS_BROKEN] = true,  [BAT_LOSS_ANIMATION] = true,
+        [BAT_LOSS_EMBEDDED] = true,
+    };
+    return (unsigned)kind < BAT_LOSS_COUNT && seen[kind];
+}
+
+bat_losses bat_losses_seen(const bat_losses *losses) {
+    bat_losses seen = *losses;
+    for (int i = 0; i < BAT_LOSS_COUNT; i++)
+        if (!bat_loss_is_seen((bat_loss)i)) seen.count[i] = 0;
+    return seen;
+}
+
 int bat_losses_total(const bat_losses *losses) {
     int total = 0;
     for (int i = 0; i < BAT_LOSS_COUNT; i++)
         total = losses->count[i] > INT_MAX - total ? INT_MAX : total + losses->count[i];
     return total;
+}
+
+int bat_losses_told(const bat_losses *losses, const bat_document *document) {
+    const int total = bat_losses_total(losses);
+    const bat_source *source = bat_document_origin(document);
+    if (!total || losses->count[BAT_LOSS_NATIVE] || !source) return total;
+    const bat_losses seen = bat_losses_seen(losses);
+    int objects = 0;
+    bat_id id = bat_source_lost_id(source, 0);
+    if (!id) return bat_losses_total(&seen);
+    for (int i = 1; id; id = bat_source_lost_id(source, i++)) objects += bat_document_find(document, id) >= 0;
+    return objects;
 }
 
 void bat_losses_to_json(const bat_losses *losses, bat_text *text) {

@@ -89,9 +89,7 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
      * it. */
     if (!shown && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE &&
         kind != BAT_SVG_TEXT) {
-        bool copied = kind != BAT_SVG_OTHER;
-        bat_loss loss = (bat_loss)w->tree->elements[element].loss;
-        bat_svg_note(&w->notes, element, copied ? BAT_LOSS_INVISIBLE : loss);
+        bat_svg_note(&w->notes, element, BAT_LOSS_INVISIBLE);
         return;
     }
     bat_svg_note_element(w, element);

@@ -105,7 +105,7 @@ static bool is_whole(const bat_svg_walk *w, uint32_t element) {
     static const bat_loss shown[] = {BAT_LOSS_TEXT, BAT_LOSS_IMAGE, BAT_LOSS_EMBEDDED};
     for (uint32_t i = element; i < tree->count && (i == element || tree->elements[i].parent >= element);
          i++) {
-        if (bat_svg_noted(&w->notes, i)) return false;
+        if (bat_svg_noted(&w->notes, i) & ~(1u << BAT_LOSS_HINT | 1u << BAT_LOSS_ANIMATION)) return false;
         for (int k = 0; k < 3; k++)
             if (w->notes.seen[i] & 1u << shown[k]) return false;
     }

@@ -165,8 +165,9 @@ bat_loss bat_svg_odd_loss(int bit) {
         [BAT_SVG_FILTER - BAT_SVG_ODD] = BAT_LOSS_FILTER,
         [BAT_SVG_EFFECT - BAT_SVG_ODD] = BAT_LOSS_EFFECT,
         [BAT_SVG_BLEND - BAT_SVG_ODD] = BAT_LOSS_BLEND,
-        [BAT_SVG_ISOLATION - BAT_SVG_ODD] = BAT_LOSS_BLEND,
+        [BAT_SVG_ISOLATION - BAT_SVG_ODD] = BAT_LOSS_UNKNOWN, /* what blends within it is noted there */
         [BAT_SVG_ODD_UNKNOWN - BAT_SVG_ODD] = BAT_LOSS_UNKNOWN,
+        [BAT_SVG_ODD_VALUE - BAT_SVG_ODD] = BAT_LOSS_BROKEN,
     };
     return bit < BAT_SVG_ODD_END - BAT_SVG_ODD ? (bat_loss)losses[bit] : BAT_LOSS_COUNT;
 }

@@ -48,7 +48,8 @@ typedef enum bat_svg_name {
     BAT_SVG_EFFECT,
     BAT_SVG_BLEND,
     BAT_SVG_ISOLATION,
-    BAT_SVG_ODD_UNKNOWN, /* any value that is not understood */
+    BAT_SVG_ODD_UNKNOWN, /* any property or word without effect */
+    BAT_SVG_ODD_VALUE,   /* any property or value of which it is not known that it has none */
     BAT_SVG_ODD_END,
     BAT_SVG_MARKER = BAT_SVG_ODD_END, /* all three */
     /* the rest */

@@ -1,5 +1,6 @@
 #include "format/svg/notes.h"
 
+#include "format/json/losses.h"
 #include "format/svg/svg.h"
 
 #include <stdlib.h>
@@ -38,9 +39,9 @@ static void refer_attributes(bat_svg_notes *notes) {
 }
 
 bat_status bat_svg_notes_begin(bat_svg_notes *notes, const bat_svg_tree *tree, const bat_svg_sheet *sheet,
-                               bat_losses *lost) {
+                               const int *hidden, bat_losses *lost) {
     *notes = (bat_svg_notes){
-        .tree = tree, .lost = lost, .seen = calloc(tree->count + 1, sizeof *notes->seen)};
+        .tree = tree, .lost = lost, .hidden = hidden, .seen = calloc(tree->count + 1, sizeof *notes->seen)};
     if (!notes->seen) return BAT_MEMORY;
     refer_attributes(notes);
     if (sheet->text) refer_all(notes, sheet->text);
@@ -51,8 +52,11 @@ bat_status bat_svg_notes_begin(bat_svg_notes *notes, const bat_svg_tree *tree, c
 void bat_svg_notes_free(bat_svg_notes *notes) { free(notes->seen); }
 
 void bat_svg_note(bat_svg_notes *notes, uint32_t element, bat_loss kind) {
+    if (*notes->hidden > 0 && bat_loss_is_seen(kind)) kind = BAT_LOSS_INVISIBLE;
     if (kind >= BAT_LOSS_RULE || notes->seen[element] & 1u << kind) return;
     notes->seen[element] |= 1u << kind;
+    if (kind == BAT_LOSS_ANIMATION)
+        notes->seen[notes->tree->elements[element].parent] |= 1u << kind; /* it moves */
     notes->lost->count[kind]++;
 }
 
@@ -63,13 +67,12 @@ void bat_svg_note_odd(bat_svg_notes *notes, uint32_t element, uint32_t odd, uint
 }
 
 uint32_t bat_svg_noted(const bat_svg_notes *notes, uint32_t element) {
-    static const bat_loss seen[] = {BAT_LOSS_GRADIENT, BAT_LOSS_PATTERN, BAT_LOSS_CLIP,  BAT_LOSS_MASK,
-                                    BAT_LOSS_FILTER,   BAT_LOSS_MARKER,  BAT_LOSS_DASH,  BAT_LOSS_ORDER,
-                                    BAT_LOSS_EFFECT,   BAT_LOSS_UNEVEN,  BAT_LOSS_BLEND, BAT_LOSS_OPACITY,
-                                    BAT_LOSS_NESTED,   BAT_LOSS_BROKEN};
+    /* These are no objects, or foreign content, which is shown as it is. */
+    const uint32_t apart = 1u << BAT_LOSS_TEXT | 1u << BAT_LOSS_IMAGE | 1u << BAT_LOSS_EMBEDDED;
     uint32_t mask = 0;
-    for (size_t i = 0; i < sizeof seen / sizeof *seen; i++) mask |= 1u << seen[i];
-    return notes->seen[element] & mask;
+    for (int kind = 0; kind < BAT_LOSS_RULE; kind++)
+        mask |= (uint32_t)bat_loss_is_seen((bat_loss)kind) << kind;
+    return notes->seen[element] & mask & ~apart;
 }
 
 bool bat_svg_note_once(bat_svg_notes *notes, uint32_t element) {

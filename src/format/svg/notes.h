@@ -8,15 +8,18 @@
 typedef struct bat_svg_notes {
     const bat_svg_tree *tree;
     bat_losses *lost;
-    uint32_t *seen; /* for each element, its kinds as bits; owned */
+    const int *hidden; /* greater than 0: what is noted is not displayed */
+    uint32_t *seen;    /* for each element, its kinds as bits; owned */
 } bat_svg_notes;
 
 /* Searches the file for references, and counts the sheet's rules. tree must have its index. */
 bat_status bat_svg_notes_begin(bat_svg_notes *notes, const bat_svg_tree *tree, const bat_svg_sheet *sheet,
-                               bat_losses *lost);
+                               const int *hidden, bat_losses *lost);
 void bat_svg_notes_free(bat_svg_notes *notes);
 
-void bat_svg_note(bat_svg_notes *notes, uint32_t element, bat_loss kind); /* BAT_LOSS_COUNT: nothing */
+void bat_svg_note(bat_svg_notes *notes, uint32_t element,
+                  bat_loss kind); /* BAT_LOSS_COUNT: nothing. What is hidden looks as
+                                                                           * it does in the file: it counts as such. */
 /* What has been noted at the element that changes how something looks: a bit 1 << bat_loss each. */
 uint32_t bat_svg_noted(const bat_svg_notes *notes, uint32_t element);
 /* True the first time for each element: `use` may draw it several times. */

@@ -132,7 +132,7 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
                         .text = reader->source,
                         .text_size = reader->source_size,
                         .digest = bat_digest_begin()};
-    status = bat_svg_notes_begin(&w->notes, &reader->tree, &sheet, &report->lost);
+    status = bat_svg_notes_begin(&w->notes, &reader->tree, &sheet, &w->unseen, &report->lost);
     if (status == BAT_OK) bat_svg_draw_root(w);
     if (status == BAT_OK) status = w->status;
     if (reader->drawn) *reader->drawn = w->digest;

@@ -140,8 +140,8 @@ static void inherit(bat_svg_style *style, const bat_svg_style *parent, bat_svg_n
 
 /* Clears the property's bit for values without effect, with which nothing is lost, and sets it for others. */
 static void set_odd(bat_svg_style *style, bat_svg_name property, const char *value) {
-    static const char *const plain[] = {"none", "normal", "auto",    "0",
-                                        "sRGB", "fill",   "initial", "geometricPrecision"};
+    static const char *const plain[] = {
+        "none", "normal", "auto", "0", "sRGB", "fill", "initial", "geometricPrecision", "optimizeQuality"};
     uint32_t bits = property == BAT_SVG_MARKER
                         ? BAT_SVG_BIT(BAT_SVG_MARKER_START) | BAT_SVG_BIT(BAT_SVG_MARKER_MID) |
                               BAT_SVG_BIT(BAT_SVG_MARKER_END)
@@ -403,6 +403,23 @@ void bat_svg_variables_free(bat_svg_variables *variables) {
     }
 }
 
+/* Whether a property may have such a value: a number, or a function. Colours by rgb() and hsl() are known, if they are any. */
+static bool may_be_value(const char *value, size_t size) {
+    while (size > 0 && is_space(*value)) value++, size--;
+    if (size > 0 && strchr("0123456789.+-", *value)) return true;
+    return memchr(value, '(', size) && strncmp(value, "rgb", 3) != 0 && strncmp(value, "hsl", 3) != 0;
+}
+
+void bat_svg_style_miss(bat_svg_style *style, const char *name, const char *value, size_t size) {
+    static const char *const painting[] = {"transform", "rotate", "scale",    "translate", "animation",
+                                           "offset",    "mask-",  "backdrop", "background"};
+    const bat_svg_name what = bat_svg_name_of(name);
+    bool seen = what == BAT_SVG_ATTRIBUTE || (what < BAT_SVG_IDLE && may_be_value(value, size));
+    for (size_t i = 0; i < sizeof painting / sizeof *painting; i++)
+        seen = seen || strncmp(name, painting[i], strlen(painting[i])) == 0;
+    style->odd |= seen ? BAT_SVG_BIT(BAT_SVG_ODD_VALUE) : BAT_SVG_BIT(BAT_SVG_ODD_UNKNOWN);
+}
+
 void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *parent, double diagonal,
                                 const char *text, size_t size, bool important) {
     for (const char *at = text, *end = text + size; at < end;) {
@@ -428,7 +445,10 @@ void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *paren
             known = marked != important ||
                     bat_svg_style_set(style, parent, diagonal, bat_svg_name_of(name), value, source);
         }
-        if (!known) style->odd |= BAT_SVG_BIT(BAT_SVG_ODD_UNKNOWN);
+        if (!known && named)
+            bat_svg_style_miss(style, name, colon + 1, (size_t)(stop - colon - 1));
+        else if (!known)
+            style->odd |= BAT_SVG_BIT(BAT_SVG_ODD_UNKNOWN);
         at = stop < end ? stop + 1 : end;
     }
 }

@@ -70,6 +70,9 @@ bool bat_svg_colour(const char *text, uint32_t *colour); /* 0xRRGGBBAA */
 bat_svg_style bat_svg_style_initial(void);
 /* The style with which the child of an element with this style begins. */
 bat_svg_style bat_svg_style_child(const bat_svg_style *parent);
+/* Notes a declaration that bat_svg_style_set did not understand: as seen where browsers may paint something by it, which a mere
+ * word instead of a number or a function does not. */
+void bat_svg_style_miss(bat_svg_style *style, const char *name, const char *value, size_t size);
 /* Sets one property. Names that are not properties and values that do not parse change nothing and give false.
  * diagonal: what a percentage of stroke-width refers to. source: the value in its original text, which must
  * outlive the style and may continue after the value. */

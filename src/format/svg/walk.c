@@ -146,7 +146,7 @@ void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *out
         bat_svg_name name = bat_svg_name_of(strings + pair[0]);
         if (name < BAT_SVG_IDLE &&
             !bat_svg_style_set(style, &outer->style, diagonal(outer), name, value, value))
-            style->odd |= BAT_SVG_BIT(BAT_SVG_ODD_UNKNOWN);
+            bat_svg_style_miss(style, strings + pair[0], value, strlen(value));
     }
     match_rules(w, element, outer, NORMAL, style);
     if (own) declare(outer, own, strlen(own), NORMAL, style);

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
@@ -156,6 +157,69 @@ static void what_a_drawing_holds_is_counted(void **state) {
     bat_editor_free(editor);
 }
 
+/* How many objects look otherwise than in the file; the frame says it, and nothing else is said. */
+static void only_what_is_seen_counts(void **state) {
+    (void)state;
+#define LINE "<path d='M0 0L50 50' stroke='#000'"
+    static const struct {
+        const char *content;
+        unsigned lost;
+    } rows[] = {
+        {"<metadata><rdf:RDF xmlns:rdf='r'><a/></rdf:RDF></metadata>" LINE "/>", 0},
+        {"<sodipodi:namedview><inkscape:grid/></sodipodi:namedview>" LINE
+         " inkscape:connector-curvature='0'/>",
+         0},
+        {"<title>t</title><desc>d</desc>" LINE "><title>t</title></path>", 0},
+        {"<defs><linearGradient id='l'/><filter id='f'/><clipPath id='c'/><path id='p'/></defs><symbol/>" LINE
+         "/>",
+         0},
+        {LINE " data-x='1' serif:id='a' frobnicate='1' role='img' aria-label='x'/>", 0},
+        {"<g/><g><g/></g>" LINE "/>", 0},
+        {LINE "/><g display='none'>" LINE
+              " stroke-dasharray='1 x' style='mix-blend-mode:multiply'/><text>a</text>"
+              "<image href='a.png' width='5' height='5'/></g>",
+         0},
+        {LINE "/>" LINE " visibility='hidden'/><rect width='5' height='5' fill='none'/>", 0},
+        {"<script>1</script><a href='http://x'>" LINE " onclick='a()'/></a>", 0},
+        {"<style>path{stroke:red}</style>" LINE "/>", 0},
+        {"<switch>" LINE "/><text/></switch><use href='#u'/><path id='u' d='M0 0h9' stroke='red'/>", 0},
+        {LINE
+         " style='-inkscape-stroke:none;font-family:x;isolation:isolate;stroke-linejoin:arcs;paint-key:x'/>",
+         0},
+        {LINE " shape-rendering='geometricPrecision' image-rendering='optimizeQuality'/>", 0},
+        {"<blob/><sodipodi:guide/>" LINE "/>", 0},
+        /* seen */
+        {LINE " stroke-dasharray='1 x'/>" LINE " stroke-dasharray='1 x'/>", 2},
+        {"<metadata><x/></metadata><g style='mix-blend-mode:multiply'>" LINE "/>" LINE "/></g>", 1},
+        {LINE " shape-rendering='crispEdges'/>", 1},
+        {LINE " style='stroke:oklch(1 2 3)'/>", 1},
+        {LINE " style='rotate:30deg'/>", 1},
+        {LINE "><animate attributeName='d'/></path>" LINE "/>", 1},
+        {"<image href='a.png' width='5' height='5'/>" LINE "/>", 1},
+        {"<path d='M0 0L50 50 L' stroke='#000'/>", 1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[2000];
+        bat_svg_report report;
+        bat_svg_reader *reader;
+        bat_document *document = NULL;
+        snprintf(text, sizeof text,
+                 "<svg xmlns='http://www.w3.org/2000/svg' width='210mm' height='297mm' viewBox='0 0 210 "
+                 "297'>%s</svg>",
+                 rows[i].content);
+        assert_int_equal(bat_svg_reader_create(NULL, &reader), BAT_OK);
+        assert_int_equal(bat_svg_reader_source(reader, text, strlen(text)), BAT_OK);
+        assert_int_equal(bat_svg_feed(text, strlen(text), reader), BAT_OK);
+        assert_int_equal(bat_svg_reader_finish(reader, &document, &report, NULL), BAT_OK);
+        bat_editor *editor = editing(document);
+        assert_int_equal(bat_editor_set_losses(editor, &report.lost), BAT_OK);
+        if (bat_editor_frame(editor)->lost != rows[i].lost)
+            fail_msg("%s: %u", rows[i].content, (unsigned)bat_editor_frame(editor)->lost);
+        bat_editor_free(editor);
+    }
+#undef LINE
+}
+
 static void memory_may_run_out(void **state) {
     (void)state;
     bat_editor *editor = editing(opened(ART));
@@ -175,9 +239,13 @@ static void memory_may_run_out(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_object_is_named), cmocka_unit_test(it_goes_with_the_object),
-        cmocka_unit_test(it_is_written),        cmocka_unit_test(there_may_be_none),
-        cmocka_unit_test(memory_may_run_out),   cmocka_unit_test(what_a_drawing_holds_is_counted),
+        cmocka_unit_test(each_object_is_named),
+        cmocka_unit_test(it_goes_with_the_object),
+        cmocka_unit_test(it_is_written),
+        cmocka_unit_test(there_may_be_none),
+        cmocka_unit_test(only_what_is_seen_counts),
+        cmocka_unit_test(memory_may_run_out),
+        cmocka_unit_test(what_a_drawing_holds_is_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -181,7 +181,7 @@ static void containers(void **state) {
         {"<switch><blob/><foreignObject/><title/>" BOX "<circle r='9'/></switch>", BOX, "{\"switches\":1}"},
         {"<switch><rect width='9' height='9' systemLanguage='es'/>" BOX "</switch>", BOX, "{\"switches\":1}"},
         {"<switch><rect width='9' height='9' systemLanguage='e'/></switch>", NOTHING, "{\"switches\":1}"},
-        {"<foreignObject display='none'/><text display='none'/>", NOTHING, "{\"texts\":1,\"embedded\":1}"},
+        {"<foreignObject display='none'/><text display='none'/>", NOTHING, "{\"hidden\":2}"},
         {"<g data-locked='true'>" BOX "</g>", "<g sodipodi:insensitive='true'>" BOX "</g>", "{}"},
         {"<g sodipodi:insensitive='false'>" BOX "</g>", BOX, "{}"},
         {"<g data-name='x'><g data-name='y' inkscape:groupmode='layer'>" BOX "</g></g>",
