@@ -4,7 +4,9 @@
 #include "paint_cairo.h"
 #include "picture.h"
 #include "program.h"
+#include "tiles.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -56,6 +58,36 @@ static int look_of(const cli_arguments *arguments, bat_look *out) {
                 : EXIT_DONE;
 }
 
+/* Over which sheets of paper, and how much neighbours share. */
+static int sheets_of(const cli_arguments *arguments, picture_wanted *out) {
+    const cli_command *command = arguments->command;
+    const char *tile = arguments_value(arguments, "--tile");
+    double room[2];
+    out->overlap = 10;
+    int failed = arguments_number(arguments, "--overlap", 0, 1e6, &out->overlap);
+    if (failed) return failed;
+    if (!tile)
+        return arguments_value(arguments, "--overlap") ? fail_usage(command, "--overlap is for --tile")
+                                                       : EXIT_DONE;
+    if (!tiles_sheet(tile, out->sheet))
+        return fail_usage(command,
+                          "--tile: expected A0 to A5, letter, legal, tabloid, or two sides such as "
+                          "100x150mm, found '%s'",
+                          tile);
+    if (out->kind != PICTURE_PDF) return fail_usage(command, "--tile is for .pdf");
+    if (out->size[0] > 0 || out->view)
+        return fail_usage(command, "--tile makes true sizes: it goes neither with --size nor with --view");
+    tiles_room(out->sheet, room);
+    const double most = fmin(room[0], room[1]);
+    if (!arguments_value(arguments, "--overlap")) out->overlap = fmin(out->overlap, most / 4);
+    return out->overlap < most
+               ? EXIT_DONE
+               : fail_usage(command,
+                            "--overlap: expected less than the %g mm that a sheet shows, found "
+                            "%g",
+                            most, out->overlap);
+}
+
 static int picture_of(const cli_arguments *arguments, picture_wanted *out) {
     *out = (picture_wanted){.view = arguments_value(arguments, "--view")};
     int failed = kind_of(arguments, &out->kind);
@@ -68,6 +100,7 @@ static int picture_of(const cli_arguments *arguments, picture_wanted *out) {
     if (out->kind == PICTURE_PNG) out->background = 0xffffffff;
     if (!failed) failed = background_of(arguments, &out->background);
     if (!failed) failed = look_of(arguments, &out->look);
+    if (!failed) failed = sheets_of(arguments, out);
     return failed;
 }
 
@@ -93,8 +126,7 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_render = {
     .name = "render",
-    .usage = "IN OUT [--size WxH|--dpi N] [--background COLOUR] [--to KIND] [--view VIEW] "
-             "[--look LOOK] [--lossy]",
+    .usage = "IN OUT [--size WxH|--dpi N|--tile SHEET] [--background COLOUR] [--view VIEW] [options]",
     .summary = "Makes a picture of a drawing or a curve: SVG, PNG, PDF or EPS.",
     .details =
         "The page is shown, or the whole drawing when it has no page. PDF and EPS have the drawing's own "
@@ -117,7 +149,15 @@ const cli_command command_render = {
         "knots,\n"
         "silhouettes, intersections and curves, over the shading as one picture. What is hidden is left "
         "out;\n"
-        "with --look lines it is dashed, and there is no shading.",
+        "with --look lines it is dashed, and there is no shading.\n"
+        "\n"
+        "--tile A4 makes a PDF of as many sheets as the drawing needs in its true size, to be cut and glued: "
+        "row by\n"
+        "row, each with marks, its row and its column, and on the first a square of 50 mm to check the "
+        "printer by.\n"
+        "Around each sheet 10 mm are left white (a tenth of a small one); a drawing that fits one sheet is "
+        "put in\n"
+        "its middle. More than 400 sheets are refused.",
     .example = "batten render drawing.svg drawing.png --size 1600x900",
     .operands = 2,
     .options = {{"--size", "WxH", "in pixels; in points for PDF and EPS"},
@@ -126,6 +166,8 @@ const cli_command command_render = {
                 {"--view", "VIEW",
                  "the eye, as JSON, whose size is the picture's; or a camera: NAME@SECONDS"},
                 {"--look", "LOOK", "in space: shaded, zebra, curvature (Gauss), mean (curvature) or lines"},
+                {"--tile", "SHEET", "PDF: sheets of A0 to A5, letter, legal, tabloid, or such as 100x150mm"},
+                {"--overlap", "MM", "of the drawing on two neighbouring sheets; 10 by default"},
                 {"--to", "KIND", "the format of OUT, whatever its name: svg, png, pdf or eps"},
                 {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
     .run = run,

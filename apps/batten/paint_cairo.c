@@ -445,8 +445,8 @@ static bat_status paint_clipped(cairo_t *cairo, const bat_object *object, double
     return status;
 }
 
-static bat_status paint(cairo_t *cairo, const bat_document *document, const paint_area *area,
-                        uint32_t background, paint_left *left) {
+bat_status paint_area_onto(cairo_t *cairo, const bat_document *document, const paint_area *area,
+                           uint32_t background, paint_left *left) {
     if (background & 255) {
         set_colour(cairo, background);
         cairo_paint(cairo);
@@ -511,7 +511,7 @@ const char *paint_document(const bat_document *document, const paint_area *area,
                                                                 (int)area->height)
                                    : page_create(kind, &bytes, area->width, area->height);
     cairo_t *cairo = cairo_create(surface);
-    bat_status status = paint(cairo, document, area, wanted->background, left);
+    bat_status status = paint_area_onto(cairo, document, area, wanted->background, left);
     cairo_status_t painted = cairo_status(cairo);
     cairo_destroy(cairo);
     if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PICTURE_PNG)

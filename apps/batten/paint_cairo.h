@@ -6,6 +6,8 @@
 
 #include <batten/document.h>
 
+#include <cairo.h>
+
 enum { PAINT_SIZE_MAX = 32767 }; /* pixels per side, cairo's limit */
 
 /* What is shown (x, y, width, height in document units), and the size of the output in pixels (PDF, EPS: points).
@@ -25,6 +27,10 @@ void paint_area_of(const bat_document *document, const picture_wanted *wanted, p
 typedef struct paint_left {
     int images, foreign, patterns, masks;
 } paint_left;
+
+/* Paints what is shown of the document where cairo's origin is, and as far as it is not clipped. The matrix is changed. */
+bat_status paint_area_onto(cairo_t *cairo, const bat_document *document, const paint_area *area,
+                           uint32_t background, paint_left *left);
 
 /* Makes the bytes of the file, a PNG, a PDF or an EPS; *data is malloc'ed. *left: zeros before. A PNG says how large it is where
  * the document does, or its resolution was asked for. Returns NULL, or what went wrong (static storage). */

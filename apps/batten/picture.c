@@ -6,6 +6,7 @@
 #include "paint_space.h"
 #include "program.h"
 #include "shot.h"
+#include "tiles.h"
 #include "views.h"
 
 #include "document/document.h"
@@ -145,6 +146,29 @@ static void say_left(const char *in, const paint_left *left) {
     if (*list) remark("%s: left out, as librsvg did not paint them: %s", in, list);
 }
 
+/* In true size, over sheets of paper. */
+static int tiled_picture(const char *in, bat_document *document, const picture_wanted *w,
+                         unsigned char **data, size_t *size) {
+    paint_area area;
+    tiles_layout layout;
+    paint_left left = {0};
+    const picture_wanted whole = {.kind = PICTURE_PDF};
+    paint_area_of(document, &whole, &area);
+    const double scale = bat_document_scale(document);
+    tiles_plan((double[2]){area.view[2] * scale, area.view[3] * scale}, w->sheet, w->overlap, &layout);
+    const double count = layout.count[0] * layout.count[1];
+    if (!(count <= TILES_MAX))
+        return fail_data(in, NULL,
+                         "expected at most %d sheets, found %.0f (%.0f rows, %.0f columns); a larger sheet "
+                         "(--tile A0), less overlap or a smaller scale takes fewer",
+                         TILES_MAX, count, layout.count[1], layout.count[0]);
+    const char *wrong = tiles_paint(document, area.view, &layout, w->background, data, size, &left);
+    if (wrong) return fail_data(in, NULL, "cannot be painted: %s", wrong);
+    say_left(in, &left);
+    drawing_remark_size(in, document);
+    return EXIT_DONE;
+}
+
 static int flat_picture(const char *in, bat_document *document, const picture_wanted *w, unsigned char **data,
                         size_t *size) {
     paint_area area;
@@ -162,5 +186,8 @@ int picture_make(const char *in, bat_document *document, const picture_wanted *w
                  size_t *size) {
     bat_document_set_origin(document, NULL); /* a picture is of what is drawn, not of the file */
     const bool space = w->view || bat_seen_in_space(document);
+    if (space && w->sheet[0] > 0)
+        return fail_data(in, NULL, "expected a drawing on a page for --tile, found one in space");
+    if (w->sheet[0] > 0) return tiled_picture(in, document, w, data, size);
     return (space ? space_picture : flat_picture)(in, document, w, data, size);
 }

@@ -27,6 +27,8 @@ typedef struct picture_wanted {
     uint32_t background; /* 0xRRGGBBAA */
     bat_look look;
     const char *view; /* a VIEW, or NAME@SECONDS; NULL: not given */
+    double sheet[2];  /* mm: a PDF over as many sheets as it takes; 0: one page */
+    double overlap;   /* mm of the drawing on two neighbouring sheets */
 } picture_wanted;
 
 /* Makes the bytes of the file, malloc'ed, of the drawing that was read from `in`; its document forgets the file's text. Returns 0,
