@@ -189,7 +189,9 @@ static int put_model(const cli_arguments *arguments, const drawing_file *drawing
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     bat_model model;
     int flat;
-    const page_stand stand = arguments_value(arguments, "--floor") ? PAGE_IS_FLOOR : PAGE_IS_WALL;
+    const page_stand stand = arguments_value(arguments, "--floor")  ? PAGE_IS_FLOOR
+                             : arguments_value(arguments, "--wall") ? PAGE_IS_WALL
+                                                                    : page_stand_of(drawing->document);
     const bat_status status = model_of_drawing(drawing->document, kind, stand, &model, &flat);
     if (status == BAT_COUNT)
         return fail_data(in, NULL, "expected a surface, a mesh or a curve in space, found %s",
@@ -214,6 +216,8 @@ static int run_model(const cli_arguments *arguments, const model_kind *kind) {
     double tolerance = 0;
     drawing_file drawing;
     int failed = options_fit(arguments, kind->ending + 1);
+    if (arguments_value(arguments, "--floor") && arguments_value(arguments, "--wall"))
+        failed = fail_usage(arguments->command, "--floor and --wall exclude each other");
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
     if (!failed) failed = drawing_read(arguments->operands[0], NULL, &drawing);
     if (failed) return failed;
@@ -224,8 +228,8 @@ static int run_model(const cli_arguments *arguments, const model_kind *kind) {
 
 static int run_one(const cli_arguments *arguments) {
     if (model_wanted(arguments)) return run_model(arguments, model_wanted(arguments));
-    if (arguments_value(arguments, "--floor"))
-        return fail_usage(arguments->command, "--floor is for .stl, .glb, .step and .iges");
+    if (arguments_value(arguments, "--floor") || arguments_value(arguments, "--wall"))
+        return fail_usage(arguments->command, "--floor and --wall are for .stl, .glb, .step and .iges");
     const bat_format *format;
     picture_kind page;
     bat_svg_options options = bat_svg_merging();
@@ -274,20 +278,22 @@ const cli_command command_convert = {
                "batten fit stroke.csv | batten convert - stroke.svg\n"
                "batten convert Sans.ufo drawings --to svg",
     .operands = 2,
-    .options =
-        {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
-         {"--tolerance", "T",
-          "knots of imported paths are removed within T units; .stl, .glb: how near triangles are"},
-         {"--arcs", "T", "to .dxf: curves as arcs and lines within T mm, for cutters; to .gcode: 0.01"},
-         {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
-         {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},
-         {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},
-         {"--extremes", NULL,
-          "to .glif: curves get a point where they are furthest left, right, up and down"},
-         {"--precision", "D", "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
-         {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
-         {"--floor", NULL,
-          "to .stl, .glb, .step, .iges: the page is a floor, up is towards the eye; else it is a wall"},
-         {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
+    .options = {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
+                {"--tolerance", "T",
+                 "knots of imported paths are removed within T units; .stl, .glb: how near triangles are"},
+                {"--arcs", "T",
+                 "to .dxf: curves as arcs and lines within T mm, for cutters; to .gcode: 0.01"},
+                {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
+                {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},
+                {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},
+                {"--extremes", NULL,
+                 "to .glif: curves get a point where they are furthest left, right, up and down"},
+                {"--precision", "D",
+                 "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
+                {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
+                {"--floor", NULL,
+                 "to .stl, .glb, .step, .iges: up is towards the eye; so where a plane stands on the page"},
+                {"--wall", NULL, "to .stl, .glb, .step, .iges: up is the page's up; so where none does"},
+                {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
     .run = run,
 };

@@ -15,7 +15,9 @@ static int run(const cli_arguments *arguments) {
     if (!failed) failed = read_model(in, &model);
     if (failed) return failed;
     const int left_out = model.left_out;
-    failed = model_put(in, out, kind, &model, tolerance);
+    const bat_status status = kind->is_faces ? model_face_outward(&model) : BAT_OK;
+    failed = status == BAT_OK ? model_put(in, out, kind, &model, tolerance)
+                              : fail_data(in, NULL, "%s", bat_status_message(status));
     bat_model_clear(&model);
     if (!failed && left_out > 0)
         remark("%s: %d statement%s left out: no faces of a mesh, points, or B-splines", in, left_out,

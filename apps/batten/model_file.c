@@ -25,14 +25,14 @@ static bat_status to_step(const bat_model *model, double tolerance, char **bytes
 }
 
 static const model_kind KINDS[] = {
-    {".json", to_json, "a mesh, surfaces or curves", 1, true, false},
-    {".obj", to_obj, "a mesh, surfaces or curves", 1, true, false},
-    {".stl", bat_stl_write, "faces or surfaces", 1, false, true},
-    {".glb", bat_gltf_write, "a mesh, surfaces or curves", 1000, true, true},
-    {".igs", to_iges, "surfaces or curves", 1, false, true},
-    {".iges", to_iges, "surfaces or curves", 1, false, true},
-    {".stp", to_step, "surfaces or curves", 1, false, true},
-    {".step", to_step, "surfaces or curves", 1, false, true},
+    {".json", to_json, "a mesh, surfaces or curves", 1, true, false, false},
+    {".obj", to_obj, "a mesh, surfaces or curves", 1, true, false, false},
+    {".stl", bat_stl_write, "faces or surfaces", 1, false, true, true},
+    {".glb", bat_gltf_write, "a mesh, surfaces or curves", 1000, true, true, true},
+    {".igs", to_iges, "surfaces or curves", 1, false, false, true},
+    {".iges", to_iges, "surfaces or curves", 1, false, false, true},
+    {".stp", to_step, "surfaces or curves", 1, false, false, true},
+    {".step", to_step, "surfaces or curves", 1, false, false, true},
 };
 
 const model_kind *model_kind_of(const char *name) {

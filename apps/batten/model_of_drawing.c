@@ -1,10 +1,15 @@
-/* What of a drawing is in space, as a model of another program: in its unit, upright, normals outward. */
+/* What of a drawing is in space, as a model of another program: in its unit and upright. */
 #include "model_file.h"
+
+#include "document/kind.h"
 
 #include <batten/mesh.h>
 #include <batten/surface.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const double UPRIGHT = 1e-6; /* radians that a plane at right angles may lean by */
 
 /* Rows of a rotation: where x, y and z of the file come from. The page is x right, y down, z away from the eye. */
 static const double WAYS[2][2][9] = {{{1, 0, 0, 0, 0, 1, 0, -1, 0}, {1, 0, 0, 0, -1, 0, 0, 0, -1}},
@@ -19,72 +24,11 @@ typedef struct gathering {
     int *sizes, *corners;
 } gathering;
 
-/* Six times the volume between the triangles and their middle: its sign says which way they face, also of a tube. */
-static bat_status signed_volume(const bat_surface *surface, double *out) {
-    bat_tessellation *made = NULL;
-    bat_mesh mesh;
-    double middle[3] = {0, 0, 0}, sum = 0;
-    bat_status status = bat_surface_tessellate(surface, NULL, &made, NULL);
-    if (status != BAT_OK) return status;
-    bat_tessellation_mesh(made, &mesh);
-    const size_t count = mesh.rows * mesh.columns;
-    for (size_t i = 0; i < 3 * count; i++) middle[i % 3] += mesh.points[i] / (double)count;
-    for (size_t t = 0; t < mesh.triangle_count; t++) {
-        double p[3][3];
-        for (int k = 0; k < 3; k++)
-            for (int c = 0; c < 3; c++)
-                p[k][c] = mesh.points[3 * mesh.triangles[3 * t + (size_t)k] + c] - middle[c];
-        sum += p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
-               p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
-               p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
-    }
-    bat_tessellation_free(made);
-    *out = sum;
-    return BAT_OK;
-}
-
-/* The same surface with u and v exchanged: its normals point the other way. */
-static bat_status exchanged(const bat_surface *surface, bat_surface **out) {
-    int degree[2], knot_count[2];
-    bool closed[2];
-    size_t count[2];
-    const double *knots[2];
-    for (int k = 0; k < 2; k++) {
-        const bat_direction from = k ? BAT_U : BAT_V;
-        degree[k] = bat_surface_degree(surface, from);
-        closed[k] = bat_surface_is_closed(surface, from);
-        count[k] = bat_surface_count(surface, from);
-        knot_count[k] = bat_surface_knot_count(surface, from);
-        knots[k] = bat_surface_knots(surface, from);
-    }
-    double *points = malloc(count[0] * count[1] * 3 * sizeof *points);
-    if (!points) return BAT_MEMORY;
-    for (size_t i = 0; i < count[1]; i++) {
-        const double *row = bat_surface_row(surface, (int)i);
-        for (size_t j = 0; j < count[0]; j++)
-            memcpy(points + 3 * (j * count[1] + i), row + 3 * j, 3 * sizeof *points);
-    }
-    const bat_status status = bat_surface_create(degree, closed, count, points, knot_count, knots[0],
-                                                 knots[1], out);
-    free(points);
-    return status;
-}
-
 static bat_status add_surface(gathering *g, const bat_surface *surface) {
-    bat_surface *placed = NULL, *turned = NULL;
-    double volume = 0;
-    bat_status status = bat_surface_transform(surface, g->matrix, &placed);
-    const bool closed = bat_surface_is_closed(surface, BAT_U) || bat_surface_is_closed(surface, BAT_V);
-    if (status == BAT_OK && closed) status = signed_volume(placed, &volume);
-    if (status == BAT_OK && volume < 0) status = exchanged(placed, &turned);
-    if (turned) {
-        bat_surface_free(placed);
-        placed = turned;
-    }
-    if (status != BAT_OK)
-        bat_surface_free(placed);
-    else
-        g->model->surfaces[g->model->surface_count++] = placed;
+    bat_model *model = g->model;
+    const bat_status status = bat_surface_transform(surface, g->matrix,
+                                                    &model->surfaces[model->surface_count]);
+    model->surface_count += status == BAT_OK;
     return status;
 }
 
@@ -143,6 +87,17 @@ static bat_status add(gathering *g, const bat_object *object, int *flat) {
     return status;
 }
 
+page_stand page_stand_of(const bat_document *document) {
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        const bat_kind_type *kind = bat_object_type(object);
+        int count = 0;
+        const double *flat = kind->ground ? kind->ground(object, &count) : NULL; /* origin, two unit axes */
+        if (flat && count == 9 && fabs(flat[3] * flat[7] - flat[4] * flat[6]) < UPRIGHT) return PAGE_IS_FLOOR;
+    }
+    return PAGE_IS_WALL;
+}
+
 bat_status model_of_drawing(const bat_document *document, const model_kind *kind, page_stand stand,
                             bat_model *out, int *flat) {
     const double scale = bat_document_scale(document) / kind->unit;
@@ -167,6 +122,7 @@ bat_status model_of_drawing(const bat_document *document, const model_kind *kind
         status = bat_polymesh_create(g.vertex_count, g.vertices, g.face_count, g.sizes, g.corners, &out->mesh,
                                      NULL);
     if (status == BAT_OK && !out->mesh && out->surface_count + out->curve_count == 0) status = BAT_COUNT;
+    if (status == BAT_OK) status = model_face_outward(out);
     free(g.vertices);
     free(g.sizes);
     free(g.corners);

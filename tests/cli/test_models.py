@@ -79,12 +79,14 @@ class Models(ProgramTest):
     def surface(self, profile, axis):
         return self.json("revolve", self.file("profile.json", profile), "--axis", axis, "--tolerance", "1e-7")
 
-    def drawing(self, surfaces, unit="mm", name="drawing.batten", hidden=()):
+    def drawing(self, surfaces, unit="mm", name="drawing.batten", hidden=(), planes=()):
         objects = [{"id": i + 1, "kind": "surface", "name": "", **({"hidden": True} if i in hidden else {}),
                     "surface": {key: surface[key] for key in ("degree", "closed", "knots", "points")}}
                    for i, surface in enumerate(surfaces)]
+        objects += [{"id": len(objects) + 1 + i, "kind": "plane", "name": "", "origin": [0, 0, 0], "axes": axes}
+                    for i, axes in enumerate(planes)]
         return self.file(name, {"batten": 5, "page": [0, 0, 200, 200], "scale": UNITS[unit], "unit": unit,
-                                "next": len(surfaces) + 1, "objects": objects})
+                                "next": len(objects) + 1, "objects": objects})
 
     def written(self, drawing, ending, *options):
         out = self.folder / f"out.{ending}"
@@ -127,6 +129,20 @@ class OfDrawings(Models):
                     for side, sign in ((k, -1), (3 + k, 1)):
                         self.assertLess(abs(low_high[side] - middle[k] - sign * radius * scale), 2e-3 * radius * scale)
 
+    def test_a_surface_alone_faces_outward(self):
+        """Whichever way the half circle was drawn; as STEP a surface comes back bit for bit."""
+        for clockwise in (False, True):
+            surface = self.file("ball.json", self.surface(ball(30, clockwise), "100,100,0,0,1,0"))
+            for ending, read in (("stl", triangles_of_stl), ("glb", triangles_of_glb)):
+                out = self.folder / f"ball.{ending}"
+                self.done("surface", "convert", surface, str(out), "--tolerance", "0.05")
+                self.assertLess(abs(volume(read(out.read_bytes())) / (4 / 3 * math.pi * 30 ** 3) - 1), 0.01)
+            self.done("surface", "convert", surface, str(self.folder / "ball.step"))
+            self.done("surface", "convert", str(self.folder / "ball.step"), str(self.folder / "again.json"))
+            again = json.loads((self.folder / "again.json").read_text(encoding="utf-8"))
+            again = again[0] if isinstance(again, list) else again
+            self.assertEqual(again["points"], json.loads((self.folder / "ball.json").read_text(encoding="utf-8"))["points"])
+
     def test_upright(self):
         """A cone with its tip up on the page has it up in each file; on a floor it lies."""
         profile = {"degree": 1, "closed": False, "knots": [0, 0, 1, 2, 2], "points": [[100, 40], [120, 90], [100, 90]]}
@@ -153,6 +169,24 @@ class OfDrawings(Models):
             corners = [ways["step"](*p) for row in surface["points"] for p in row]
             for a, b in zip(low_high, box(corners)):
                 self.assertLess(abs(a - b), 1e-9)
+
+    def test_a_plane_that_stands_on_the_page_makes_it_a_floor(self):
+        """A cone whose tip is nearest to the eye stands on the page; a plane that lies or leans changes nothing."""
+        profile = {"degree": 1, "closed": False, "knots": [0, 0, 1, 2, 2], "points": [[100, 0, -50], [120, 0, 0], [100, 0, 0]]}
+        surface = self.surface(profile, "100,0,0,0,0,1")
+        half = math.sqrt(0.5)
+        for axes, floor in (([1, 0, 0, 0, 0, 1], True), ([half, half, 0, 0, 0, -1], True), ([1, 0, 0, 0, 1, 0], False),
+                            ([1, 0, 0, 0, half, half], False)):
+            drawing = self.drawing([surface], planes=[axes])
+            for options in ((), ("--wall",), ("--floor",)):
+                ways = FLOOR if "--floor" in options or (floor and not options) else WALL
+                low_high = box(p for t in triangles_of_stl(self.written(drawing, "stl", *options)) for p in t)
+                tip, base = ways["stl"](100, 0, -50), ways["stl"](100, 0, 0)
+                k = next(k for k in range(3) if tip[k] != base[k])
+                self.assertEqual(k, 2 if ways is FLOOR else 1)
+                self.assertLess(abs(low_high[3 + k] - low_high[k] - 50), 1e-2)
+                self.assertLess(abs(low_high[3 + k if tip[k] > base[k] else k] - tip[k]), 1e-2)
+        self.refused(2, "convert", drawing, "both.stl", "--floor", "--wall")
 
     def test_what_is_refused_and_left_out(self):
         flat = self.file("flat.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 C 10 0 20 10 30 30"/></svg>')
