@@ -100,7 +100,7 @@ for (const [colorScheme, locale, text] of [['light', 'en', 'Part of Batten'], ['
   test(`a page older than its server says so when it wants more, and is new after it, ${colorScheme}, ${locale}`, async (t) => {
     const server = await car();
     t.after(() => server.close());
-    expectFaults(/status of 404/, /Failed to fetch dynamically imported module/, /words\.\w+\.json/);
+    expectFaults(/status of 404/, /Failed to fetch dynamically imported module/, /words\.\w+\.json/, /batten-later\.wasm/);
     const { page, hand, context } = await open(browser, server.address, { colorScheme, locale });
     await page.waitForLoadState('networkidle');
     server.version = '2';
