@@ -197,7 +197,7 @@ static int put_model(const cli_arguments *arguments, const drawing_file *drawing
         return fail_data(in, NULL, "expected a surface, a mesh or a curve in space, found %s",
                          flat ? "curves that lie flat: write them as .svg or .dxf" : "none");
     if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
-    const int failed = model_put(in, out, kind, &model, tolerance > 0 ? tolerance : 0);
+    const int failed = model_put(in, out, kind, &model, tolerance);
     bat_model_clear(&model);
     if (failed) return failed;
     if (flat) remark("%s: %d curve%s left out: on the page, not in space", in, flat, flat == 1 ? "" : "s");
@@ -227,7 +227,8 @@ static int run_model(const cli_arguments *arguments, const model_kind *kind) {
 }
 
 static int run_one(const cli_arguments *arguments) {
-    if (model_wanted(arguments)) return run_model(arguments, model_wanted(arguments));
+    const model_kind *model = model_wanted(arguments);
+    if (model) return run_model(arguments, model);
     if (arguments_value(arguments, "--floor") || arguments_value(arguments, "--wall"))
         return fail_usage(arguments->command, "--floor and --wall are for .stl, .glb, .step and .iges");
     const bat_format *format;

@@ -15,7 +15,7 @@ static int run(const cli_arguments *arguments) {
     if (!failed) failed = read_model(in, &model);
     if (failed) return failed;
     const int left_out = model.left_out;
-    const bat_status status = kind->is_faces ? model_face_outward(&model) : BAT_OK;
+    const bat_status status = kind->divide ? model_face_outward(&model) : BAT_OK;
     failed = status == BAT_OK ? model_put(in, out, kind, &model, tolerance)
                               : fail_data(in, NULL, "%s", bat_status_message(status));
     bat_model_clear(&model);

@@ -145,17 +145,9 @@ static const char *make_page(const content *c, picture_kind kind, unsigned char 
     cairo_surface_t *surface = page_create(kind, &bytes, c->view->size[0], c->view->size[1]);
     cairo_t *cairo = cairo_create(surface);
     paint_page(cairo, c);
-    cairo_status_t painted = cairo_status(cairo);
+    const cairo_status_t painted = cairo_status(cairo);
     cairo_destroy(cairo);
-    cairo_surface_finish(surface);
-    if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
-    if (painted != CAIRO_STATUS_SUCCESS) {
-        free(bytes.data);
-        return cairo_status_to_string(painted);
-    }
-    *data = bytes.data, *size = bytes.size;
-    return NULL;
+    return page_end(surface, BAT_OK, painted, &bytes, data, size);
 }
 
 const char *draw_space(const bat_document *document, const bat_viewpoint *view, bat_look look,

@@ -7,32 +7,15 @@
 #include <string.h>
 #include <strings.h>
 
-static bat_status to_json(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    (void)tolerance;
-    return bat_model_write(model, bytes, size);
-}
-static bat_status to_obj(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    (void)tolerance;
-    return bat_obj_write(model, bytes, size);
-}
-static bat_status to_iges(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    (void)tolerance;
-    return bat_iges_write(model, bytes, size);
-}
-static bat_status to_step(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    (void)tolerance;
-    return bat_step_write(model, bytes, size);
-}
-
 static const model_kind KINDS[] = {
-    {".json", to_json, "a mesh, surfaces or curves", 1, true, false, false},
-    {".obj", to_obj, "a mesh, surfaces or curves", 1, true, false, false},
-    {".stl", bat_stl_write, "faces or surfaces", 1, false, true, true},
-    {".glb", bat_gltf_write, "a mesh, surfaces or curves", 1000, true, true, true},
-    {".igs", to_iges, "surfaces or curves", 1, false, false, true},
-    {".iges", to_iges, "surfaces or curves", 1, false, false, true},
-    {".stp", to_step, "surfaces or curves", 1, false, false, true},
-    {".step", to_step, "surfaces or curves", 1, false, false, true},
+    {".json", bat_model_write, NULL, "a mesh, surfaces or curves", 1, true, false},
+    {".obj", bat_obj_write, NULL, "a mesh, surfaces or curves", 1, true, false},
+    {".stl", NULL, bat_stl_write, "faces or surfaces", 1, false, true},
+    {".glb", NULL, bat_gltf_write, "a mesh, surfaces or curves", 1000, true, true},
+    {".igs", bat_iges_write, NULL, "surfaces or curves", 1, false, true},
+    {".iges", bat_iges_write, NULL, "surfaces or curves", 1, false, true},
+    {".stp", bat_step_write, NULL, "surfaces or curves", 1, false, true},
+    {".step", bat_step_write, NULL, "surfaces or curves", 1, false, true},
 };
 
 const model_kind *model_kind_of(const char *name) {
@@ -64,7 +47,8 @@ int model_put(const char *in, const char *out, const model_kind *kind, const bat
               double tolerance) {
     char *bytes = NULL;
     size_t size = 0;
-    const bat_status status = kind->write(model, tolerance, &bytes, &size);
+    const bat_status status = kind->write ? kind->write(model, &bytes, &size)
+                                          : kind->divide(model, tolerance, &bytes, &size);
     const int failed = status == BAT_OK ? io_write(out, bytes, size) : fail_write(in, kind, status);
     bat_free(bytes);
     return failed;

@@ -7,12 +7,13 @@
 
 typedef struct model_kind {
     const char *ending; /* with its point */
-    bat_status (*write)(const bat_model *model, double tolerance, char **bytes, size_t *size);
+    /* What is written comes back as it was; or: */
+    bat_status (*write)(const bat_model *model, char **bytes, size_t *size);
+    /* Faces, of which one side is the outer one. */
+    bat_status (*divide)(const bat_model *model, double tolerance, char **bytes, size_t *size);
     const char *holds;
-    double unit;  /* of the file, in millimetres */
-    bool up_is_y; /* else up is z */
-    bool
-        is_faces; /* triangles, of which one side is the outer one, not surfaces that come back as they were */
+    double unit;      /* of the file, in millimetres */
+    bool up_is_y;     /* else up is z */
     bool of_drawings; /* whether `batten convert` makes it of a drawing */
 } model_kind;
 

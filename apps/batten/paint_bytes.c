@@ -25,3 +25,17 @@ cairo_surface_t *page_create(picture_kind kind, byte_list *bytes, double width, 
     cairo_ps_surface_set_eps(page, 1);
     return page;
 }
+
+const char *page_end(cairo_surface_t *surface, bat_status made, cairo_status_t painted, byte_list *bytes,
+                     unsigned char **data, size_t *size) {
+    cairo_surface_finish(surface); /* this writes a page */
+    if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);
+    cairo_surface_destroy(surface);
+    if (made == BAT_OK && painted == CAIRO_STATUS_SUCCESS) {
+        *data = bytes->data;
+        *size = bytes->size;
+        return NULL;
+    }
+    free(bytes->data);
+    return made != BAT_OK ? bat_status_message(made) : cairo_status_to_string(painted);
+}

@@ -516,14 +516,5 @@ const char *paint_document(const bat_document *document, const paint_area *area,
     cairo_destroy(cairo);
     if (painted == CAIRO_STATUS_SUCCESS && status == BAT_OK && kind == PICTURE_PNG)
         painted = write_png(document, area, wanted, surface, &bytes);
-    cairo_surface_finish(surface); /* this writes a page */
-    if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
-    if (status == BAT_OK && painted == CAIRO_STATUS_SUCCESS) {
-        *data = bytes.data;
-        *size = bytes.size;
-        return NULL;
-    }
-    free(bytes.data);
-    return status != BAT_OK ? bat_status_message(status) : cairo_status_to_string(painted);
+    return page_end(surface, status, painted, &bytes, data, size);
 }

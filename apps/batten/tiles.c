@@ -193,16 +193,7 @@ const char *tiles_paint(const bat_document *document, const double view[4], cons
             status = put_sheet(&s, (int[2]){column, row}, background, &here);
             *left = here; /* the same on each */
         }
-    cairo_status_t painted = cairo_status(s.cairo);
+    const cairo_status_t painted = cairo_status(s.cairo);
     cairo_destroy(s.cairo);
-    cairo_surface_finish(surface);
-    if (painted == CAIRO_STATUS_SUCCESS) painted = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
-    if (status == BAT_OK && painted == CAIRO_STATUS_SUCCESS) {
-        *data = bytes.data;
-        *size = bytes.size;
-        return NULL;
-    }
-    free(bytes.data);
-    return status != BAT_OK ? bat_status_message(status) : cairo_status_to_string(painted);
+    return page_end(surface, status, painted, &bytes, data, size);
 }

@@ -31,7 +31,7 @@ export async function askToOpen(files, name, { svg, holds, losses, lost, keeps }
   both.className = 'both';
   const box = document.createElement('div');
   box.append(numbers(holds));
-    if (lost) {
+  if (lost) {
     box.append(made(counted(keeps ? 'shell.unshown' : 'shell.loses', lost), 'p'), ...(keeps ? [] : [lossList(losses)]));
   }
   both.append(...(svg.length <= SHOWN ? [figure(svg, name)] : []), box);

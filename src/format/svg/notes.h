@@ -17,9 +17,8 @@ bat_status bat_svg_notes_begin(bat_svg_notes *notes, const bat_svg_tree *tree, c
                                const int *hidden, bat_losses *lost);
 void bat_svg_notes_free(bat_svg_notes *notes);
 
-void bat_svg_note(bat_svg_notes *notes, uint32_t element,
-                  bat_loss kind); /* BAT_LOSS_COUNT: nothing. What is hidden looks as
-                                                                           * it does in the file: it counts as such. */
+/* BAT_LOSS_COUNT: nothing. What is hidden looks as it does in the file: it counts as such. */
+void bat_svg_note(bat_svg_notes *notes, uint32_t element, bat_loss kind);
 /* What has been noted at the element that changes how something looks: a bit 1 << bat_loss each. */
 uint32_t bat_svg_noted(const bat_svg_notes *notes, uint32_t element);
 /* True the first time for each element: `use` may draw it several times. */
