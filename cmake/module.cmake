@@ -27,10 +27,10 @@ endfunction()
 file(GLOB MODULE_SOURCES CONFIGURE_DEPENDS web/module/*.c)
 add_module(batten_module batten $<TARGET_OBJECTS:batten_objects> ${MODULE_SOURCES})
 target_link_options(batten_module PRIVATE -Wl,-Map,batten.map)
-set(later ${CMAKE_CURRENT_SOURCE_DIR}/web/module/later.txt)
-set_target_properties(batten_module PROPERTIES LINK_DEPENDS "${later};${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake")
+set(first ${CMAKE_CURRENT_SOURCE_DIR}/web/module/first.txt)
+set_target_properties(batten_module PROPERTIES LINK_DEPENDS "${first};${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake")
 add_custom_command(TARGET batten_module POST_BUILD VERBATIM
-  COMMAND ${CMAKE_COMMAND} -DMODULE=$<TARGET_FILE:batten_module> -DMAP=batten.map -DLATER=${later}
+  COMMAND ${CMAKE_COMMAND} -DMODULE=$<TARGET_FILE:batten_module> -DMAP=batten.map -DFIRST=${first}
     -DOPT=${WASM_OPT} -DSPLIT=${WASM_SPLIT} "-DFLAGS=${WASM_FEATURES}"
     -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake)
 add_subdirectory(bindings/js)

@@ -1,28 +1,22 @@
-# Splits a linked module in two: code from the source files that LATER lists goes to <name>-later.wasm, which the shell
-# fetches at the first sign of a user. The linker's MAP gives the functions; those that LATER marks with a ! stay.
+# Splits a linked module in two: functions that FIRST does not list go to <name>-later.wasm, which the shell fetches when the
+# page is there. FIRST is recorded (tests/web/first_part.mjs); the linker's MAP gives the functions.
 # Both parts are then optimised for size; x.wasm.named is a module that still has its function names. Imports between
 # the parts are named by the digest of the whole, so parts of different builds do not fit. FLAGS: for binaryen's tools.
-# cmake -DMODULE=x.wasm -DMAP=x.map -DLATER=later.txt -DOPT=wasm-opt -DSPLIT=wasm-split -DFLAGS=... -P split_module.cmake
+# cmake -DMODULE=x.wasm -DMAP=x.map -DFIRST=first.txt -DOPT=wasm-opt -DSPLIT=wasm-split -DFLAGS=... -P split_module.cmake
 cmake_minimum_required(VERSION 3.23)
 string(REPLACE " " ";" flags "${FLAGS}")
 string(REGEX REPLACE "\\.wasm$" "-later.wasm" later_module ${MODULE})
-get_filename_component(source ${LATER}/../../../src ABSOLUTE)
-file(STRINGS ${LATER} lines REGEX "^[a-z]")
-set(later)
-set(kept)
+file(STRINGS ${FIRST} lines REGEX "^[a-z]")
 foreach(line ${lines})
-  string(REPLACE " !" ";" names ${line})
+  string(REPLACE " " ";" names ${line})
   list(POP_FRONT names file)
-  if(NOT EXISTS ${source}/${file}.c)
-    message(FATAL_ERROR "${LATER} names a file that is not there: ${file}")
-  endif()
-  list(APPEND later ${file})
-  list(TRANSFORM names PREPEND ${file}:)
-  list(APPEND kept ${names})
+  foreach(name ${names})
+    set(first_${file}:${name} ON)
+  endforeach()
 endforeach()
 
 # The functions of the code section in order. If several files have a function `up`, the tools call the second
-# up.1, the third up.2 and so on.
+# up.1, the third up.2 and so on. What the shell calls, and what the linker makes, stays.
 file(STRINGS ${MAP} lines REGEX " CODE$| DATA$|:\\([A-Za-z_0-9.]+\\)$")
 set(code OFF)
 set(moved)
@@ -39,17 +33,13 @@ foreach(line ${lines})
     else()
       set(times_${name} 1)
     endif()
-    string(REGEX REPLACE "^.*/src/(.*)\\.c\\.obj$" "\\1" file ${file})
-    if(${file}:${name} IN_LIST kept)
-      list(REMOVE_ITEM kept ${file}:${name})
-    elseif(file IN_LIST later)
+    string(REGEX REPLACE "^.*/(src|web)/(.*)\\.c\\.obj$" "\\2" file ${file})
+    string(REGEX REPLACE "^.*/(lib[a-z_0-9.-]+)\\.a\\((.*)\\)$" "\\1/\\2" file ${file})
+    if(NOT DEFINED first_${file}:${name} AND NOT file MATCHES "^module/|^<internal>|crt1")
       list(APPEND moved ${called})
     endif()
   endif()
 endforeach()
-if(kept)
-  message(FATAL_ERROR "${LATER} names functions that are not there: ${kept}")
-endif()
 list(JOIN moved "\n" text)
 file(WRITE ${MODULE}.later "${text}\n")
 

@@ -7,7 +7,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/wasm_clang.cmake)
 if(BATTEN_WASM_CLANG AND EXISTS /usr/include/wasm32-wasi/wasi/api.h)
   set(BATTEN_MODULE ${PROJECT_SOURCE_DIR}/build/wasm/batten.wasm ${PROJECT_SOURCE_DIR}/build/wasm/batten-later.wasm)
   file(GLOB_RECURSE MODULE_INPUTS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.[ch] ${PROJECT_SOURCE_DIR}/src/*.def
-    ${PROJECT_SOURCE_DIR}/include/*.h ${PROJECT_SOURCE_DIR}/web/module/*.[ch] ${PROJECT_SOURCE_DIR}/web/module/later.txt)
+    ${PROJECT_SOURCE_DIR}/include/*.h ${PROJECT_SOURCE_DIR}/web/module/*.[ch] ${PROJECT_SOURCE_DIR}/web/module/first.txt)
   set(BATTEN_WORDS ${PROJECT_SOURCE_DIR}/build/wasm/words.en.json ${PROJECT_SOURCE_DIR}/build/wasm/words.ko.json)
   if(BATTEN_MODULE_APART)
     set(MODULE_INPUTS)

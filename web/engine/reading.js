@@ -36,6 +36,12 @@ export const isQuickText = (text) => text.length <= QUICK && !REPEATS.test(text)
 /** @param {Uint8Array} bytes */
 export const isQuick = (bytes) => bytes.length <= QUICK && !isPacked(bytes) && isQuickText(decodeXml(bytes));
 
+/** Drawings that only the whole module reads: Batten's own, and those within an SVG file. */
+const OWN = /^\s*\{|\bxmlns:batten=/;
+
+/** Whether the module's first part is enough to open it. @param {Uint8Array} bytes @param {string} name */
+export const isPlain = (bytes, name) => !isNative(name) && isQuick(bytes) && !OWN.test(decodeXml(bytes));
+
 /**
  * Opens the bytes of a file in an engine; throws its refusal.
  * @param {Engine} engine @param {Uint8Array} bytes @param {string} name @param {import('./svg_reader.js').Watch} [watch]

@@ -2,7 +2,7 @@
 
 import { want } from '../page/build.js';
 import { Changed, Unsaved } from './server.js';
-import { isNative, isQuick, readInto } from '../engine/reading.js';
+import { isNative, isPlain, isQuick, readInto } from '../engine/reading.js';
 import { counted, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
@@ -163,6 +163,9 @@ export class Files {
     const { engine } = this;
     try {
       const bytes = file instanceof Uint8Array ? file : file.size < 1 << 16 ? new Uint8Array(await file.arrayBuffer()) : null;
+      if (!bytes || !isPlain(bytes, name)) {
+        await engine.module.complete().catch(() => {}); // the engine then says what it lacks
+      }
       if (!bytes || asked || !isQuick(bytes)) {
         const { readApart } = await want(import('./apart.js'));
         return await readApart(engine, file, name, asked);
