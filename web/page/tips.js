@@ -59,7 +59,7 @@ class Tips {
     this.name.textContent = button.getAttribute('aria-label') ?? '';
     this.key.textContent = keyOf(button.dataset.shortcut ?? '');
     this.key.hidden = this.key.textContent === '';
-    if (!this.name.textContent || !button.checkVisibility()) {
+    if (!this.name.textContent || !button.checkVisibility() || button.matches('[aria-haspopup][aria-expanded=true]')) {
       return;
     }
     button.dataset.title = button.title;

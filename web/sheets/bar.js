@@ -53,9 +53,11 @@ export function fillBar(tables, buttons) {
     }
     groups.get(group).append(buttons.command(row.name, `command.${row.name}`));
   }
+  const leave = buttons.command('export', 'command.export');
+  leave.classList.add('leave');
   const theme = buttons.plain('theme', 'shell.theme');
   const inspector = buttons.plain('inspector', 'shell.inspector');
   inspector.setAttribute('aria-controls', 'inspector');
-  groupOf(bar, 'window').append(...SHEETS.map((sheet) => sheetButton(buttons, sheet)), theme, inspector);
+  groupOf(bar, 'window').append(...SHEETS.map((sheet) => sheetButton(buttons, sheet)), theme, leave, inspector);
   return theme;
 }

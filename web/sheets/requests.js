@@ -20,7 +20,10 @@ export class Requests {
     this.keptSheet = undefined;
     /** @type {Promise<import('./context.js').Context> | undefined} */
     this.context = undefined;
+    /** @type {Promise<import('./main_menu.js').MainMenu> | undefined} */
+    this.main = undefined;
     shell.input.onpress = (x, y, there) => void this.#menu(x, y, there);
+    part('logo').addEventListener('click', () => void this.#main());
     part('unkept').addEventListener('click', () => void this.#losses());
     part('menu').addEventListener('beforetoggle', () => void this.commandSheet());
   }
@@ -87,6 +90,11 @@ export class Requests {
     if (await this.shell.whole.complete()) {
       context.show(x, y, there);
     }
+  }
+
+  async #main() {
+    this.main ??= want(import('./main_menu.js')).then(({ MainMenu }) => MainMenu.make(this.shell, part('logo')));
+    (await this.main).toggle();
   }
 
   /** The sheet of commands, made on demand. */

@@ -1,0 +1,64 @@
+// The menu of the logo, and the button that exports: by mouse, touch and keys.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { launch, open, quiet, ready, SCREENSHOTS } from './page.mjs';
+import { EXAMPLE, serve } from './server.mjs';
+
+const AXE = fs.readFileSync(path.join(path.dirname(fileURLToPath(import.meta.url)), 'node_modules/axe-core/axe.min.js'), 'utf8');
+let browser;
+let server;
+before(async () => {
+  browser = await launch();
+  server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+});
+after(() => browser.close());
+
+const focused = (page) => page.evaluate(() => document.activeElement.dataset.act ?? document.activeElement.dataset.command ?? document.activeElement.id);
+const expanded = (page) => page.getAttribute('#logo', 'aria-expanded');
+
+for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
+  test(`the logo opens the menu of drawings and files, ${colorScheme}, ${locale}`, async () => {
+    const { page, context } = await open(browser, server.address, { colorScheme, locale });
+    await page.click('#logo');
+    await page.waitForSelector('#main-menu:popover-open');
+    assert.equal(await expanded(page), 'true');
+    await quiet(page);
+    await page.evaluate(AXE);
+    const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `main-menu-${colorScheme}.png`) });
+    await page.click('#logo'); // once more closes it
+    await page.waitForSelector('#main-menu', { state: 'hidden' });
+    assert.equal(await expanded(page), 'false');
+    // By keys: arrows go round, Escape gives the focus back, and what is chosen is done.
+    await page.focus('#logo');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#main-menu:popover-open');
+    assert.equal(await focused(page), 'new');
+    await page.keyboard.press('ArrowUp');
+    assert.equal(await focused(page), 'theme');
+    await page.keyboard.press('Escape');
+    assert.equal(await focused(page), 'logo');
+    await page.keyboard.press('Enter');
+    await page.click('#main-menu [data-act=settings]');
+    await page.waitForSelector('#settings:popover-open h2');
+    await context.close();
+  });
+}
+
+test('the button in the bar exports, by touch as well', async () => {
+  const { page, context } = await open(browser, server.address, { viewport: { width: 390, height: 844 }, hasTouch: true });
+  await page.tap('[data-name=export]');
+  await page.waitForSelector('dialog[open]');
+  assert.match(await page.textContent('dialog[open]'), /SVG/);
+  await page.keyboard.press('Escape');
+  await page.tap('#logo');
+  await page.tap('#main-menu [data-act=new]');
+  await ready(page);
+  await page.waitForSelector('#welcome', { state: 'visible' });
+  assert.equal(await page.textContent('#name'), 'drawing.svg');
+  await context.close();
+});
