@@ -39,11 +39,11 @@ typedef struct bat_seen_line {
 typedef struct bat_line_drawing bat_line_drawing;
 
 /*
- * Draws the scene. Lines are within 0.1 pixels. They are split where they cross another line in the image, where the surface
- * that they lie on turns away, and at cusps; each piece is decided by exact rays, and a piece whose rays differ is halved.
- * Only what is before the eye is drawn. Statuses as bat_viewpoint_check; BAT_ARGUMENT: a surface or curve is NULL;
- * BAT_COUNT: over 1000 surfaces, or more lines than memory could hold. Cost: that of the silhouettes, of the intersections of
- * all pairs of surfaces whose boxes meet, and some thousand rays.
+ * Draws what is before the eye. In the window and as much again around it lines are within 0.1 pixels, split where they cross
+ * in the image, where their surface turns away, and at cusps; exact rays decide each piece, which is halved where they differ.
+ * Farther off they are coarse, and what hides them may be missed. Statuses as bat_viewpoint_check; BAT_ARGUMENT: a surface or
+ * curve is NULL; BAT_COUNT: over 1000 surfaces, or too many lines for memory. Cost: that of the silhouettes, of intersections
+ * of all pairs of surfaces whose boxes meet, and some thousand rays; what is far beyond the window adds next to nothing.
  */
 BAT_API bat_status bat_line_drawing_create(const bat_viewpoint *view, const bat_line_scene *scene,
                                            bat_line_drawing **out);

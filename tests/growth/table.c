@@ -87,7 +87,8 @@ static bat_curve *ring_of(int n, int degree, double high, double phase) {
 }
 static bat_curve *ring(int n) { return ring_of(n, 3, 4, 0); }
 
-static bat_surface *surface(int n, bool tube) {
+/* far: how far one of its points is off. */
+static bat_surface *surface_to(int n, bool tube, double far) {
     const int degree[2] = {3, 3}, count[2] = {n, 6}, knot_count[2] = {n + 4, 10};
     double *points = room((size_t)n * 18, sizeof *points), *u = room((size_t)n + 4, sizeof *u),
            v[10] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
@@ -96,7 +97,7 @@ static bat_surface *surface(int n, bool tube) {
         for (int k = 0; k < 6; k++) {
             double *p = points + 18 * i + 3 * k;
             p[0] = 4 * i, p[1] = tube ? 9 * cos(k) : 4 * k,
-            p[2] = tube ? 9 * sin(k) : 3 * sin(0.5 * i) * cos(k);
+            p[2] = (tube ? 9 * sin(k) : 3 * sin(0.5 * i) * cos(k)) + (i == n / 2 && k == 2 ? far : 0);
         }
     bat_surface *made = NULL;
     DO(bat_surface_create(degree, (const bool[2]){false, false}, (const size_t[2]){(size_t)count[0], 6},
@@ -104,6 +105,8 @@ static bat_surface *surface(int n, bool tube) {
     free(points), free(u);
     return made;
 }
+
+static bat_surface *surface(int n, bool tube) { return surface_to(n, tube, 0); }
 
 static bat_document *document(int n) {
     bat_document *made = NULL;
@@ -682,14 +685,15 @@ static void surfaces_meet(int n) {
     COUNT(bat_surface_intersect(a, b, NULL, &made));
     bat_tracks_free(made), bat_surface_free(a), bat_surface_free(b);
 }
-static void lines_of_surfaces(int n) {
-    bat_surface *s = surface(n, true);
+static void lines_of(bat_surface *s) {
     const bat_surface *const list[] = {s};
     const bat_line_scene scene = {.surface_count = 1, .surfaces = list};
     bat_line_drawing *made = NULL;
     COUNT(bat_line_drawing_create(&view, &scene, &made));
     bat_line_drawing_free(made), bat_surface_free(s);
 }
+static void lines_of_surfaces(int n) { lines_of(surface(n, true)); }
+static void lines_far_off(int n) { lines_of(surface_to(6, true, n)); }
 static void relief(int n) {
     bat_surface *s = surface(n, false);
     bat_relief *made = NULL;
@@ -926,6 +930,8 @@ static const row rows[] = {
     {"surface: section", section, 20, 0, NULL},
     {"surface: intersect", surfaces_meet, 8, 0, NULL},
     {"lines of a surface", lines_of_surfaces, 8, 0, NULL},
+    {"lines of a surface, a point n off", lines_far_off, 30000, 0.5,
+     "less than others: what is not seen costs a halving more"},
     {"levels of a surface", relief, 20, 0, NULL},
     {"mesh: create", mesh_make, 300, 0, NULL},
     {"mesh: normals", mesh_normals, 300, 0, NULL},

@@ -85,8 +85,9 @@ static bat_status add_run(bat_line_drawing *drawing, const bat_strand *strand, b
     return BAT_OK;
 }
 
-static bat_status draw_stretch(const bat_sight_scene *s, const bat_strand *strand, const bat_seen_stretch *r,
-                               bat_line_drawing *drawing) {
+/* A piece of a stretch within the window and around it. */
+static bat_status draw_near(const bat_sight_scene *s, const bat_strand *strand, const bat_seen_stretch *r,
+                            bat_line_drawing *drawing) {
     const size_t count = points_of(s, strand, r, NULL);
     if (count < 2) return BAT_OK;
     double *points = malloc(2 * count * sizeof *points), *out = NULL;
@@ -97,6 +98,45 @@ static bat_status draw_stretch(const bat_sight_scene *s, const bat_strand *stran
     free(points);
     if (status == BAT_COUNT) return BAT_OK; /* it is a point */
     return status == BAT_OK ? add_run(drawing, strand, r->hidden, segments, out) : status;
+}
+
+/* A piece beyond it: straight from bead to bead, since a fit could lead into the window. */
+static bat_status draw_far(const bat_sight_scene *s, const bat_strand *strand, const bat_seen_stretch *r,
+                           bat_line_drawing *drawing) {
+    const double first = floor(r->from) + 1, last = ceil(r->to);
+    const int segments = (int)(last - first) + 1;
+    double *points = malloc(((size_t)segments * 6 + 2) * sizeof *points);
+    bat_bead a, b;
+    if (!points) return BAT_MEMORY;
+    bat_strand_locate(s, strand, r->from, &a);
+    memcpy(points, a.pixel, sizeof a.pixel);
+    for (int i = 0; i < segments; i++, a = b) {
+        bat_strand_locate(s, strand, fmin(first + i, r->to), &b);
+        for (int k = 1; k <= 3; k++)
+            for (int d = 0; d < 2; d++)
+                points[6 * i + 2 * k + d] = a.pixel[d] + (b.pixel[d] - a.pixel[d]) * k / 3;
+    }
+    return add_run(drawing, strand, r->hidden, segments, points);
+}
+
+/* Whether bead k and the next one are beyond the window. */
+static bool is_far(const bat_sight_scene *s, const bat_strand *strand, size_t k) {
+    return bat_sight_beyond(s, &strand->beads[k], &strand->beads[k + 1]) > 0;
+}
+
+static bat_status draw_stretch(const bat_sight_scene *s, const bat_strand *strand, const bat_seen_stretch *r,
+                               bat_line_drawing *drawing) {
+    const size_t last = strand->count - 2;
+    bat_seen_stretch piece = *r;
+    bat_status status = BAT_OK;
+    for (size_t k = (size_t)r->from; k <= last && (double)k < r->to && status == BAT_OK; k++) {
+        const bool beyond = is_far(s, strand, k), end = k == last || !((double)(k + 1) < r->to);
+        if (!end && is_far(s, strand, k + 1) == beyond) continue;
+        piece.to = end ? r->to : (double)(k + 1);
+        status = (beyond ? draw_far : draw_near)(s, strand, &piece, drawing);
+        piece.from = piece.to;
+    }
+    return status;
 }
 
 static bat_status draw_strand(const bat_sight_scene *s, const bat_strand *strand, bat_line_drawing *drawing) {

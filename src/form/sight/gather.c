@@ -5,8 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINES = 63, DEPTH_LEAST = 2, DEPTH_MOST = 14 };
+enum { LINES = 63, DEPTH_LEAST = 2, DEPTH_MOST = 30 };
 static const double chord = 3e-3, longest = 6; /* pixels */
+static const double far_off = 0.05,
+                    apart = 0.5; /* more of these, as shares of the distance from what is seen */
 
 static bat_status begin(bat_sight_scene *s, const bat_strand *like, bat_strand **out) {
     if (s->count == s->room) {
@@ -62,8 +64,10 @@ static bat_status refine(const bat_sight_scene *s, bat_strand *strand, const bat
     const bat_bead middle = on_curve(s, strand, 0.5 * (a->t + b->t));
     const bool seen = a->depth > s->near || b->depth > s->near || middle.depth > s->near;
     const double wide = bat_hypot(b->pixel[0] - a->pixel[0], b->pixel[1] - a->pixel[1]);
+    const double beyond = fmin(bat_sight_beyond(s, a, &middle), bat_sight_beyond(s, &middle, b));
     if (depth < DEPTH_LEAST ||
-        (depth < DEPTH_MOST && seen && (wide > longest || off_chord(a, &middle, b) > chord))) {
+        (depth < DEPTH_MOST && seen &&
+         (wide > longest + apart * beyond || off_chord(a, &middle, b) > chord + far_off * beyond))) {
         bat_status status = refine(s, strand, a, &middle, depth + 1);
         return status == BAT_OK ? refine(s, strand, &middle, b, depth + 1) : status;
     }
@@ -137,7 +141,8 @@ static bat_status add_bead(const bat_sight_scene *s, bat_strand *strand, const b
         piece.beads = ends, piece.count = 2;
         const double wide = bat_hypot(ends[1].pixel[0] - ends[0].pixel[0],
                                       ends[1].pixel[1] - ends[0].pixel[1]);
-        const double parts = fmin(floor(wide / (2 * longest)), 100);
+        const double beyond = bat_sight_beyond(s, &ends[0], bead);
+        const double parts = beyond > 0 ? 0 : fmin(floor(wide / (2 * longest)), 100);
         for (double k = 1; k <= parts && status == BAT_OK; k++) {
             bat_strand_locate(s, &piece, k / (parts + 1), &inner);
             status = add(strand, &inner);

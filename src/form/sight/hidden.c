@@ -72,12 +72,19 @@ static bat_status change(const bat_sight_scene *s, const bat_strand *strand, dou
     return BAT_OK;
 }
 
+/* Whether what lies between two splits is beyond the window, where strands are split. */
+static bool is_beyond(const bat_sight_scene *s, const bat_strand *strand, double from, double to) {
+    const size_t k = (size_t)fmin(fmax(floor(0.5 * (from + to)), 0), (double)(strand->count - 2));
+    return bat_sight_beyond(s, &strand->beads[k], &strand->beads[k + 1]) > 0;
+}
+
 /* What lies between two splits: three rays, and where they differ the changes between them. */
 static bat_status decide(const bat_sight_scene *s, const bat_strand *strand, double from, double to,
                          list *l) {
     const double at[3] = {from + 0.15 * (to - from), 0.5 * (from + to), from + 0.85 * (to - from)};
     bool hidden[3];
     bat_status status = BAT_OK;
+    if (is_beyond(s, strand, from, to)) return go(l, from, to, false);
     for (int k = 0; k < 3 && status == BAT_OK; k++) status = look(s, strand, at[k], &hidden[k]);
     for (int k = 0; k < 2 && status == BAT_OK; k++) {
         double place = at[k];

@@ -190,6 +190,19 @@ static bat_status split_cusps(bat_strand *strand) {
     return status;
 }
 
+/* ---- where a strand leaves the window: far off, crossings are not looked for ---- */
+
+static bat_status split_leaving(const bat_sight_scene *s, bat_strand *strand) {
+    bat_status status = BAT_OK;
+    bool before = false;
+    for (size_t k = 0; k + 1 < strand->count && status == BAT_OK; k++) {
+        const bool beyond = bat_sight_beyond(s, &strand->beads[k], &strand->beads[k + 1]) > 0;
+        if (k > 0 && beyond != before) status = bat_strand_split(strand, (double)k, false);
+        before = beyond;
+    }
+    return status;
+}
+
 /* ---- all ---- */
 
 static int by_place(const void *a, const void *b) {
@@ -198,16 +211,38 @@ static int by_place(const void *a, const void *b) {
     return (int)p->corner - (int)q->corner; /* equal ones are alike */
 }
 
+static void pixel_at(const bat_strand *strand, double place, double out[2]) {
+    const size_t k = (size_t)fmin(floor(place), (double)(strand->count - 2));
+    const double *a = strand->beads[k].pixel, *b = strand->beads[k + 1].pixel, f = place - (double)k;
+    for (int d = 0; d < 2; d++) out[d] = a[d] + f * (b[d] - a[d]);
+}
+
+/* Whether two places are one: the strand between them is not seen to have a length. */
+static bool is_one(const bat_strand *strand, double from, double to) {
+    double at[2], next[2], length = 0;
+    if (!(to - from > 1e-6)) return true;
+    pixel_at(strand, from, at);
+    while (from < to && length <= touching) {
+        from = fmin(floor(from) + 1, to);
+        pixel_at(strand, from, next);
+        length += bat_hypot(next[0] - at[0], next[1] - at[1]);
+        at[0] = next[0], at[1] = next[1];
+    }
+    return length <= touching;
+}
+
 /* In order, and those that are one joined. */
 static void sort(bat_strand *strand) {
     size_t kept = 0;
     if (strand->split_count == 0) return;
     qsort(strand->splits, strand->split_count, sizeof *strand->splits, by_place); /* no ties */
     for (size_t i = 1; i < strand->split_count; i++) {
-        if (strand->splits[i].place - strand->splits[kept].place > 1e-6)
-            strand->splits[++kept] = strand->splits[i];
-        else
-            strand->splits[kept].corner = strand->splits[kept].corner || strand->splits[i].corner;
+        const bat_split next = strand->splits[i];
+        bat_split *last = &strand->splits[kept];
+        if (!is_one(strand, last->place, next.place))
+            strand->splits[++kept] = next;
+        else if (next.corner && !last->corner)
+            *last = next;
     }
     strand->split_count = kept + 1;
 }
@@ -217,6 +252,7 @@ bat_status bat_strands_split(bat_sight_scene *s) {
     for (size_t i = 0; i < s->count && status == BAT_OK; i++) {
         status = split_folds(s, i);
         if (status == BAT_OK) status = split_cusps(&s->strands[i]);
+        if (status == BAT_OK) status = split_leaving(s, &s->strands[i]);
     }
     for (size_t i = 0; i < s->count; i++) sort(&s->strands[i]);
     return status;

@@ -21,6 +21,17 @@ double bat_strand_facing(const bat_sight_scene *s, const bat_surface *surface, c
     return vec_dot(vec_cross(d[1], d[2]), e);
 }
 
+double bat_sight_beyond(const bat_sight_scene *s, const bat_bead *a, const bat_bead *b) {
+    double most = 0;
+    if (!(a->depth > s->near && b->depth > s->near)) return 0;
+    for (int d = 0; d < 2; d++) {
+        const double wide = 2 * s->gaze.middle[d];
+        most = fmax(most, -wide - fmax(a->pixel[d], b->pixel[d]));
+        most = fmax(most, fmin(a->pixel[d], b->pixel[d]) - 2 * wide);
+    }
+    return most;
+}
+
 static double between(const bat_curve *axis, double a, double b, double f) {
     const double period = axis->knots[axis->spread] - axis->knots[axis->degree];
     double way = b - a;

@@ -47,6 +47,9 @@ bat_status bat_strands_make(bat_sight_scene *s);
 void bat_strands_free(bat_sight_scene *s);
 /* The exact point of a strand at a place. */
 void bat_strand_locate(const bat_sight_scene *s, const bat_strand *strand, double place, bat_bead *out);
+/* How far the image of what lies between two beads is from the window and as much again around it, in pixels: there lines are
+ * coarse, so that no work goes into what is not seen. 0: within, or not all of it is before the eye. */
+double bat_sight_beyond(const bat_sight_scene *s, const bat_bead *a, const bat_bead *b);
 /* det(S_u, S_v, gaze) of a surface, and its derivatives (may be NULL). */
 double bat_strand_facing(const bat_sight_scene *s, const bat_surface *surface, const double uv[2],
                          double gradient[2]);

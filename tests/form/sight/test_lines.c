@@ -197,6 +197,84 @@ static void of_many_knots_some_are_drawn(void **state) {
     bat_surface_free(s);
 }
 
+static double away_from_chord(const double a[2], const double b[2], const double p[2]) {
+    const double x = b[0] - a[0], y = b[1] - a[1], square = x * x + y * y;
+    const double f = square > 0 ? fmin(fmax((x * (p[0] - a[0]) + y * (p[1] - a[1])) / square, 0), 1) : 0;
+    return bat_hypot(a[0] + f * x - p[0], a[1] + f * y - p[1]);
+}
+
+/* The least distance of a pixel from what is drawn, 16 chords a segment. */
+static double away_from(const bat_line_drawing *drawing, const double pixel[2]) {
+    double least = INFINITY;
+    for (size_t i = 0; i < bat_line_drawing_count(drawing); i++) {
+        bat_seen_line line;
+        bat_line_drawing_at(drawing, i, &line);
+        double from[2] = {line.points[0], line.points[1]}, at[2];
+        for (int k = 1; k <= 16 * line.segments; k++) {
+            const double *b = line.points + 6 * ((k - 1) / 16), t = ((k - 1) % 16 + 1) / 16.0, s = 1 - t;
+            const double c[4] = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+            for (int d = 0; d < 2; d++)
+                at[d] = c[0] * b[d] + c[1] * b[2 + d] + c[2] * b[4 + d] + c[3] * b[6 + d];
+            least = fmin(least, away_from_chord(from, at, pixel));
+            from[0] = at[0], from[1] = at[1];
+        }
+    }
+    return least;
+}
+
+/* A loop that leaves the window and goes as far as you like: in the window it is where it belongs and nothing else is; what
+ * is drawn hardly grows with the distance. */
+static void what_is_far_off_is_coarse(void **state) {
+    (void)state;
+    const bat_viewpoint view = {.eye = {0, 0, 9}, .up = {0, 1, 0}, .size = {400, 300}, .height = 3};
+    const double knots[] = {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4};
+    size_t segments[2] = {0, 0};
+    for (int far = 0; far < 2; far++) {
+        const double x = far ? 3e6 : 3e3;
+        const double points[] = {-1, -1,      0,  -0.5, 1, 0,    0.8, 0.9, 0,   x, x,
+                                 1,  0.3 * x, -x, 2,    1, -0.9, 0,   -1,  0.2, 0};
+        bat_curve *curve = NULL;
+        bat_line_drawing *drawing = NULL;
+        assert_int_equal(bat_curve_create(3, 3, false, 7, points, 11, knots, &curve), BAT_OK);
+        const bat_line_scene scene = {0, NULL, 1, (const bat_curve *const *)&curve};
+        assert_int_equal(bat_line_drawing_create(&view, &scene, &drawing), BAT_OK);
+        int within = 0;
+        for (int side = 0; side < 2; side++)
+            for (double t = 1e-9; t < 2; t *= 1.01) {
+                double at[3], pixel[2];
+                bat_curve_eval(curve, side ? 4 - t : t, 0, at);
+                assert_int_equal(bat_viewpoint_project(&view, at, pixel, NULL), BAT_OK);
+                if (!(pixel[0] > 0 && pixel[0] < 400 && pixel[1] > 0 && pixel[1] < 300)) continue;
+                const double away = away_from(drawing, pixel);
+                if (!(away < 0.2)) fail_msg("%g: %g, %g is %g off", x, pixel[0], pixel[1], away);
+                within++;
+            }
+        assert_true(within > 1000);
+        for (size_t i = 0; i < bat_line_drawing_count(drawing); i++) {
+            bat_seen_line line;
+            bat_line_drawing_at(drawing, i, &line);
+            segments[far] += (size_t)line.segments;
+            for (int k = 0; k <= 3 * line.segments; k += 3) {
+                const double *p = line.points + 2 * k;
+                double most = INFINITY;
+                if (!(p[0] > 0 && p[0] < 400 && p[1] > 0 && p[1] < 300)) continue;
+                for (int side = 0; side < 2; side++)
+                    for (double t = 1e-9; t < 2; t *= 1.001) {
+                        double at[3], pixel[2];
+                        bat_curve_eval(curve, side ? 4 - t : t, 0, at);
+                        assert_int_equal(bat_viewpoint_project(&view, at, pixel, NULL), BAT_OK);
+                        most = fmin(most, bat_hypot(pixel[0] - p[0], pixel[1] - p[1]));
+                    }
+                assert_true(most < 0.5);
+            }
+        }
+        bat_line_drawing_free(drawing);
+        bat_curve_free(curve);
+    }
+    printf("far off: %zu and %zu segments\n", segments[0], segments[1]);
+    assert_true(segments[1] < 2 * segments[0]);
+}
+
 /* What lies on itself is touched everywhere; what is far beside it changes nothing. */
 static void a_scene_that_is_not_whole_says_so(void **state) {
     (void)state;
@@ -288,6 +366,7 @@ int main(void) {
         cmocka_unit_test(stretches_agree_with_rays),
         cmocka_unit_test(squares_hide_each_other),
         cmocka_unit_test(a_sphere_is_its_circle),
+        cmocka_unit_test(what_is_far_off_is_coarse),
         cmocka_unit_test(bad_data_are_refused),
         cmocka_unit_test(of_many_knots_some_are_drawn),
         cmocka_unit_test(a_scene_that_is_not_whole_says_so),
