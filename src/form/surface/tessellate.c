@@ -88,27 +88,62 @@ static void angles_of(const bat_tessellation *t, int d, double *most) {
     }
 }
 
-/* More steps in the spans with too great an angle; false: none, or too many triangles. kept: room for all counts; most:
- * for an angle a span. */
+/* Of each span: its steps now and before they became more, and the angles then; before < 0: more of them gain nothing. */
+typedef struct angling {
+    double *most, *before;
+    int *kept, *fewer;
+} angling;
+
+static bat_status begin_angling(const bat_steps *steps, angling *out) {
+    const size_t spans = (size_t)(steps->spans[0] + steps->spans[1]);
+    double *angles = calloc(2 * spans, sizeof *angles);
+    int *counts = calloc(2 * spans, sizeof *counts);
+    *out = (angling){angles, angles ? angles + spans : NULL, counts, counts ? counts + spans : NULL};
+    return angles && counts ? BAT_OK : BAT_MEMORY;
+}
+
+static void end_angling(angling *a) { free(a->most), free(a->kept); }
+
+/* Whether at least twice as many steps gained less than a tenth of what they gain where a surface bends evenly: it folds there. */
+static bool gained_nothing(const angling *a, int span) {
+    const double fewer = a->fewer[span], share = fewer / a->kept[span];
+    return a->before[span] > 0 && 2 * fewer <= a->kept[span] &&
+           a->most[span] > a->before[span] * (0.9 + 0.1 * share);
+}
+
+/* The steps that a span is given for its angle. */
+static int steps_for(const bat_tessellate_options *options, angling *a, int span,
+                     bat_tessellate_report *report) {
+    const double too_much = a->most[span] / options->angle;
+    if (!(too_much > 1 + 1e-9)) return a->kept[span];
+    if (gained_nothing(a, span)) a->before[span] = -1;
+    if (a->before[span] < 0) {
+        report->limited = true;
+        return a->kept[span];
+    }
+    const double count = ceil(a->kept[span] * fmin(too_much, FINER));
+    if (count > BAT_STEPS_MAX) report->limited = true;
+    a->before[span] = a->most[span], a->fewer[span] = a->kept[span];
+    return (int)fmin(count, BAT_STEPS_MAX);
+}
+
+/* More steps in the spans with too great an angle; false: none, or too many triangles. */
 static bool refine(const bat_tessellation *t, const bat_tessellate_options *options, bat_steps *steps,
-                   double *most, int *kept, bat_tessellate_report *report) {
+                   angling *a, bat_tessellate_report *report) {
     const int spans = steps->spans[0] + steps->spans[1];
     bool refined = false;
     report->max_angle = 0;
-    memcpy(kept, steps->count[0], (size_t)spans * sizeof *kept);
-    memset(most, 0, (size_t)spans * sizeof *most);
-    angles_of(t, 0, most);
-    angles_of(t, 1, most + steps->spans[0]);
+    memcpy(a->kept, steps->count[0], (size_t)spans * sizeof *a->kept);
+    memset(a->most, 0, (size_t)spans * sizeof *a->most);
+    angles_of(t, 0, a->most);
+    angles_of(t, 1, a->most + steps->spans[0]);
     for (int k = 0; k < spans; k++) {
-        report->max_angle = fmax(report->max_angle, most[k]);
-        if (!(most[k] > options->angle * (1 + 1e-9))) continue;
-        const double count = ceil(kept[k] * fmin(most[k] / options->angle, FINER));
-        if (count > BAT_STEPS_MAX) report->limited = true;
-        steps->count[0][k] = (int)fmin(count, BAT_STEPS_MAX);
-        refined = refined || steps->count[0][k] > kept[k];
+        report->max_angle = fmax(report->max_angle, a->most[k]);
+        steps->count[0][k] = steps_for(options, a, k, report);
+        refined = refined || steps->count[0][k] != a->kept[k];
     }
     if (!refined || bat_steps_triangles(steps) <= (double)options->triangles_max) return refined;
-    memcpy(steps->count[0], kept, (size_t)spans * sizeof *kept);
+    memcpy(steps->count[0], a->kept, (size_t)spans * sizeof *a->kept);
     report->limited = true;
     return false;
 }
@@ -178,23 +213,22 @@ static bat_status first_steps(const bat_tessellate_options *options, bat_steps *
 /* Vertices for the steps, and again for more of them while angles are too great. */
 static bat_status settle_angles(const bat_surface *surface, const bat_tessellate_options *options,
                                 bat_steps *steps, bat_tessellation **out, bat_tessellate_report *report) {
-    const size_t spans = (size_t)(steps->spans[0] + steps->spans[1]);
-    double *most = malloc(spans * sizeof *most);
-    int *kept = malloc(spans * sizeof *kept);
-    bat_status status = most && kept ? BAT_OK : BAT_MEMORY;
+    angling a;
+    bat_status status = begin_angling(steps, &a);
     bat_tessellation *t = NULL;
     for (int round = 0; status == BAT_OK; round++) {
         bat_tessellation_free(t);
         t = NULL;
         status = build_vertices(surface, steps, &t);
-        if (status != BAT_OK || !refine(t, options, steps, most, kept, report)) break;
+        if (status != BAT_OK || !refine(t, options, steps, &a, report)) break;
         if (round == ROUNDS) {
-            memcpy(steps->count[0], kept, spans * sizeof *kept);
+            const size_t spans = (size_t)(steps->spans[0] + steps->spans[1]);
+            memcpy(steps->count[0], a.kept, spans * sizeof *a.kept);
             report->limited = true;
             break;
         }
     }
-    free(most), free(kept);
+    end_angling(&a);
     if (status == BAT_OK) *out = t;
     return status;
 }

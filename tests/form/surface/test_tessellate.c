@@ -367,6 +367,31 @@ static void what_collapses_has_normals(void **state) {
     }
 }
 
+/* A sheet of the plane that turns back on itself: its normals differ by half a turn however many steps there are, and their
+ * number is that of the chords and one more try. */
+static void a_fold_is_not_chased(void **state) {
+    (void)state;
+    const double x[4] = {0, 6, 6.5, 1}, knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    double points[48];
+    for (int i = 0; i < 16; i++)
+        points[3 * i] = x[i / 4], points[3 * i + 1] = (i % 4) * 0.7, points[3 * i + 2] = 0;
+    bat_surface *s = NULL;
+    assert_int_equal(bat_surface_create((const int[2]){3, 3}, (const bool[2]){false, false},
+                                        (const size_t[2]){4, 4}, points, (const int[2]){8, 8}, knots, knots,
+                                        &s),
+                     BAT_OK);
+    bat_mesh plain, m;
+    bat_tessellate_report report;
+    bat_tessellation *t = divide(s, 1e-3, 4, &plain, &report);
+    assert_true(!report.limited && fabs(report.max_angle - 3.14159265358979) < 1e-9);
+    const size_t triangles = plain.triangle_count;
+    bat_tessellation_free(t);
+    t = divide(s, 1e-3, 0.2, &m, &report);
+    assert_true(report.limited && m.triangle_count <= 9 * triangles && m.triangle_count >= triangles);
+    bat_tessellation_free(t);
+    bat_surface_free(s);
+}
+
 static void limits(void **state) {
     (void)state;
     bat_surface *s = round_sphere();
@@ -412,6 +437,7 @@ int main(void) {
         cmocka_unit_test(a_crease_keeps_both_normals),
         cmocka_unit_test(only_what_moved_is_evaluated),
         cmocka_unit_test(what_collapses_has_normals),
+        cmocka_unit_test(a_fold_is_not_chased),
         cmocka_unit_test(limits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
