@@ -6,6 +6,7 @@ import unittest
 
 import numpy
 
+from editor import STYLE
 from program import ROOT, ProgramTest
 
 try:
@@ -102,6 +103,22 @@ class Dxf(ProgramTest):
                 self.assertLess(away(other[::3], mine), 0.1, release)  # corners lie between samples
                 if numpy.linalg.norm(numpy.subtract(mine[0], mine[-1])) > 1:  # where a closed one begins is left open
                     self.assertLess(numpy.linalg.norm(numpy.subtract(mine[0], other[0])), 1e-6, release)
+
+    def test_points_that_all_coincide(self):
+        """Nothing is written of them, and a drawing of such alone is refused, so that what is written can be read."""
+        dot = {"degree": 1, "closed": False, "knots": [0, 0, 1, 2, 2], "points": [[3, 4]] * 3}
+        ring = {"degree": 1, "closed": True, "knots": [0, 1, 2, 3], "points": [[3, 4, 5]] * 3}
+        line = {"degree": 1, "closed": False, "knots": [0, 0, 1, 1], "points": [[0, 0], [9, 2]]}
+        for curve in (dot, ring):
+            path = {"kind": "path", "name": "", "style": STYLE}
+            objects = [{"id": 1, **path, "curves": [curve]}, {"id": 2, **path, "curves": [line]}]
+            name = self.file("both.batten", {"batten": 1, "page": [0, 0, 9, 9], "next": 3, "objects": objects})
+            self.done("convert", name, "both.dxf")
+            self.assertEqual([e.dxftype() for e in ezdxf.readfile(self.folder / "both.dxf").modelspace()], ["LINE"])
+            self.done("convert", "both.dxf", "back.batten")
+            alone = self.file("dot.batten", {"batten": 1, "page": [0, 0, 9, 9], "next": 2, "objects": objects[:1]})
+            self.refused(1, "convert", alone, "dot.dxf")
+            self.assertFalse((self.folder / "dot.dxf").exists())
 
     def test_arcs(self):
         self.done("convert", ROOT / DRAWINGS[0], "arcs.dxf", "--arcs", "0.05")

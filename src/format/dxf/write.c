@@ -204,8 +204,20 @@ static bat_status put_arcs(writer *w, const bat_curve *curve) {
     return BAT_OK;
 }
 
+/* Whether the points of a polyline are one in the file: no reader sees anything of it, and ours refuses a file of such alone. */
+static bool is_dot(const writer *w, const bat_curve *curve) {
+    const size_t dimension = (size_t)bat_curve_dimension(curve), count = dimension * bat_curve_count(curve);
+    const double *points = bat_curve_points(curve);
+    for (size_t i = dimension; i < count; i++) {
+        const double from = i % dimension < 2 ? w->origin[i % dimension] : 0;
+        if ((points[i] - from) * w->scale != (points[i % dimension] - from) * w->scale) return false;
+    }
+    return bat_curve_degree(curve) == 1;
+}
+
 static bat_status put_curve(writer *w, const bat_curve *curve) {
     const int dimension = bat_curve_dimension(curve), degree = bat_curve_degree(curve);
+    if (is_dot(w, curve)) return BAT_OK;
     w->curves++;
     if (degree == 1 && bat_curve_count(curve) == 2 && !bat_curve_is_closed(curve))
         put_line(w, bat_curve_points(curve), dimension);
