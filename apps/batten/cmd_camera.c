@@ -7,6 +7,7 @@
 
 #include <batten/camera.h>
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -104,7 +105,22 @@ static int write_table(const char *file, const samples *s) {
     return failed;
 }
 
-static int write_scene(const char *move, const char *drawing, const char *file, const bat_camera *camera) {
+/* What of a move or a scene a file of floats cannot hold: place and reason. */
+static int fail_range(const char *move, const samples *s) {
+    for (size_t i = 0; i < s->count; i++)
+        if (!(s->poses[i].fov > 0 && s->poses[i].fov < 180))
+            return fail_data(move, "fov", "expected between 0 and 180 degrees, found %g", s->poses[i].fov);
+    for (size_t i = 0; i < s->count; i++)
+        for (int c = 0; c < 3; c++)
+            if (!(fabs(s->poses[i].position[c]) <= FLT_MAX))
+                return fail_data(move, "path", "expected numbers up to 3e38, found %g",
+                                 s->poses[i].position[c]);
+    return fail_data(move, NULL,
+                     "expected fields of view between 0 and 180 degrees, and numbers and slopes up to 3e38");
+}
+
+static int write_scene(const char *move, const char *drawing, const char *file, const bat_camera *camera,
+                       const samples *s) {
     char *bytes = NULL;
     size_t size = 0;
     drawing_file scene = {.document = NULL};
@@ -118,9 +134,7 @@ static int write_scene(const char *move, const char *drawing, const char *file, 
     bat_model_clear(&model);
     if (drawing) drawing_free(&scene);
     if (status == BAT_MEMORY) return fail_memory();
-    if (status == BAT_NUMBER)
-        return fail_data(move, "fov",
-                         "expected fields of view between 0 and 180 degrees, and numbers up to 3e38");
+    if (status == BAT_NUMBER) return fail_range(move, s);
     if (status != BAT_OK) return fail_data(move, NULL, "%s", bat_status_message(status));
     const int failed = io_write(file, bytes, size);
     bat_free(bytes);
@@ -157,7 +171,7 @@ static int run(const cli_arguments *arguments) {
         warn(file, camera);
         failed = !out ? print_samples(camera, &s)
                  : ends_in(out, ".glb")
-                     ? write_scene(file, arguments_value(arguments, "--scene"), out, camera)
+                     ? write_scene(file, arguments_value(arguments, "--scene"), out, camera, &s)
                      : write_table(out, &s);
     }
     bat_camera_free(camera);

@@ -69,11 +69,7 @@ static int look_at(const char *path, const bat_format *format) {
     if (drawing_keeps_file(&drawing))
         drawing_remark_kept(path, &drawing);
     else
-        drawing_remark(path, &drawing);
-    int lost = bat_losses_total(&drawing.report.lost);
-    if (lost && !drawing_keeps_file(&drawing))
-        remark("%s: saving over it loses %d thing%s; the editor asks first", path, lost,
-               lost == 1 ? "" : "s");
+        drawing_remark_lost(path, &drawing);
     drawing_free(&drawing);
     if (io_read_only(path))
         remark("%s: is read-only; it cannot be saved here, download a copy instead", path);

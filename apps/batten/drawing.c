@@ -105,6 +105,18 @@ void drawing_remark_kept(const char *name, const drawing_file *drawing) {
     remark("%s: not shown: %s Saving keeps all of it.", name, line + sizeof before - 1);
 }
 
+void drawing_remark_lost(const char *name, const drawing_file *drawing) {
+    const int lost = bat_losses_total(&drawing->report.lost);
+    char line[LEFT_OUT_ROOM] = "";
+    if (!lost) {
+        drawing_remark(name, drawing);
+        return;
+    }
+    bat_svg_report_line(&drawing->report, line, sizeof line);
+    remark("%s: saving over it loses %d thing%s; the editor asks first%s%s", name, lost, lost == 1 ? "" : "s",
+           line[0] ? ". " : "", line);
+}
+
 /* in "-": the file that is open as standard input. */
 static bool is_same_file(const char *in, const char *out) {
     struct stat a, b;

@@ -35,6 +35,8 @@ void drawing_remark(const char *name, const drawing_file *drawing);
 bool drawing_keeps_file(const drawing_file *drawing);
 /* One line on standard error: what of such a file is not shown; nothing when all is. */
 void drawing_remark_kept(const char *name, const drawing_file *drawing);
+/* One line on standard error: what saving over a file that is not kept would lose, all of it by name. */
+void drawing_remark_lost(const char *name, const drawing_file *drawing);
 /* Whether OUT may be written, which may be the same file as IN: if something in it would be lost, only if
  * lossy (picture: the output is a picture, which does not keep the drawing). Returns 0, or an exit status
  * after reporting the failure. */

@@ -277,6 +277,8 @@ class LookAt(Camera):
                                      "orientation": {"mode": "look-at", "target": [-5, 0, 0]}})
         for words in (("--out", "x.glb"), ("--out", "no/folder/x.csv"), ("--out", "x.glb", "--scene", "none.batten")):
             self.refused(1, "camera", far, "--fps", "5", *words)  # one line: the remark waits for a result
+        self.assertNotIn("fov", self.refused(1, "camera", far, "--fps", "5", "--out", "x.glb"))
+        self.assertIn("path: expected numbers up to 3e38, found 5e+73", self.refused(1, "camera", far, "--fps", "5", "--out", "x.glb"))
         made = self.camera(move, "--at", "0,0.5,1,1.5,2")
         numpy.testing.assert_allclose(angles(made["rotations"][[0, 0, 4]], made["rotations"][[1, 2, 3]]), 0, atol=1e-12)
         self.assertAlmostEqual(angles(made["rotations"][:1], made["rotations"][4:])[0], numpy.pi, delta=1e-9)

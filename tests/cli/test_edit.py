@@ -517,6 +517,16 @@ class Saving(EditTest):
             self.assertIn("edit that", self.refused(1, "edit", path, "--no-open"))
         self.assertIn("found none", self.refused(1, "edit", self.file("x.glb", "glTF"), "--no-open"))
 
+    def test_what_saving_over_it_loses(self):
+        """Of a file that is not kept as it is, one line names all that would be lost, with one number."""
+        path = self.folder / "old.svg"
+        path.write_bytes('<?xml version="1.0" encoding="ISO-8859-1"?><svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><title>h\xe9</title>'
+                         '<metadata><a/></metadata><text>a</text><text>b</text><path d="M0 0L9 9" stroke="red"/></svg>'.encode("latin-1"))
+        said = self.editor_on(path).end()[2]
+        found = re.search(r"saving over it loses (\d+) things; the editor asks first\. Left out: (.*)\.$", said, re.M)
+        self.assertEqual(sum(map(int, re.findall(r"\d+", found[2]))), int(found[1]), said)
+        self.assertEqual(said.count("old.svg: "), 1, said)
+
     def test_new_file_that_somebody_else_made_is_not_touched(self):
         editor = self.start("new.batten")
         tag = editor.tag()
