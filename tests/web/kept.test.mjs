@@ -330,7 +330,13 @@ test('what earlier versions kept is taken over, and their folder goes only then'
   }, journal);
   const next = await again(context, server.address);
   assert.equal((await state(next.page)).digest, before.digest);
-  assert.deepEqual(await next.page.evaluate(async () => [...new Set((await batten.keeper.list()).map(({ name }) => name))].sort()), ['a \u0007 bell.svg', 'car.svg']);
+  const listed = () => next.page.evaluate(async () => (await batten.keeper.list()).map(({ id, name, place }) => [id, name, place]).sort());
+  const bell = ['fedcba9876543210fedcba9876543210', 'a \u0007 bell.svg', ''];
+  assert.deepEqual(await listed(), [['0123456789abcdef0123456789abcdef', 'car.svg', ''], bell]);
+  // What is drawn on top of it goes on with it, as unsaved work on the file, and is no second drawing.
+  await next.hand.stroke([[200, 120], [300, 80], [400, 120]]);
+  await kept(next.page);
+  assert.deepEqual(await listed(), [['0123456789abcdef0123456789abcdef', 'car.svg', 'car.svg'], bell]);
   assert.deepEqual(await next.page.evaluate(async () => {
     const names = [];
     for await (const name of (await (await navigator.storage.getDirectory()).getDirectoryHandle('journals')).keys()) {
@@ -338,6 +344,27 @@ test('what earlier versions kept is taken over, and their folder goes only then'
     }
     return names;
   }), []);
+  await context.close();
+});
+
+test('a large drawing that is opened or brought back is not made short', async (t) => {
+  const server = await serve();
+  t.after(() => server.close());
+  const { page, context } = await open(browser, server.address);
+  const compacted = await page.evaluate(() => {
+    const { engine } = batten;
+    const count = { compacted: 0 };
+    const { editor_compact: compact } = engine.wasm;
+    engine.wasm = { ...engine.wasm, editor_compact: (...all) => (count.compacted++, compact(...all)) };
+    const path = `<path d="M0 0${'c1 2 3 4 5 6'.repeat(100)}"/>`;
+    engine.openSvg(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">${path.repeat(1500)}</svg>`, 'large.svg');
+    const journal = engine.journal.slice();
+    const { length } = new TextDecoder().decode(journal).trimEnd().split('\n');
+    engine.replay(journal);
+    engine.salvage(journal);
+    return { ...count, lines: length, long: journal.length > 4e6, same: engine.journal.length === journal.length };
+  });
+  assert.deepEqual(compacted, { compacted: 0, lines: 1, long: true, same: true });
   await context.close();
 });
 

@@ -275,18 +275,14 @@ export class Engine extends Instance {
 
   /** @param {string} reader name of the export @param {Uint8Array} bytes @param {string} name */
   #openBytes(reader, bytes, name) {
-    const broken = -1;
-    const status = this.guard(() => this.lend(bytes, (text, size) => this.lend(name, (title) =>
-      this.wasm[reader](this.editor, text, size, title, this.scratch))), broken);
-    this.#opened(status);
+    this.#open(() => this.lend(bytes, (text, size) => this.lend(name, (title) =>
+      this.wasm[reader](this.editor, text, size, title, this.scratch))));
   }
 
   /** @param {string} text of an SVG file @param {string} name @param {import('./svg_reader.js').Watch} [watch] */
   openSvg(text, name, watch) {
-    const broken = -1;
-    const status = this.guard(() => readSvg(this, text, true, (reader) => this.lend(name, (title) =>
-      this.wasm.svg_finish(reader, this.editor, title, this.scratch)), watch), broken);
-    this.#opened(status);
+    this.#open(() => readSvg(this, text, true, (reader) => this.lend(name, (title) =>
+      this.wasm.svg_finish(reader, this.editor, title, this.scratch)), watch));
   }
 
   /** The drawing keeps the file that it was opened from: saving loses nothing of it. */
@@ -308,10 +304,12 @@ export class Engine extends Instance {
     writeLosses(this, losses);
   }
 
-  /** @param {number} status */
-  #opened(status) {
-    this.#done(status);
-    this.begun(new Uint8Array(0)); // to be copied afresh
+  /** Opens a document. @param {() => number} work returns a status */
+  #open(work) {
+    this.#done(this.guard(() => {
+      const status = work();
+      return this.afresh(status, status === OK);
+    }, -1));
   }
 
   /** Throws the reader's message if the status is an error. @param {number} status */

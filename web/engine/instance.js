@@ -300,11 +300,9 @@ export class Instance {
    */
   replay(journal) {
     this.begun(journal); // to be brought back if it traps
-    const status = this.guard(() => this.lend(journal, (text, size) =>
-      this.wasm.editor_replay(this.editor, text, size, 0, this.scratch)), FAILS);
-    if (status !== FAILS) {
-      this.begun(new Uint8Array(0)); // to be copied afresh
-    } else if (this.scarce && !this.dead) { // a new instance has all its memory, and takes a line at a time
+    const status = this.guard(() => this.afresh(this.lend(journal, (text, size) =>
+      this.wasm.editor_replay(this.editor, text, size, 0, this.scratch))), FAILS);
+    if (status === FAILS && this.scarce && !this.dead) { // a new instance has all its memory, and takes a line at a time
       this.bring(journal, null);
     }
     return status === OK || (status === FAILS && !this.dead);
@@ -316,11 +314,21 @@ export class Instance {
    * @returns {number} how many lines could not; -1: nothing could be run, and the document is as it was
    */
   salvage(journal) {
-    const lost = this.guard(() => this.lend(journal, (text, size) => this.wasm.editor_salvage(this.editor, text, size)), -1);
-    if (lost >= 0) {
+    return this.guard(() => {
+      const lost = this.lend(journal, (text, size) => this.wasm.editor_salvage(this.editor, text, size));
+      return this.afresh(lost, lost >= 0);
+    }, -1);
+  }
+
+  /**
+   * The result of a call; the journal that it began is copied afresh.
+   * @param {number} result @param {boolean} [any] whether it began one
+   */
+  afresh(result, any = true) {
+    if (any) {
       this.begun(new Uint8Array(0));
     }
-    return lost;
+    return result;
   }
 
   /**

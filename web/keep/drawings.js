@@ -315,7 +315,8 @@ export class Drawings {
       keeper.begin(engine.drawing);
     }
     this.away = shown && whole && !files.served ? found.place : this.away;
-    if (whole && found.place === this.place) {
+    // Earlier versions, whose ids are longer than 24 letters, noted no file: what is brought back to one goes on with it.
+    if (whole && (found.place === this.place || (!found.place && found.id[24]))) {
       keeper.goOn(found.id, engine.drawing, engine.session, engine.journal.length);
     } else if (!whole) {
       const run = () => files.deliver(found.raw, 'journal', 'application/x-ndjson');
