@@ -188,6 +188,7 @@ bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *she
     size = drop_comments(sheet->text, size);
     sheet->text[size] = '\0';
     sheet->variables = strstr(sheet->text, "--") != NULL;
+    sheet->important = strchr(sheet->text, '!') != NULL;
     bat_status status = parse(sheet, size);
     if (status != BAT_OK) bat_svg_sheet_free(sheet);
     return status;

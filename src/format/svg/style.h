@@ -108,7 +108,7 @@ typedef struct bat_svg_sheet {
     bat_svg_key *keys;   /* one per rule, sorted by what they ask for, then by rule */
     size_t count;
     int blocks;                  /* number of "{ ... }" blocks and "@" rules */
-    bool variables;              /* it may set some */
+    bool variables, important;   /* it may set some; it may hold declarations that are !important */
     bool by_attributes, by_ends; /* keys ask for attributes; for how they begin or end */
 } bat_svg_sheet;
 

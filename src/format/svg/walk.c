@@ -150,7 +150,7 @@ void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *out
     }
     match_rules(w, element, outer, NORMAL, style);
     if (own) declare(outer, own, strlen(own), NORMAL, style);
-    match_rules(w, element, outer, IMPORTANT, style);
+    if (w->sheet->important) match_rules(w, element, outer, IMPORTANT, style);
     if (own) declare(outer, own, strlen(own), IMPORTANT, style);
     if (w->variables.failed) w->status = BAT_MEMORY;
 }
