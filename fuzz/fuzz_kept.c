@@ -8,6 +8,7 @@
 #include <batten/format.h>
 
 #include <stdlib.h>
+#include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -83,6 +84,9 @@ static void write_and_read(const bat_document *document, bool native) {
     if (bat_svg_write(document, native, &text, &size) != BAT_OK) return;
     bat_document *again = open_kept(text, size);
     if (again) demand(!bat_document_check(again), "a document that is not valid");
+    if (native && strstr(text, "<batten:document xmlns:batten=\"urn:batten:1\" drawing=\""))
+        demand(again && bat_document_digest(again) == bat_document_digest(document),
+               "an edited file does not come back bit for bit");
     bat_document_free(again);
     bat_free(text);
 }

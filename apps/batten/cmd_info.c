@@ -193,7 +193,11 @@ static void put_losses(bat_text *text, const drawing_file *drawing, bool all) {
         put_line(text, left, line);
         left = "";
     }
-    if (drawing->report.edited)
+    if (drawing->report.edited && drawing->report.native)
+        put_line(
+            text, "edited",
+            "some objects were changed by another program since Batten saved them: their drawing counts");
+    else if (drawing->report.edited)
         put_line(text, "edited", "changed by another program since Batten saved it: the drawing counts");
 }
 

@@ -193,7 +193,7 @@ typedef enum bat_loss {
     /* of the whole file */
     BAT_LOSS_RULE,   /* of style sheets: what they set is drawn in, where they are known */
     BAT_LOSS_PAGE,   /* its size in units, or another size than that of the view box */
-    BAT_LOSS_NATIVE, /* a document of Batten that the drawing no longer agrees with */
+    BAT_LOSS_NATIVE, /* a document of Batten that the drawing no longer agrees with; or objects of one */
     BAT_LOSS_COUNT
 } bat_loss;
 
@@ -212,7 +212,7 @@ typedef struct bat_svg_report {
     int hidden;        /* paths that are not displayed: kept in the document, hidden; not among `paths` */
     bat_losses lost;   /* what was not */
     bool native;       /* the file carried a native document: every knot is as it was */
-    bool edited;       /* it did, but the drawing has been changed since: the drawing was read */
+    bool edited;       /* it did, but was changed since: the drawing was read; with `native`, in part */
 } bat_svg_report;
 typedef struct bat_svg_reader bat_svg_reader;
 
@@ -254,7 +254,7 @@ BAT_API void bat_svg_report_line(const bat_svg_report *report, char *line, size_
  * nobody can see it: no point moves by more than .001 document units, 1e-5 of its curve's size or a thousandth of the
  * curve's shortest leg; the native document has every bit. A document that was read from an SVG file whose
  * text it keeps is written as that file: what was not edited stays as it was, character by character, and with no edit at
- * all so does the whole file. */
+ * all so does the whole file; the metadata then have only those objects that do not come back from the drawing bit for bit. */
 BAT_API bat_status bat_svg_write(const bat_document *document, bool with_native, char **text, size_t *size);
 /* The same with numbers rounded so that no point moves by more than `precision`, document units; 0: not rounded;
  * BAT_SVG_UNSEEN: as bat_svg_write does. Elements that are kept as they were in their file are not rounded. BAT_ARGUMENT also

@@ -13,8 +13,7 @@ import sys
 import tempfile
 
 from compare import SECONDS, SHARE, compare, files
-
-MOVED = 1e-4  # of the curve's larger side
+from nudge import MOVED
 
 
 def convert(batten, *words):

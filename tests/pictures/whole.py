@@ -15,7 +15,6 @@ import argparse
 import collections
 import concurrent.futures
 import json
-import math
 import pathlib
 import random
 import re
@@ -24,8 +23,9 @@ import subprocess
 import tempfile
 import time
 
-from again import MOVED, tags_between
+from again import tags_between
 from compare import SECONDS, SHARE, compare, files
+from nudge import is_drawing, nudge
 
 CHECKS = ("open", "edit", "look", "picture", "end")
 # What a file has that pictures may differ for: the class of a failure.
@@ -51,30 +51,6 @@ def call(seconds, *words):
         kind = "crashed" if done.returncode < 0 else "refused"
         said = done.stderr.decode(errors="replace").strip().splitlines()
         raise Failed(f"{kind}: {words[1]}: {said[-1] if said else ''}")
-
-
-def shown_paths(drawing):
-    hidden, paths = set(), []
-    for thing in drawing["objects"]:
-        if thing.get("hidden") or thing.get("parent") in hidden:
-            hidden.add(thing["id"])
-        elif thing["kind"] == "path" and thing.get("curves"):
-            paths.append(thing)
-    return paths
-
-
-def nudge(drawing, chance):
-    """Moves a point of a path by a little; False: there is none. Of points that coincide none is moved: between those a curve
-    has no direction, and would get any."""
-    paths = shown_paths(drawing)
-    if not paths:
-        return False
-    points = chance.choice(chance.choice(paths)["curves"])["points"]
-    step = MOVED * (max(max(column) - min(column) for column in zip(*points)) or 1)
-    alone = [i for i in range(1, len(points) - 1)
-             if min(math.dist(points[i][:2], points[k][:2]) for k in (i - 1, i + 1)) > 30 * step]
-    points[chance.choice(alone or range(len(points)))][0] += step
-    return True
 
 
 def causes(text):
@@ -138,12 +114,6 @@ def try_file(batten, source, path, seed):
     if one["wrong"]:
         one["causes"] = causes(text)
     return one
-
-
-def is_drawing(path):
-    """No list of symbols for other files, and nothing that is compressed or a link to nowhere."""
-    return path.is_file() and 0 < path.stat().st_size < 2_000_000 and b"<svg" in path.read_bytes()[:20000] + b"<svg" * (
-        b"<svg:svg" in path.read_bytes()[:20000])
 
 
 def sample(folder, names, count, seed):

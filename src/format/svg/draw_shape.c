@@ -186,6 +186,7 @@ static void draw_outline(bat_svg_walk *w, uint32_t element, bat_svg_scope *s, co
     if (!w->unseen) w->digest = bat_svg_digest(w->digest, &w->outline, &style, &painted.paint);
     if (markers && !w->unseen) w->digest = bat_digest_number(w->digest, marked);
     add_object(w, element, s, box, &painted, markers);
+    if (w->shows) bat_svg_show(w, s, &painted, marked);
 }
 
 void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s) {

@@ -8,43 +8,9 @@
 #include "format/svg/svg.h"
 #include "format/svg/tags.h"
 #include "format/svg/walk.h"
-#include "text/json.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* Gives each entry the object that the native document says: {"elements":[[id, element], ...]}. *out: whether it says so. */
-static bat_status name_native(const bat_svg_reader *reader, bat_sourced *list, int count, bool *out) {
-    bat_json json;
-    const bat_status status = bat_json_parse(reader->native.data ? reader->native.data : "",
-                                             reader->native.size, &json, NULL);
-    if (status != BAT_OK) return status;
-    const uint32_t pairs = bat_json_member(&json, 1, "elements");
-    for (int i = 0; i < count; i++) list[i].id = 0;
-    for (uint32_t pair = bat_json_first(&json, pairs); pair; pair = json.nodes[pair].next) {
-        const uint32_t first = bat_json_first(&json, pair), second = first ? json.nodes[first].next : 0;
-        if (bat_json_type_of(&json, first) != BAT_JSON_NUMBER ||
-            bat_json_type_of(&json, second) != BAT_JSON_NUMBER)
-            continue;
-        const double id = json.nodes[first].value.number, element = json.nodes[second].value.number;
-        int low = 0, high = count;
-        while (low < high) {
-            const int middle = (low + high) / 2;
-            if (list[middle].element < element)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        const bool shared = low + 1 < count && list[low + 1].element == element;
-        if (shared) low++; /* the first is the `use` itself */
-        while (low < count && list[low].element == element && list[low].id) low++;
-        if (low < count && list[low].element == element && id >= 1 && id <= (double)BAT_ID_MAX)
-            list[low].id = (bat_id)id;
-    }
-    *out = pairs != 0;
-    bat_json_free(&json);
-    return BAT_OK;
-}
 
 /* Foreign content of a native document may have been moved before it was saved, and the file's element with it: what counts
  * from now on is how far it is moved from where it is. */
@@ -108,7 +74,8 @@ bat_status bat_svg_keep(const bat_svg_reader *reader, const bat_svg_walk *w, boo
     bool kept;
     bat_status status = bat_svg_match(reader->source, reader->source_size, &reader->tree, &tags, &kept);
     bat_svg_tags_free(&tags);
-    if (status == BAT_OK && kept && native) status = name_native(reader, w->places, w->place_count, &kept);
+    if (status == BAT_OK && kept && native && !reader->held)
+        status = bat_svg_name_native(reader, w->places, w->place_count, &kept);
     if (status != BAT_OK || !kept) return status;
     /* Who asks for fewer nodes whatever the path's size has asked for other path data. */
     const bool simpler = !native && reader->options.tolerance > 0 && !(reader->options.share > 0);

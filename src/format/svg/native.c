@@ -10,6 +10,21 @@
 
 #include <string.h>
 
+void bat_svg_report_native(const bat_document *native, bat_svg_report *report) {
+    report->native = true;
+    report->paths = report->curves = 0;
+    int *invisible = &report->lost.count[BAT_LOSS_INVISIBLE];
+    for (int i = 0; i < bat_document_count(native); i++) {
+        const bat_object *object = bat_document_at(native, i);
+        const bat_style *style = bat_object_style(object);
+        report->paths += bat_object_is_painted(object);
+        if (bat_object_is_painted(object)) report->curves += bat_object_curve_count(object);
+        /* Objects that paint nothing are not read from the drawing, but the native document has them. */
+        if (bat_object_is_painted(object) && !style->stroked && !style->filled && *invisible > 0)
+            --*invisible;
+    }
+}
+
 void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictures *pictures,
                         bat_document **document, bat_svg_report *report) {
     if (!reader->native_element) return;
@@ -32,19 +47,8 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
     if (!seen && !bat_unit_same(*document, native))
         (void)bat_document_set_scale(native, bat_document_scale(*document), bat_document_unit(*document));
     report->edited = false;
-    report->native = true;
     report->lost.count[BAT_LOSS_NATIVE] = 0;
-    report->paths = report->curves = 0;
-    int *invisible = &report->lost.count[BAT_LOSS_INVISIBLE];
-    for (int i = 0; i < bat_document_count(native); i++) {
-        const bat_object *object = bat_document_at(native, i);
-        const bat_style *style = bat_object_style(object);
-        report->paths += bat_object_is_painted(object);
-        if (bat_object_is_painted(object)) report->curves += bat_object_curve_count(object);
-        /* Objects that paint nothing are not read from the drawing, but the native document has them. */
-        if (bat_object_is_painted(object) && !style->stroked && !style->filled && *invisible > 0)
-            --*invisible;
-    }
+    bat_svg_report_native(native, report);
     bat_document_free(*document);
     *document = native;
 }

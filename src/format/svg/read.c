@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "format/glyph/glyph.h"
 #include "format/svg/reader.h"
+#include "format/svg/held.h"
 #include "format/svg/markup.h"
 #include "format/svg/walk.h"
 #include "text/json.h"
@@ -113,6 +114,9 @@ bat_status bat_svg_reader_source(bat_svg_reader *reader, const char *text, size_
 static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_svg_report *report) {
     bat_svg_sheet sheet;
     bat_document *document = NULL;
+    const uint32_t native = reader->native_element;
+    reader->held = native && bat_svg_tree_attribute(&reader->tree, native, "drawing");
+    if (reader->held) bat_svg_held_begin(reader);
     bat_status status = bat_svg_tree_index(&reader->tree);
     if (status == BAT_OK) status = bat_svg_sheet_parse(reader->styles.data, reader->styles.size, &sheet);
     if (status != BAT_OK) return status;
@@ -128,18 +132,26 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
                         .sheet = &sheet,
                         .document = document,
                         .report = report,
-                        .keeps = reader->source || reader->drawn,
+                        .keeps = reader->source || reader->again,
+                        .shows = reader->held || reader->again,
                         .text = reader->source,
                         .text_size = reader->source_size,
                         .digest = bat_digest_begin()};
     status = bat_svg_notes_begin(&w->notes, &reader->tree, &sheet, &w->unseen, &report->lost);
     if (status == BAT_OK) bat_svg_draw_root(w);
     if (status == BAT_OK) status = w->status;
-    if (reader->drawn) *reader->drawn = w->digest;
-    if (status == BAT_OK) bat_svg_use_native(reader, w->digest, &w->pictures, &document, report);
-    if (status == BAT_OK && reader->source && !reader->drawn)
+    if (reader->again) {
+        bat_svg_held_keep(w, reader->again);
+    } else if (status == BAT_OK) {
+        if (reader->held)
+            status = bat_svg_held_use(reader, w, &document, report);
+        else
+            bat_svg_use_native(reader, w->digest, &w->pictures, &document, report);
+    }
+    if (status == BAT_OK && reader->source && !reader->again)
         status = bat_svg_keep(reader, w, report->native, document);
     free(w->places);
+    free(w->shown);
     free(w->opacities);
     bat_svg_stand_free(w);
     bat_outline_free(&w->outline);

@@ -16,14 +16,31 @@ struct bat_svg_reader {
     uint32_t failed_at; /* number of elements begun at that point */
     char *source;       /* the file's text, when it is to be kept */
     size_t source_size;
-    struct bat_glyph *glyph; /* of a file whose root is a glyph; NULL: it is SVG */
-    uint64_t *drawn;         /* where the digest of the drawing goes; NULL: nowhere */
+    struct bat_glyph *glyph;     /* of a file whose root is a glyph; NULL: it is SVG */
+    bool held;                   /* beside the drawing it has only what SVG cannot hold */
+    struct bat_svg_again *again; /* where goes what was read, of which no document is kept; NULL: nowhere */
 };
 
 struct bat_svg_walk;
+struct bat_svg_shown;
+
+/* What a text shows that is read again before it is handed over. All zeros before; released by bat_svg_again_free. */
+typedef struct bat_svg_again {
+    bat_document *document;
+    uint64_t digest; /* of the drawing */
+    struct bat_sourced *places;
+    int place_count;
+    struct bat_svg_shown *shown;
+    int shown_count;
+} bat_svg_again;
+
 /* Keeps the file with the document that was read from it, if its elements are where they seem to be. */
 bat_status bat_svg_keep(const bat_svg_reader *reader, const struct bat_svg_walk *w, bool native,
                         bat_document *document);
+/* Gives each entry the object that the native document says: {"elements":[[id, element], ...]}. *out: whether it says so. */
+bat_status bat_svg_name_native(const bat_svg_reader *reader, struct bat_sourced *list, int count, bool *out);
+/* Counts what the native document has in the place of the drawing. */
+void bat_svg_report_native(const bat_document *native, bat_svg_report *report);
 
 /* Replaces the document by the native one when the drawing still shows what was written with it. */
 void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictures *pictures,

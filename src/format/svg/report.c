@@ -66,7 +66,13 @@ void bat_svg_report_line(const bat_svg_report *report, char *line, size_t room) 
     }
     if (used > 0) snprintf(line + used, room - used, ".");
     used = strlen(line);
-    if (report->edited)
+    const int changed = report->lost.count[BAT_LOSS_NATIVE];
+    if (report->edited && report->native)
+        snprintf(
+            line + used, room - used,
+            "%s%d object%s changed by another program since Batten saved the file: read from the drawing.",
+            used ? " " : "", changed, changed == 1 ? " was" : "s were");
+    else if (report->edited)
         snprintf(line + used, room - used,
                  "%sChanged by another program since Batten saved it: the drawing counts.", used ? " " : "");
 }

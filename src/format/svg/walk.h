@@ -56,6 +56,12 @@ typedef struct bat_svg_collected {
     bool whole; /* nothing was left out */
 } bat_svg_collected;
 
+/* What is seen of the shape that an object was made of. */
+typedef struct bat_svg_shown {
+    bat_id id;
+    uint64_t digest;
+} bat_svg_shown;
+
 typedef void bat_svg_way(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 
 struct bat_svg_walk {
@@ -96,8 +102,11 @@ struct bat_svg_walk {
     double *opacities;  /* of elements, their own */
     bat_sourced *places;
     int place_count, place_room;
-    int place;         /* index of the place of the element being drawn */
-    bat_svg_way *draw; /* draws an element of any kind in place */
+    int place;            /* index of the place of the element being drawn */
+    bat_svg_way *draw;    /* draws an element of any kind in place */
+    bat_svg_shown *shown; /* of each shape, by id, where it is noted (held.c) */
+    int shown_count, shown_room;
+    bool shows;        /* it is */
     bat_status status; /* a failure stops everything */
 };
 
@@ -132,6 +141,10 @@ typedef struct bat_svg_painted {
 /* box: of the shape, in its own units. */
 void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
                            bat_svg_painted *out);
+
+/* ---- held.c ---- */
+/* Notes what the shape in w->outline shows, of which the last object was made; marked: digest of its markers. */
+void bat_svg_show(bat_svg_walk *w, const bat_svg_scope *s, const bat_svg_painted *painted, uint64_t marked);
 
 /* ---- server.c: gradients ---- */
 typedef enum bat_svg_served {

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "document/document.h"
-#include "format/svg/covered.h"
+#include "format/svg/write/covered.h"
 #include "format/svg/tags.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
@@ -513,6 +513,7 @@ static void random_edits_are_written(void **state) {
             assert_int_equal(read_file(whole, strlen(whole), &back, &report), BAT_OK);
             assert_true(bat_svg_is_kept(back));
             if (strcmp(whole, file) != 0) {
+                assert_non_null(strstr(whole, " drawing=\"")); /* it holds what SVG cannot, and no more */
                 assert_true(report.native);
                 assert_true(bat_document_digest(back) == bat_document_digest(document));
                 bat_document_free(document);

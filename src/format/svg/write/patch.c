@@ -4,7 +4,7 @@
 #include "document/digest.h"
 #include "document/kind.h"
 #include "format/native/native.h"
-#include "format/svg/covered.h"
+#include "format/svg/write/covered.h"
 #include "format/svg/reader.h"
 
 #include <math.h>
@@ -124,8 +124,8 @@ static bool is_native(const bat_svg_patch *p, uint32_t element) {
     return false;
 }
 
-static const char NATIVE_BEGIN[] = "<batten:document xmlns:batten=\"" BAT_SVG_NATIVE_NAMESPACE "\" digest=\"";
-static const char NATIVE_EMPTY[] = "\"></batten:document>";
+#define NATIVE_BEGIN "<batten:document xmlns:batten=\"" BAT_SVG_NATIVE_NAMESPACE "\" "
+static const char NATIVE_PLACE[] = NATIVE_BEGIN "></batten:document>";
 
 static size_t blanks_at(const bat_svg_patch *p, size_t at) { return strspn(p->plan.text + at, " \t\r\n"); }
 
@@ -150,8 +150,7 @@ static void place_native(bat_svg_patch *p, bool with_native) {
     const bool whole = !native && !metadata;
     if (whole) bat_text_string(&p->made, "\n<metadata>");
     bat_svg_patch_mark(p, 0);
-    bat_text_string(&p->made, NATIVE_BEGIN);
-    bat_text_string(&p->made, NATIVE_EMPTY);
+    bat_text_string(&p->made, NATIVE_PLACE);
     if (whole) bat_text_string(&p->made, "</metadata>");
     const bat_svg_tag *tag = tag_of(p, native ? native : metadata ? metadata : 1);
     bat_svg_patch_edit(p, from,
@@ -189,21 +188,9 @@ static bat_status find_next(seen *s, const bat_object *object, const bat_object 
                                                                                             : BAT_OK;
 }
 
-/* Reads the new text as any reader will: its digest, and whether it shows what the document holds. */
-static bat_status read_again(const bat_document *document, const bat_text *text, uint64_t *digest) {
-    bat_svg_reader *reader;
-    bat_document *again = NULL;
-    bat_status status = bat_svg_reader_create(NULL, &reader);
-    if (status != BAT_OK) return status;
-    reader->drawn = digest;
-    status = bat_svg_reader_source(reader, text->data, text->size);
-    if (status == BAT_OK) status = bat_svg_feed(text->data, text->size, reader);
-    if (status != BAT_OK) {
-        bat_svg_reader_free(reader);
-        return status == BAT_MEMORY ? BAT_MEMORY : BAT_UNSUPPORTED;
-    }
-    status = bat_svg_reader_finish(reader, &again, NULL, NULL);
-    if (status != BAT_OK) return status == BAT_MEMORY ? BAT_MEMORY : BAT_UNSUPPORTED;
+/* Whether the new text shows what the document holds. */
+static bat_status see_again(const bat_document *document, const bat_document *again) {
+    bat_status status = BAT_OK;
     double all[4];
     bat_document_bounds(document, all);
     const double slack = 1e-3 * fmax(1, bat_hypot(all[2] - all[0], all[3] - all[1]));
@@ -228,21 +215,7 @@ static bat_status read_again(const bat_document *document, const bat_text *text,
     int k = s.next;
     for (const bat_object *other; (other = bat_document_at(again, k)); k++)
         if (status == BAT_OK && bat_object_is_drawn(other)) status = BAT_UNSUPPORTED;
-    bat_document_free(again);
     return status;
-}
-
-/* The number of the element that begins there, or 0. */
-static uint32_t element_at(const bat_svg_tags *tags, size_t at) {
-    uint32_t low = 1, high = tags->count;
-    while (low < high) {
-        const uint32_t middle = (low + high) / 2;
-        if (tags->list[middle].open < at)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < tags->count && tags->list[low].open == at ? low : 0;
 }
 
 /* The native document, with the element of each object. */
@@ -259,7 +232,7 @@ static bat_status write_native(const bat_document *document, const bat_svg_outpu
     bat_text_string(&json, ",\n\"elements\":[");
     bool first = true;
     for (int i = 0; i < out->count; i++) {
-        const uint32_t element = out->marks[i].id ? element_at(&tags, out->marks[i].at) : 0;
+        const uint32_t element = out->marks[i].id ? bat_svg_element_at(&tags, out->marks[i].at) : 0;
         if (!element) continue;
         bat_text_string(&json, first ? "[" : ",[");
         bat_text_integer(&json, out->marks[i].id);
@@ -271,7 +244,7 @@ static bat_status write_native(const bat_document *document, const bat_svg_outpu
     bat_text_string(&json, "]}\n");
     bat_svg_tags_free(&tags);
     bat_digest_print(digest, noted);
-    bat_text_string(text, NATIVE_BEGIN);
+    bat_text_string(text, NATIVE_BEGIN "digest=\"");
     bat_text_string(text, noted);
     bat_text_string(text, "\">");
     if (json.data) bat_text_xml(text, json.data, json.size, false);
@@ -281,19 +254,34 @@ static bat_status write_native(const bat_document *document, const bat_svg_outpu
     return BAT_OK;
 }
 
+/* What SVG cannot hold, or, where it cannot be told apart, the native document. */
+static bat_status write_beside(const bat_document *document, const bat_svg_output *out,
+                               const bat_svg_again *again, bat_text *text) {
+    const size_t from = text->size;
+    bat_text_string(text, NATIVE_BEGIN);
+    const bat_status status = bat_svg_held_write(document, out, again, text);
+    bat_text_string(text, "</batten:document>");
+    if (status != BAT_UNSUPPORTED) return status;
+    text->size = from;
+    return write_native(document, out, again->digest, text);
+}
+
 static bat_status finish(const bat_document *document, const bat_svg_output *out, bool with_native,
                          bat_text *text) {
-    uint64_t digest = 0;
-    bat_status status = read_again(document, &out->text, &digest);
+    const bat_svg_options merging = bat_svg_merging();
+    bat_svg_again again = {0};
+    bat_status status = bat_svg_again_read(&out->text, &merging, &again);
+    if (status == BAT_OK) status = see_again(document, again.document);
     size_t at = out->text.size, behind = at;
     for (int i = 0; i < out->count && with_native; i++)
         if (out->marks[i].id == 0) {
             at = out->marks[i].at;
-            behind = at + sizeof NATIVE_BEGIN - 1 + sizeof NATIVE_EMPTY - 1;
+            behind = at + sizeof NATIVE_PLACE - 1;
         }
     if (status == BAT_OK) bat_text_add(text, out->text.data, at);
-    if (status == BAT_OK && with_native) status = write_native(document, out, digest, text);
+    if (status == BAT_OK && with_native) status = write_beside(document, out, &again, text);
     if (status == BAT_OK) bat_text_add(text, out->text.data + behind, out->text.size - behind);
+    bat_svg_again_free(&again);
     return status == BAT_OK && text->failed ? BAT_MEMORY : status;
 }
 

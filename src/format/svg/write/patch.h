@@ -4,6 +4,7 @@
 #define BATTEN_FORMAT_SVG_WRITE_PATCH_H
 
 #include "format/svg/markup.h"
+#include "format/svg/reader.h"
 #include "format/svg/svg.h"
 #include "format/svg/write/plan.h"
 #include "format/svg/write/retag.h"
@@ -109,6 +110,18 @@ void bat_svg_patch_markers(bat_svg_patch *p, const bat_object *object, const dou
 void bat_svg_patch_new(bat_svg_patch *p);
 /* Writes such an object as what is new, in the place of its element. */
 void bat_svg_patch_remake(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool hides);
+
+/* ---- again.c: what is written is read again ---- */
+/* As any reader will read it; BAT_UNSUPPORTED: none can. */
+bat_status bat_svg_again_read(const bat_text *text, const bat_svg_options *options, bat_svg_again *out);
+void bat_svg_again_free(bat_svg_again *again);
+/* The number of the element that begins there, or 0. */
+uint32_t bat_svg_element_at(const bat_svg_tags *tags, size_t at);
+/* ---- beside.c: what SVG cannot hold ---- */
+/* Writes the attributes and the content of the element that holds it. again: the text as it is read with merged nodes.
+ * BAT_UNSUPPORTED: the document does not come back in this way. */
+bat_status bat_svg_held_write(const bat_document *document, const bat_svg_output *out,
+                              const bat_svg_again *again, bat_text *text);
 
 /* The file as it is now. BAT_UNSUPPORTED: it cannot be written so. O(size). */
 bat_status bat_svg_patch_write(const bat_document *document, bool with_native, double precision,

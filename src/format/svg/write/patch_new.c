@@ -2,7 +2,7 @@
  * and order allow, so that as little as possible of what is around it has an effect on it. */
 #include "base/matrix.h"
 #include "document/kind.h"
-#include "format/svg/covered.h"
+#include "format/svg/write/covered.h"
 #include "format/svg/markup.h"
 #include "format/svg/svg.h"
 #include "format/svg/write/patch.h"

@@ -4,7 +4,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/nesting.h"
-#include "format/svg/covered.h"
+#include "format/svg/write/covered.h"
 #include "format/native/native.h"
 #include "format/svg/svg.h"
 #include "format/svg/digest.h"

@@ -1,4 +1,4 @@
-#include "format/svg/covered.h"
+#include "format/svg/write/covered.h"
 
 #include "document/markers.h"
 

@@ -1,6 +1,6 @@
 /* Strokes whose width changes along them, as what covers them, for what knows no such strokes. */
-#ifndef BATTEN_FORMAT_SVG_COVERED_H
-#define BATTEN_FORMAT_SVG_COVERED_H
+#ifndef BATTEN_FORMAT_SVG_WRITE_COVERED_H
+#define BATTEN_FORMAT_SVG_WRITE_COVERED_H
 
 #include <batten/paint.h>
 
