@@ -16,8 +16,8 @@ def shown_paths(drawing):
 
 
 def nudge(drawing, chance, by=MOVED):
-    """Moves a point of a path by a share of its curve's larger side; False: there is none. Of points that coincide none is moved: between those a curve
-    has no direction, and would get any."""
+    """Moves a point of a path by a share of its curve's larger side; False: there is none. Of points that coincide none is moved:
+    between those a curve has no direction, and would get any."""
     paths = shown_paths(drawing)
     if not paths:
         return False
