@@ -6,6 +6,8 @@
 #include "picture.h"
 #include "program.h"
 
+#include "format/model/drawn.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -184,20 +186,21 @@ static int put_page(const cli_arguments *arguments, const drawing_file *drawing,
 }
 
 /* What is in space, as a file of another program. */
-static int put_model(const cli_arguments *arguments, const drawing_file *drawing, const model_kind *kind,
-                     double tolerance) {
+static int put_model(const cli_arguments *arguments, const drawing_file *drawing,
+                     const bat_model_format *format, double tolerance) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     bat_model model;
     int flat;
-    const page_stand stand = arguments_value(arguments, "--floor")  ? PAGE_IS_FLOOR
-                             : arguments_value(arguments, "--wall") ? PAGE_IS_WALL
-                                                                    : page_stand_of(drawing->document);
-    const bat_status status = model_of_drawing(drawing->document, kind, stand, &model, &flat);
+    const bat_stand stand = arguments_value(arguments, "--floor")  ? BAT_STAND_FLOOR
+                            : arguments_value(arguments, "--wall") ? BAT_STAND_WALL
+                                                                   : bat_stand_of(drawing->document);
+    const bat_room room = {stand, format->unit, format->up_is_y};
+    const bat_status status = bat_model_of_drawing(drawing->document, &room, &model, &flat);
     if (status == BAT_COUNT)
         return fail_data(in, NULL, "expected a surface, a mesh or a curve in space, found %s",
                          flat ? "curves that lie flat: write them as .svg or .dxf" : "none");
     if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
-    const int failed = model_put(in, out, kind, &model, tolerance);
+    const int failed = model_put(in, out, format, &model, tolerance);
     bat_model_clear(&model);
     if (failed) return failed;
     if (flat) remark("%s: %d curve%s left out: on the page, not in space", in, flat, flat == 1 ? "" : "s");
@@ -206,28 +209,29 @@ static int put_model(const cli_arguments *arguments, const drawing_file *drawing
 }
 
 /* A drawing as a model: the name says so, and --to names no other format. */
-static const model_kind *model_wanted(const cli_arguments *arguments) {
-    const model_kind *kind = arguments_value(arguments, "--to") ? NULL
-                                                                : model_kind_of(arguments->operands[1]);
-    return kind && kind->of_drawings ? kind : NULL;
+static const bat_model_format *model_wanted(const cli_arguments *arguments) {
+    const bat_model_format *format = arguments_value(arguments, "--to")
+                                         ? NULL
+                                         : bat_model_format_called(arguments->operands[1]);
+    return format && format->of_drawings ? format : NULL;
 }
 
-static int run_model(const cli_arguments *arguments, const model_kind *kind) {
+static int run_model(const cli_arguments *arguments, const bat_model_format *format) {
     double tolerance = 0;
     drawing_file drawing;
-    int failed = options_fit(arguments, kind->ending + 1);
+    int failed = options_fit(arguments, format->name);
     if (arguments_value(arguments, "--floor") && arguments_value(arguments, "--wall"))
         failed = fail_usage(arguments->command, "--floor and --wall exclude each other");
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
     if (!failed) failed = drawing_read(arguments->operands[0], NULL, &drawing);
     if (failed) return failed;
-    failed = put_model(arguments, &drawing, kind, tolerance);
+    failed = put_model(arguments, &drawing, format, tolerance);
     drawing_free(&drawing);
     return failed;
 }
 
 static int run_one(const cli_arguments *arguments) {
-    const model_kind *model = model_wanted(arguments);
+    const bat_model_format *model = model_wanted(arguments);
     if (model) return run_model(arguments, model);
     if (arguments_value(arguments, "--floor") || arguments_value(arguments, "--wall"))
         return fail_usage(arguments->command, "--floor and --wall are for .stl, .glb, .step and .iges");

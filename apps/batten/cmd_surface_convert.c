@@ -1,22 +1,23 @@
 /* batten surface convert: shapes in space as files of other programs. */
 #include "model_file.h"
+#include "format/model/drawn.h"
 #include "program.h"
 #include "results.h"
 
 static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
-    const model_kind *kind = model_kind_of(out);
+    const bat_model_format *format = bat_model_format_called(out);
     double tolerance = 0;
     bat_model model;
-    if (!kind)
+    if (!format)
         return fail_usage(arguments->command,
                           "%s: expected a name that ends in .json, .obj, .stl, .glb, .igs or .step", out);
     int failed = arguments_number(arguments, "--tolerance", 1e-30, 1e30, &tolerance);
     if (!failed) failed = read_model(in, &model);
     if (failed) return failed;
     const int left_out = model.left_out;
-    const bat_status status = kind->divide ? model_face_outward(&model) : BAT_OK;
-    failed = status == BAT_OK ? model_put(in, out, kind, &model, tolerance)
+    const bat_status status = format->divide ? bat_model_face_outward(&model) : BAT_OK;
+    failed = status == BAT_OK ? model_put(in, out, format, &model, tolerance)
                               : fail_data(in, NULL, "%s", bat_status_message(status));
     bat_model_clear(&model);
     if (!failed && left_out > 0)

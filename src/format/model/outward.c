@@ -1,5 +1,5 @@
 /* Which way the surfaces of a model face. */
-#include "model_file.h"
+#include "format/model/drawn.h"
 
 #include <batten/surface.h>
 #include <stdlib.h>
@@ -56,7 +56,7 @@ static bat_status exchanged(const bat_surface *surface, bat_surface **out) {
     return status;
 }
 
-bat_status model_face_outward(bat_model *model) {
+bat_status bat_model_face_outward(bat_model *model) {
     for (size_t i = 0; i < model->surface_count; i++) {
         bat_surface *surface = model->surfaces[i], *turned = NULL;
         double volume = 0;

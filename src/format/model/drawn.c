@@ -1,6 +1,5 @@
 /* What of a drawing is in space, as a model of another program: in its unit and upright. */
-#include "model_file.h"
-
+#include "format/model/drawn.h"
 #include "document/kind.h"
 
 #include <batten/mesh.h>
@@ -87,21 +86,22 @@ static bat_status add(gathering *g, const bat_object *object, int *flat) {
     return status;
 }
 
-page_stand page_stand_of(const bat_document *document) {
+bat_stand bat_stand_of(const bat_document *document) {
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_kind_type *kind = bat_object_type(object);
         int count = 0;
         const double *flat = kind->ground ? kind->ground(object, &count) : NULL; /* origin, two unit axes */
-        if (flat && count == 9 && fabs(flat[3] * flat[7] - flat[4] * flat[6]) < UPRIGHT) return PAGE_IS_FLOOR;
+        if (flat && count == 9 && fabs(flat[3] * flat[7] - flat[4] * flat[6]) < UPRIGHT)
+            return BAT_STAND_FLOOR;
     }
-    return PAGE_IS_WALL;
+    return BAT_STAND_WALL;
 }
 
-bat_status model_of_drawing(const bat_document *document, const model_kind *kind, page_stand stand,
-                            bat_model *out, int *flat) {
-    const double scale = bat_document_scale(document) / kind->unit;
-    const double *way = WAYS[stand == PAGE_IS_FLOOR][kind->up_is_y];
+bat_status bat_model_of_drawing(const bat_document *document, const bat_room *room, bat_model *out,
+                                int *flat) {
+    const double scale = bat_document_scale(document) / room->unit;
+    const double *way = WAYS[room->stand == BAT_STAND_FLOOR][room->up_is_y];
     const int count = bat_document_count(document);
     gathering g = {.model = out};
     *out = (bat_model){.mesh = NULL};
@@ -122,7 +122,7 @@ bat_status model_of_drawing(const bat_document *document, const model_kind *kind
         status = bat_polymesh_create(g.vertex_count, g.vertices, g.face_count, g.sizes, g.corners, &out->mesh,
                                      NULL);
     if (status == BAT_OK && !out->mesh && out->surface_count + out->curve_count == 0) status = BAT_COUNT;
-    if (status == BAT_OK) status = model_face_outward(out);
+    if (status == BAT_OK) status = bat_model_face_outward(out);
     free(g.vertices);
     free(g.sizes);
     free(g.corners);

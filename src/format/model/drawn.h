@@ -1,0 +1,29 @@
+/* Internal to formats: what of a drawing is in space, as models of other programs hold it. */
+#ifndef BATTEN_FORMAT_DRAWN_H
+#define BATTEN_FORMAT_DRAWN_H
+
+#include <batten/document.h>
+#include <batten/format.h>
+
+/* How the page stands in a room: as a wall, its up is up; as a floor, up is towards the eye. */
+typedef enum bat_stand { BAT_STAND_WALL, BAT_STAND_FLOOR } bat_stand;
+/* A floor where a plane stands on it at right angles, else a wall. O(objects). */
+bat_stand bat_stand_of(const bat_document *document);
+
+/* The room that a model is put into. */
+typedef struct bat_room {
+    bat_stand stand;
+    double unit;  /* millimetres */
+    bool up_is_y; /* else up is z */
+} bat_room;
+/*
+ * What is seen of a drawing in space: surfaces, meshes (as one) and curves, in the room's unit and the room's up; closed
+ * surfaces with their normals outward. flat: the curves that lie on the page, which are left out. BAT_COUNT: nothing is in
+ * space. Released by bat_model_clear.
+ */
+bat_status bat_model_of_drawing(const bat_document *document, const bat_room *room, bat_model *out,
+                                int *flat);
+/* Turns the surfaces that are closed in a direction whose normals point inward, by exchanging u and v. On failure some are not. */
+bat_status bat_model_face_outward(bat_model *model);
+
+#endif
