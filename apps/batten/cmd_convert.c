@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define OPTION_TRIANGLES "--triangles"
+
 enum { TEMPLATE_ROOM = 1024 };
 
 /* The format of OUT: from --to, else from its name. *page: PDF or EPS, which are pictures; then *out is NULL. */
@@ -187,7 +189,7 @@ static int put_page(const cli_arguments *arguments, const drawing_file *drawing,
 
 /* What is in space, as a file of another program. */
 static int put_model(const cli_arguments *arguments, const drawing_file *drawing,
-                     const bat_model_format *format, double tolerance) {
+                     const bat_model_format *format, const bat_dividing *how) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     bat_model model;
     int flat;
@@ -200,7 +202,7 @@ static int put_model(const cli_arguments *arguments, const drawing_file *drawing
         return fail_data(in, NULL, "expected a surface, a mesh or a curve in space, found %s",
                          flat ? "curves that lie flat: write them as .svg or .dxf" : "none");
     if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
-    const int failed = model_put(in, out, format, &model, tolerance);
+    const int failed = model_put(in, out, format, &model, how);
     bat_model_clear(&model);
     if (failed) return failed;
     if (flat) remark("%s: %d curve%s left out: on the page, not in space", in, flat, flat == 1 ? "" : "s");
@@ -208,24 +210,27 @@ static int put_model(const cli_arguments *arguments, const drawing_file *drawing
     return EXIT_DONE;
 }
 
-/* A drawing as a model: the name says so, and --to names no other format. */
+/* A drawing as a model: the name says so, or for .obj an option, and --to names no other format. */
 static const bat_model_format *model_wanted(const cli_arguments *arguments) {
     const bat_model_format *format = arguments_value(arguments, "--to")
                                          ? NULL
                                          : bat_model_format_called(arguments->operands[1]);
-    return format && format->of_drawings ? format : NULL;
+    if (!format ||
+        !(arguments_value(arguments, OPTION_TRIANGLES) ? format->divide != NULL : format->of_drawings))
+        return NULL;
+    return format;
 }
 
 static int run_model(const cli_arguments *arguments, const bat_model_format *format) {
-    double tolerance = 0;
+    bat_dividing how = {0, arguments_value(arguments, OPTION_TRIANGLES) != NULL};
     drawing_file drawing;
     int failed = options_fit(arguments, format->name);
     if (arguments_value(arguments, "--floor") && arguments_value(arguments, "--wall"))
         failed = fail_usage(arguments->command, "--floor and --wall exclude each other");
-    if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
+    if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &how.tolerance);
     if (!failed) failed = drawing_read(arguments->operands[0], NULL, &drawing);
     if (failed) return failed;
-    failed = put_model(arguments, &drawing, format, tolerance);
+    failed = put_model(arguments, &drawing, format, &how);
     drawing_free(&drawing);
     return failed;
 }
@@ -235,6 +240,8 @@ static int run_one(const cli_arguments *arguments) {
     if (model) return run_model(arguments, model);
     if (arguments_value(arguments, "--floor") || arguments_value(arguments, "--wall"))
         return fail_usage(arguments->command, "--floor and --wall are for .stl, .glb, .step and .iges");
+    if (arguments_value(arguments, OPTION_TRIANGLES))
+        return fail_usage(arguments->command, "%s is for .obj, .stl and .glb", OPTION_TRIANGLES);
     const bat_format *format;
     picture_kind page;
     bat_svg_options options = bat_svg_merging();
@@ -299,6 +306,8 @@ const cli_command command_convert = {
                 {"--floor", NULL,
                  "to .stl, .glb, .step, .iges: up is towards the eye; so where a plane stands on the page"},
                 {"--wall", NULL, "to .stl, .glb, .step, .iges: up is the page's up; so where none does"},
+                {OPTION_TRIANGLES, NULL,
+                 "to .obj: triangles of what is in space, upright and in millimetres, not B-splines"},
                 {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
     .run = run,
 };

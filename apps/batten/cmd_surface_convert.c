@@ -7,17 +7,17 @@
 static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     const bat_model_format *format = bat_model_format_called(out);
-    double tolerance = 0;
+    bat_dividing how = {0, false};
     bat_model model;
     if (!format)
         return fail_usage(arguments->command,
                           "%s: expected a name that ends in .json, .obj, .stl, .glb, .igs or .step", out);
-    int failed = arguments_number(arguments, "--tolerance", 1e-30, 1e30, &tolerance);
+    int failed = arguments_number(arguments, "--tolerance", 1e-30, 1e30, &how.tolerance);
     if (!failed) failed = read_model(in, &model);
     if (failed) return failed;
     const int left_out = model.left_out;
-    const bat_status status = format->divide ? bat_model_face_outward(&model) : BAT_OK;
-    failed = status == BAT_OK ? model_put(in, out, format, &model, tolerance)
+    const bat_status status = !format->write ? bat_model_face_outward(&model) : BAT_OK;
+    failed = status == BAT_OK ? model_put(in, out, format, &model, &how)
                               : fail_data(in, NULL, "%s", bat_status_message(status));
     bat_model_clear(&model);
     if (!failed && left_out > 0)

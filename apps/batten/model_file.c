@@ -22,10 +22,10 @@ static int fail_write(const char *in, const bat_model_format *format, bat_status
 }
 
 int model_put(const char *in, const char *out, const bat_model_format *format, const bat_model *model,
-              double tolerance) {
+              const bat_dividing *how) {
     char *bytes = NULL;
     size_t size = 0;
-    const bat_status status = bat_model_format_write(format, model, tolerance, &bytes, &size);
+    const bat_status status = bat_model_format_write(format, model, how, &bytes, &size, NULL);
     const int failed = status == BAT_OK ? io_write(out, bytes, size) : fail_write(in, format, status);
     bat_free(bytes);
     return failed;

@@ -6,6 +6,6 @@
 
 /* Writes the file; in: the name that failures are reported under. Returns 0, or an exit status. */
 int model_put(const char *in, const char *out, const bat_model_format *format, const bat_model *model,
-              double tolerance);
+              const bat_dividing *how);
 
 #endif

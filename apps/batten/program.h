@@ -5,7 +5,7 @@
 #include <batten/format.h>
 
 enum { EXIT_DONE = 0, EXIT_DATA = 1, EXIT_USAGE = 2 };
-enum { OPTIONS_MAX = 12, OPERANDS_MAX = 256 };
+enum { OPTIONS_MAX = 16, OPERANDS_MAX = 256 };
 
 typedef struct cli_option {
     const char *name;  /* "--at" */

@@ -1,12 +1,17 @@
 #include "format/models.h"
 
+#include "format/gltf/gltf.h"
+#include "format/obj/obj.h"
+#include "format/stl/stl.h"
+
+#include <math.h>
 #include <string.h>
 
 static const bat_model_format formats[] = {
     {"json", NULL, bat_model_write, NULL, "a mesh, surfaces or curves", 1, true, false},
-    {"obj", NULL, bat_obj_write, NULL, "a mesh, surfaces or curves", 1, true, false},
-    {"stl", NULL, NULL, bat_stl_write, "faces or surfaces", 1, false, true},
-    {"glb", NULL, NULL, bat_gltf_write, "a mesh, surfaces or curves", 1000, true, true},
+    {"obj", NULL, bat_obj_write, bat_obj_put_parts, "a mesh, surfaces or curves", 1, true, false},
+    {"stl", NULL, NULL, bat_stl_put_parts, "faces or surfaces", 1, false, true},
+    {"glb", NULL, NULL, bat_gltf_put_parts, "a mesh, surfaces or curves", 1000, true, true},
     {"iges", "igs", bat_iges_write, NULL, "surfaces or curves", 1, false, true},
     {"step", "stp", bat_step_write, NULL, "surfaces or curves", 1, false, true},
 };
@@ -30,7 +35,29 @@ const bat_model_format *bat_model_format_called(const char *file) {
     return dot && dot != file ? bat_model_format_named(dot + 1) : NULL;
 }
 
-bat_status bat_model_format_write(const bat_model_format *format, const bat_model *model, double tolerance,
-                                  char **bytes, size_t *size) {
-    return format->write ? format->write(model, bytes, size) : format->divide(model, tolerance, bytes, size);
+static void tell(const bat_parts *parts, bat_model_told *told) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    told->triangle_count = 0;
+    for (size_t i = 0; i < parts->count; i++) {
+        const bat_part *part = &parts->part[i];
+        told->triangle_count += part->triangle_count;
+        for (size_t k = 0; k < 3 * part->vertex_count; k++) {
+            low[k % 3] = fmin(low[k % 3], part->points[k]);
+            high[k % 3] = fmax(high[k % 3], part->points[k]);
+        }
+    }
+    for (int k = 0; k < 3; k++) told->size[k] = fmax(high[k] - low[k], 0);
+}
+
+bat_status bat_model_format_write(const bat_model_format *format, const bat_model *model,
+                                  const bat_dividing *how, char **bytes, size_t *size, bat_model_told *told) {
+    const bool whole = format->write && !(how->always && format->divide);
+    bat_parts parts = {.count = 0};
+    bat_status status = BAT_OK;
+    if (!whole || told) status = bat_parts_create(model, how->tolerance, &parts);
+    if (status == BAT_OK)
+        status = whole ? format->write(model, bytes, size) : format->divide(&parts, bytes, size);
+    if (status == BAT_OK && told) tell(&parts, told);
+    bat_parts_clear(&parts);
+    return status;
 }

@@ -1,6 +1,7 @@
 /* The engine as exports: one function each, arguments as addresses in the module's memory. */
 #include "module.h"
 
+#include "editor/export.h"
 #include "format/formats.h"
 #include "format/json/losses.h"
 
@@ -435,18 +436,7 @@ int editor_copy(bat_editor *editor, int cut, module_bytes *out) {
 int editor_export(const bat_editor *editor, const char *format, int part, module_bytes *out,
                   bat_problem *problem) {
     MODULE_CHECK(editor && format && out && problem);
-    problem->place[0] = problem->message[0] = '\0';
-    bat_document *document = NULL;
-    bat_status status = bat_editor_excerpt(editor, (bat_excerpt)part, &document);
-    if (status == BAT_OK && strcmp(format, "plain") == 0)
-        status = bat_svg_write(document, false, &out->data, &out->size);
-    else if (status == BAT_OK) {
-        const bat_format *found = bat_format_named(format);
-        status = found && found->write ? found->write(document, &out->data, &out->size, problem)
-                                       : BAT_ARGUMENT;
-    }
-    bat_document_free(document);
-    return (int)status;
+    return (int)bat_editor_export(editor, format, (bat_excerpt)part, &out->data, &out->size, problem);
 }
 
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name) {

@@ -2,13 +2,15 @@
 // The last choice is remembered. Fetched with the first export.
 
 import { answer, question } from './question.js';
-import { Measure } from '../page/measure.js';
+import { excerpt } from './excerpt.js';
+import { row, select } from './fields.js';
 import { pictureOf, print } from './picture.js';
 import { FORMATS, PNG } from './formats.js';
-import { Refusal, word } from '../page/words.js';
+import { Space, standing } from './export_space.js';
+import { word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
-/** @typedef {{ format: string, part: number, width: number, white: boolean }} Choice */
+/** @typedef {{ format: string, part: number, width: number, white: boolean, tolerance: number }} Choice */
 
 const STORE = 'batten-export';
 const WIDEST = 16384; // pixels that browsers paint
@@ -18,7 +20,7 @@ const SELECTION = 2;
 
 /** @returns {Choice} */
 function remembered() {
-  const usual = { format: 'svg', part: 0, width: 0, white: true };
+  const usual = { format: 'svg', part: 0, width: 0, white: true, tolerance: 0 };
   try {
     return { ...usual, ...JSON.parse(localStorage.getItem(STORE) ?? '{}') };
   } catch {
@@ -27,52 +29,12 @@ function remembered() {
 }
 
 /**
- * The bytes of that part in a format of the engine's; throws why there are none.
- * @param {import('../engine/engine.js').Engine} engine @param {string} format @param {number} part
- * @returns {Uint8Array}
+ * The fields of the sheet, and what they say.
+ * @param {import('../engine/engine.js').Engine} engine @param {Choice} choice @param {boolean} selected
+ * @param {boolean} [floor] whether the page is one; without: nothing is in space
  */
-export function excerpt(engine, format, part) {
-  const problem = engine.scratch + 16; // after where the bytes are told
-  const bytes = engine.guard(() => engine.lend(format, (name) => {
-    const status = engine.wasm.editor_export(engine.editor, name, part, engine.scratch, problem);
-    const why = engine.string(problem + engine.layout['problem.message'] - engine.layout['problem.place']);
-    return status ? why || engine.string(engine.wasm.status_message(status)) : engine.take();
-  }), /** @type {string | Uint8Array} */ (word('shell.not-written')));
-  if (typeof bytes === 'string') {
-    throw new Refusal(bytes);
-  }
-  return bytes;
-}
-
-/** @param {string} id @param {string} words @param {HTMLInputElement | HTMLSelectElement} field @param {string} [unit] of a number */
-function row(id, words, field, unit) {
-  const control = document.createElement('div');
-  const label = document.createElement('label');
-  control.className = 'control';
-  field.id = `export-${id}`;
-  label.htmlFor = field.id;
-  label.textContent = words;
-  control.append(label, field);
-  if (unit) {
-    const measure = new Measure(/** @type {HTMLInputElement} */ (field));
-    measure.show(`${field.value} ${unit}`);
-    control.append(measure.box);
-  }
-  return control;
-}
-
-/** @param {[string, string][]} options @param {string} chosen */
-function select(options, chosen) {
-  const field = document.createElement('select');
-  for (const [value, text] of options) {
-    field.add(new Option(text, value, false, value === chosen));
-  }
-  return field;
-}
-
-/** The fields of the sheet, and what they say. @param {Choice} choice @param {boolean} selected */
-function fields(choice, selected) {
-  const format = select(FORMATS.map(({ name, of }) => [of, name || word('shell.plain')]), choice.format);
+function fields(engine, choice, selected, floor) {
+  const format = select(FORMATS.filter(({ space }) => !space || floor !== undefined).map(({ name, of }) => [of, name || word('shell.plain')]), choice.format);
   const parts = PARTS.map((key, part) => /** @type {[string, string]} */ ([String(part), word(key)]));
   const part = select(selected ? parts : parts.slice(0, SELECTION), String(choice.part));
   const width = document.createElement('input');
@@ -82,27 +44,32 @@ function fields(choice, selected) {
   const hint = document.createElement('p');
   hint.textContent = word('shell.print');
   const picture = [row('width', word('number.width'), width, word('unit.px')), row('white', word('shell.white'), white)];
+  const space = new Space(engine, choice.tolerance, floor === true);
   const show = () => {
+    space.show(FORMATS.find(({ of }) => of === format.value), Number(part.value));
     picture.forEach((control) => { control.hidden = format.value !== 'png'; });
     hint.hidden = format.value !== 'pdf';
   };
   format.addEventListener('change', show);
+  part.addEventListener('change', show);
   show();
   const box = document.createElement('div');
   box.className = 'export';
-  box.append(row('format', word('shell.format'), format), row('part', word('shell.part'), part), ...picture, hint);
+  box.append(row('format', word('shell.format'), format), row('part', word('shell.part'), part), ...picture, ...space.rows, hint);
   const read = () => ({ format: format.value, part: Number(part.value), white: white.checked,
     width: Math.max(0, Math.min(WIDEST, Math.round(Number(width.value) || 0))) });
-  return { box, read };
+  return { box, read: () => ({ ...read(), tolerance: space.tolerance }), space };
 }
 
-/** Carries it out. @param {Shell} shell @param {Choice} choice @param {boolean} copied to the clipboard, as a picture */
-async function carryOut({ engine, files, notices }, choice, copied) {
-  const { of, end, type } = FORMATS.find(({ of }) => of === choice.format) ?? FORMATS[0];
+/** Carries it out. @param {Shell} shell @param {Choice} choice @param {Space} model @param {boolean} copied to the clipboard, as a picture */
+async function carryOut({ engine, files, notices }, choice, model, copied) {
+  const { of, end, type, space } = FORMATS.find(({ of }) => of === choice.format) ?? FORMATS[0];
   if (copied) {
     const picture = pictureOf(excerpt(engine, 'plain', choice.part), choice);
     await navigator.clipboard.write([new ClipboardItem({ [PNG]: picture })]);
     notices.say(word('notice.copied'));
+  } else if (space) {
+    files.deliver(model.made(), end, type);
   } else if (of === 'pdf') {
     await print(excerpt(engine, 'plain', choice.part));
   } else if (of === 'png') {
@@ -117,7 +84,13 @@ async function carryOut({ engine, files, notices }, choice, copied) {
 export async function exportDrawing(shell, format) {
   const choice = { ...remembered(), ...format ? { format } : {} };
   const selected = shell.loop.selected > 0;
-  const { box, read } = fields({ ...choice, part: selected ? choice.part : choice.part % SELECTION }, selected);
+  const floor = standing(shell.engine);
+  await (shell.engine.words ?? shell.words.load()); // the sheet has words that come late
+  if (floor === undefined && FORMATS.some(({ of, space }) => space && of === format)) {
+    shell.notices.say(word('shell.not-in-space.help'));
+    return;
+  }
+  const { box, read, space } = fields(shell.engine, { ...choice, part: selected ? choice.part : choice.part % SELECTION }, selected, floor);
   const chosen = await question('export', word('command.export'), [box], [answer('file', word('command.export')),
     answer('copy', word('shell.copy-picture')), answer('', word('command.cancel'))]);
   if (!chosen) {
@@ -130,7 +103,7 @@ export async function exportDrawing(shell, format) {
     // It is for this time only then.
   }
   try {
-    await carryOut(shell, wanted, chosen === 'copy');
+    await carryOut(shell, wanted, space, chosen === 'copy');
   } catch (error) {
     shell.notices.say(error instanceof Error ? error.message : String(error));
   }

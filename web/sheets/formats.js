@@ -1,7 +1,8 @@
 // The formats that a drawing can be exported in.
 
 export const PNG = 'image/png';
-/** Of each format: its name in the engine's table, the end of the file's name, its media type. */
+/** Of each format: its name in the engine's table, the end of the file's name, its media type; what it is asked for by, where it
+ * holds what is in space, and whether it does so as triangles. @type {{ name: string, of: string, end: string, type: string, space?: string, divided?: boolean }[]} */
 export const FORMATS = [
   { name: 'SVG', of: 'svg', end: 'svg', type: 'image/svg+xml' },
   { name: '', of: 'plain', end: 'svg', type: 'image/svg+xml' },
@@ -13,6 +14,11 @@ export const FORMATS = [
   { name: 'GeoJSON', of: 'geojson', end: 'geojson', type: 'application/geo+json' },
   { name: 'CSV', of: 'csv', end: 'csv', type: 'text/csv' },
   { name: 'BVH', of: 'bvh', end: 'bvh', type: 'text/plain' },
-  { name: 'OBJ', of: 'obj', end: 'obj', type: 'model/obj' },
+  { name: 'STL', of: 'stl', end: 'stl', type: 'model/stl', space: 'stl', divided: true },
+  { name: 'glTF (GLB)', of: 'glb', end: 'glb', type: 'model/gltf-binary', space: 'glb', divided: true },
+  { name: 'STEP', of: 'step', end: 'step', type: 'model/step', space: 'step' },
+  { name: 'IGES', of: 'iges', end: 'iges', type: 'model/iges', space: 'iges' },
+  { name: 'OBJ', of: 'mesh', end: 'obj', type: 'model/obj', space: 'obj', divided: true },
+  { name: 'OBJ (NURBS)', of: 'obj', end: 'obj', type: 'model/obj' },
   { name: 'Batten', of: 'batten', end: 'batten', type: 'application/json' },
 ];

@@ -1,7 +1,7 @@
 /* Binary glTF 2.0 (GLB): a header, a chunk of JSON, and a chunk of numbers: for each part its points, normals and
  * triangles, one after the other. Each part is a mesh with one primitive and a node of its own. */
+#include "format/gltf/gltf.h"
 #include "format/model/floats.h"
-#include "format/model/model.h"
 
 #include "base/real.h"
 #include <batten/camera.h>
@@ -269,12 +269,22 @@ static bat_status put_model(writer *w, const bat_model *model, double tolerance)
     return status;
 }
 
-bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    if (!model || !bytes || !size) return BAT_ARGUMENT;
+bat_status bat_gltf_put_parts(const bat_parts *parts, char **bytes, size_t *size) {
     writer w = {.part_count = 0};
-    bat_status status = put_model(&w, model, tolerance);
+    bat_status status = BAT_OK;
+    for (size_t i = 0; i < parts->count && status == BAT_OK; i++) status = put_part(&w, &parts->part[i]);
     if (status == BAT_OK) status = w.part_count ? put_file(&w, bytes, size) : BAT_COUNT;
     clear(&w);
+    return status;
+}
+
+bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
+    if (!model || !bytes || !size) return BAT_ARGUMENT;
+    bat_parts parts;
+    bat_status status = bat_parts_create(model, tolerance, &parts);
+    if (status != BAT_OK) return status;
+    status = bat_gltf_put_parts(&parts, bytes, size);
+    bat_parts_clear(&parts);
     return status;
 }
 

@@ -19,5 +19,7 @@ int bat_obj_sniff(const char *text, size_t size);
 uint64_t bat_obj_put_curve(bat_text *text, const bat_curve *curve, uint64_t vertices);
 uint64_t bat_obj_put_mesh(bat_text *text, const bat_polymesh *mesh, uint64_t vertices);
 uint64_t bat_obj_put_surface(bat_text *text, const bat_surface *surface, uint64_t vertices);
+/* Triangles with their normals, lines and clouds. BAT_COUNT: nothing of these. */
+bat_status bat_obj_put_parts(const bat_parts *parts, char **bytes, size_t *size);
 
 #endif

@@ -1,6 +1,6 @@
 /* Binary STL: a header of 80 bytes, the number of triangles, and for each its normal and corners as 32-bit floats, least
  * byte first. */
-#include "format/model/model.h"
+#include "format/stl/stl.h"
 #include "format/model/floats.h"
 #include "base/vec.h"
 
@@ -16,30 +16,36 @@ static void put_triangle(bat_text *text, const bat_part *part, const int *triang
     ++*count;
 }
 
-bat_status bat_stl_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    if (!model || !bytes || !size) return BAT_ARGUMENT;
+bat_status bat_stl_put_parts(const bat_parts *parts, char **bytes, size_t *size) {
     enum { HEADER = 80 };
     static const char header[HEADER] = "Binary STL, made by Batten";
-    bat_parts parts;
     bat_text text = {0};
     uint32_t count = 0;
-    bat_status status = bat_parts_create(model, tolerance, &parts);
-    if (status != BAT_OK) return status;
+    bat_status status = BAT_OK;
     bat_text_add(&text, header, sizeof header);
     bat_text_word(&text, 0);
-    for (size_t i = 0; i < parts.count && status == BAT_OK; i++) {
-        const bat_part *part = &parts.part[i];
+    for (size_t i = 0; i < parts->count && status == BAT_OK; i++) {
+        const bat_part *part = &parts->part[i];
         if (part->kind != BAT_PART_TRIANGLES) continue;
         status = bat_floats_check(part->points, 3 * part->vertex_count);
         for (size_t t = 0; t < part->triangle_count && status == BAT_OK; t++)
             put_triangle(&text, part, part->triangles + 3 * t, &count);
     }
-    bat_parts_clear(&parts);
     if (status == BAT_OK && count == 0) status = BAT_COUNT;
     if (status == BAT_OK) {
         bat_text_patch(&text, HEADER, count);
         return bat_text_finish(&text, bytes, size);
     }
     bat_text_free(&text);
+    return status;
+}
+
+bat_status bat_stl_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
+    if (!model || !bytes || !size) return BAT_ARGUMENT;
+    bat_parts parts;
+    bat_status status = bat_parts_create(model, tolerance, &parts);
+    if (status != BAT_OK) return status;
+    status = bat_stl_put_parts(&parts, bytes, size);
+    bat_parts_clear(&parts);
     return status;
 }

@@ -1,0 +1,99 @@
+// Export of what is in space: how the page stands, how fine the triangles are, and what the file will hold.
+
+import { excerpt } from './excerpt.js';
+import { row, select } from './fields.js';
+import { Refusal, word } from '../page/words.js';
+
+/** @typedef {import('../engine/engine.js').Engine} Engine */
+/** @typedef {{ wide: number, deep: number, tall: number, triangles: number, bytes: number }} Told millimetres */
+
+const EVERYTHING = 1; // as bat_excerpt counts it
+
+/** @param {Uint8Array} bytes */
+const parsed = (bytes) => JSON.parse(new TextDecoder().decode(bytes));
+
+/** Whether the page is a floor; undefined: nothing of the drawing is in space. @param {Engine} engine @returns {boolean | undefined} */
+export function standing(engine) {
+  try {
+    return parsed(excerpt(engine, 'space', EVERYTHING)).floor;
+  } catch (error) {
+    if (error instanceof Refusal) {
+      return undefined;
+    }
+    throw error;
+  }
+}
+
+/** A length to be read, in three digits. @param {number} length */
+const readable = (length) => Number(length.toPrecision(4)).toLocaleString('en', { maximumSignificantDigits: 4 });
+
+export class Space {
+  /** @param {Engine} engine @param {number} tolerance 0: in proportion to the size @param {boolean} floor */
+  constructor(engine, tolerance, floor) {
+    this.engine = engine;
+    this.stand = select(['wall', 'floor'].map((name) => /** @type {[string, string]} */ ([name, word(`shell.${name}.help`)])), floor ? 'floor' : 'wall');
+    this.finest = document.createElement('input');
+    Object.assign(this.finest, { type: 'number', min: '0', step: 'any', value: tolerance ? String(tolerance) : '', placeholder: word('shell.by-itself.help') });
+    this.told = document.createElement('output');
+    this.told.id = 'export-told';
+    this.dividing = row('tolerance', word('property.tolerance'), this.finest, word('unit.mm'));
+    /** @type {HTMLElement[]} */
+    this.rows = [row('stand', word('shell.page-stands.help'), this.stand), this.dividing, this.told];
+    this.shown = 0;
+    this.part = EVERYTHING;
+    /** @type {string | undefined} */
+    this.space = undefined;
+    for (const field of [this.stand, this.finest]) {
+      field.addEventListener('input', () => this.tell());
+    }
+  }
+
+  get tolerance() {
+    return Math.max(0, Number(this.finest.value) || 0);
+  }
+
+  /** Shows what belongs to the format. @param {{ space?: string, divided?: boolean } | undefined} format @param {number} part */
+  show(format, part) {
+    this.space = format?.space;
+    this.part = part;
+    this.rows.forEach((control) => { control.hidden = !this.space; });
+    this.dividing.hidden ||= !format?.divided;
+    this.tell();
+  }
+
+  /** What is asked of the engine. @param {string} [more] */
+  asked(more = '') {
+    return `${this.space} ${this.stand.value} ${this.dividing.hidden ? 0 : this.tolerance}${more}`;
+  }
+
+  /** Says what the file will hold, once the fields have been painted. */
+  tell() {
+    clearTimeout(this.shown);
+    if (this.space) {
+      this.shown = setTimeout(() => { this.told.textContent = this.summary(); });
+    }
+  }
+
+  summary() {
+    try {
+      /** @type {Told} */
+      const told = parsed(excerpt(this.engine, this.asked(' tell'), this.part));
+      if (!told.bytes) {
+        return word('shell.not-in-space.help');
+      }
+      const size = [told.wide, told.deep, told.tall].map(readable).join(' × ');
+      const faces = this.dividing.hidden ? '' : `, ${word('shell.triangles.help', told.triangles.toLocaleString('en'))}`;
+      return `${size} ${word('unit.mm')}${faces}`;
+    } catch (error) {
+      return error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  /** The file. */
+  made() {
+    if (!parsed(excerpt(this.engine, this.asked(' tell'), this.part)).bytes) {
+      throw new Refusal(word('shell.not-in-space.help'));
+    }
+    return excerpt(this.engine, this.asked(), this.part);
+  }
+}
