@@ -222,11 +222,15 @@ static const bat_model_format *model_wanted(const cli_arguments *arguments) {
 }
 
 static int run_model(const cli_arguments *arguments, const bat_model_format *format) {
-    bat_dividing how = {0, arguments_value(arguments, OPTION_TRIANGLES) != NULL};
+    bat_dividing how = {0, arguments_value(arguments, "--cap") != NULL,
+                        arguments_value(arguments, OPTION_TRIANGLES) != NULL};
     drawing_file drawing;
     int failed = options_fit(arguments, format->name);
     if (arguments_value(arguments, "--floor") && arguments_value(arguments, "--wall"))
         failed = fail_usage(arguments->command, "--floor and --wall exclude each other");
+    if (how.cap && !format->divide)
+        failed = fail_usage(arguments->command, "--cap is for .stl, .glb and, with %s, .obj",
+                            OPTION_TRIANGLES);
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &how.tolerance);
     if (!failed) failed = drawing_read(arguments->operands[0], NULL, &drawing);
     if (failed) return failed;
@@ -240,6 +244,8 @@ static int run_one(const cli_arguments *arguments) {
     if (model) return run_model(arguments, model);
     if (arguments_value(arguments, "--floor") || arguments_value(arguments, "--wall"))
         return fail_usage(arguments->command, "--floor and --wall are for .stl, .glb, .step and .iges");
+    if (arguments_value(arguments, "--cap"))
+        return fail_usage(arguments->command, "--cap is for .stl, .glb and, with %s, .obj", OPTION_TRIANGLES);
     if (arguments_value(arguments, OPTION_TRIANGLES))
         return fail_usage(arguments->command, "%s is for .obj, .stl and .glb", OPTION_TRIANGLES);
     const bat_format *format;
@@ -308,6 +314,7 @@ const cli_command command_convert = {
                 {"--wall", NULL, "to .stl, .glb, .step, .iges: up is the page's up; so where none does"},
                 {OPTION_TRIANGLES, NULL,
                  "to .obj: triangles of what is in space, upright and in millimetres, not B-splines"},
+                {"--cap", NULL, "to .stl, .glb: open rims that lie in a plane are filled"},
                 {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
     .run = run,
 };

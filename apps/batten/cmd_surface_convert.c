@@ -7,8 +7,10 @@
 static int run(const cli_arguments *arguments) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
     const bat_model_format *format = bat_model_format_called(out);
-    bat_dividing how = {0, false};
+    bat_dividing how = {0, arguments_value(arguments, "--cap") != NULL, false};
     bat_model model;
+    if (format && arguments_value(arguments, "--cap") && format->write)
+        return fail_usage(arguments->command, "--cap is for .stl and .glb");
     if (!format)
         return fail_usage(arguments->command,
                           "%s: expected a name that ends in .json, .obj, .stl, .glb, .igs or .step", out);
@@ -37,7 +39,7 @@ const cli_command command_surface_convert = {
         "(.glb) triangles with\nnormals, curves as line strips and clouds as points.",
     .example = "batten surface convert jug.json jug.glb --tolerance 0.01",
     .operands = 2,
-    .options = {{"--tolerance", "T",
-                 "greatest distance of triangles and lines; 1e-4 of the size by default"}},
+    .options = {{"--tolerance", "T", "greatest distance of triangles and lines; 1e-4 of the size by default"},
+                {"--cap", NULL, "to .stl, .glb: open rims that lie in a plane are filled"}},
     .run = run,
 };

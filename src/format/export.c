@@ -24,6 +24,8 @@ static bool is_word(const char *word, size_t size, const char *known) {
 static bool take(const char *word, size_t size, wish *out) {
     if (is_word(word, size, "wall") || is_word(word, size, "floor"))
         out->stand = size == 4 ? BAT_STAND_WALL : BAT_STAND_FLOOR;
+    else if (is_word(word, size, "cap"))
+        out->how.cap = true;
     else if (is_word(word, size, "tell"))
         out->tell = true;
     else
@@ -56,6 +58,7 @@ static bat_status put_told(const bat_model_format *format, const bat_model_told 
     put_member(&text, ",\"deep\":", told->size[format->up_is_y ? 2 : 1] * format->unit);
     put_member(&text, ",\"tall\":", told->size[format->up_is_y ? 1 : 2] * format->unit);
     put_member(&text, ",\"triangles\":", (double)told->triangle_count);
+    put_member(&text, ",\"open\":", (double)told->open_count);
     put_member(&text, ",\"bytes\":", (double)*size);
     bat_text_string(&text, "}");
     bat_free(*bytes);
@@ -87,7 +90,7 @@ static bat_status put_stand(bat_stand stand, char **bytes, size_t *size) {
 
 bat_status bat_export_model(const char *words, bat_stand found, const bat_document *document, char **bytes,
                             size_t *size, bat_problem *problem) {
-    wish wanted = {.stand = found, .how = {0, true}};
+    wish wanted = {.stand = found, .how = {0, false, true}};
     if (!parse(words, &wanted)) return BAT_ARGUMENT;
     const bool asked = strcmp(wanted.name, "space") == 0;
     const bat_model_format *format = bat_model_format_named(asked ? "glb" : wanted.name);

@@ -35,9 +35,18 @@ const bat_model_format *bat_model_format_called(const char *file) {
     return dot && dot != file ? bat_model_format_named(dot + 1) : NULL;
 }
 
-static void tell(const bat_parts *parts, bat_model_told *told) {
+/* Triangles as the formats hold them that hold no surfaces. */
+static bat_status divide(const bat_model *model, const bat_dividing *how, bat_parts *out, size_t *open) {
+    bat_status status = bat_parts_create(model, how->tolerance, out);
+    if (status == BAT_OK)
+        status = bat_parts_close(out, how->tolerance, bat_model_size(model), how->cap, model->mesh != NULL,
+                                 open);
+    return status;
+}
+
+static void tell(const bat_parts *parts, size_t open, bat_model_told *told) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    told->triangle_count = 0;
+    told->triangle_count = 0, told->open_count = open;
     for (size_t i = 0; i < parts->count; i++) {
         const bat_part *part = &parts->part[i];
         told->triangle_count += part->triangle_count;
@@ -54,10 +63,11 @@ bat_status bat_model_format_write(const bat_model_format *format, const bat_mode
     const bool whole = format->write && !(how->always && format->divide);
     bat_parts parts = {.count = 0};
     bat_status status = BAT_OK;
-    if (!whole || told) status = bat_parts_create(model, how->tolerance, &parts);
+    size_t open = 0;
+    if (!whole || told) status = divide(model, how, &parts, &open);
     if (status == BAT_OK)
         status = whole ? format->write(model, bytes, size) : format->divide(&parts, bytes, size);
-    if (status == BAT_OK && told) tell(&parts, told);
+    if (status == BAT_OK && told) tell(&parts, open, told);
     bat_parts_clear(&parts);
     return status;
 }

@@ -23,12 +23,13 @@ const bat_model_format *bat_model_format_called(const char *file);
 
 typedef struct bat_dividing {
     double tolerance; /* greatest distance of triangles and lines; 0: 1e-4 of the model's size */
+    bool cap;         /* rims that lie in a plane are filled: bat_parts_close */
     bool always;      /* into triangles also where the format holds surfaces, if it holds triangles */
 } bat_dividing;
 /* What a file holds, in its own axes and unit. */
 typedef struct bat_model_told {
     double size[3];
-    size_t triangle_count;
+    size_t triangle_count, open_count; /* open: edges of triangles without a neighbour */
 } bat_model_told;
 /* Writes the model; told: may be NULL. Statuses as of bat_gltf_write. */
 bat_status bat_model_format_write(const bat_model_format *format, const bat_model *model,

@@ -1,4 +1,4 @@
-"""Shapes in space leave a drawing in true size, upright and outward: STL, glTF, STEP and IGES, read here without Batten."""
+"""Shapes in space leave a drawing in true size, upright and outward: STL, glTF, STEP, IGES and OBJ, read here without Batten."""
 
 import collections
 import json
@@ -46,6 +46,17 @@ def triangles_of_glb(data):
             wide = scene["accessors"][part["indices"]]["componentType"]
             corners = [i for (i,) in numbers(part["indices"], *{5125: ("<I", 4), 5123: ("<H", 2)}[wide])]
             out += [tuple(places[corners[i + k]] for k in range(3)) for i in range(0, len(corners), 3)]
+    return out
+
+
+def triangles_of_obj(data):
+    places, out = [], []
+    for line in data.decode().splitlines():
+        words = line.split()
+        if words[0] == "v":
+            places.append(tuple(map(float, words[1:])))
+        elif words[0] == "f":
+            out.append(tuple(places[int(word.split("/")[0]) - 1] for word in words[1:]))
     return out
 
 
@@ -187,6 +198,47 @@ class OfDrawings(Models):
                 self.assertLess(abs(low_high[3 + k] - low_high[k] - 50), 1e-2)
                 self.assertLess(abs(low_high[3 + k if tip[k] > base[k] else k] - tip[k]), 1e-2)
         self.refused(2, "convert", drawing, "both.stl", "--floor", "--wall")
+
+    def test_capped(self):
+        """A vase and a tube whose rims lie in a plane: as solid as the frusta of their polygon, whichever way they were drawn."""
+        profile = [(30, 0), (40, 25), (22, 60), (35, 90)]
+        exact = sum(math.pi / 3 * (b[1] - a[1]) * (a[0] ** 2 + a[0] * b[0] + b[0] ** 2) for a, b in zip(profile, profile[1:]))
+        for clockwise in (False, True):
+            points = [[100 + x, 150 - y] for x, y in profile]
+            if clockwise:
+                points.reverse()
+            knots = [0, *range(len(points)), len(points) - 1]
+            surface = self.surface({"degree": 1, "closed": False, "knots": knots, "points": points}, "100,100,0,0,1,0")
+            drawing = self.drawing([surface])
+            for ending, read, options in (("stl", triangles_of_stl, ()), ("glb", triangles_of_glb, ()), ("stl", triangles_of_stl, ("--floor",)),
+                                          ("obj", triangles_of_obj, ("--triangles",))):
+                scale = 1e-3 if ending == "glb" else 1
+                loose = read(self.written(drawing, ending, "--tolerance", repr(0.01 * scale), *options))
+                solid = read(self.written(drawing, ending, "--tolerance", repr(0.01 * scale), "--cap", *options))
+                self.assertGreater(open_edges(loose), 50)
+                self.assertEqual(open_edges(solid), 0)
+                self.assertLess(abs(volume(solid) / (exact * scale ** 3) - 1), 2e-3)
+            (self.folder / "vase.json").write_text(json.dumps(surface), encoding="utf-8")
+            self.done("surface", "convert", str(self.folder / "vase.json"), str(self.folder / "vase.stl"), "--cap")
+            self.assertEqual(open_edges(triangles_of_stl((self.folder / "vase.stl").read_bytes())), 0)
+        for ending in ("step", "iges", "svg", "obj"):
+            self.assertIn("--cap", self.refused(2, "convert", drawing, f"no.{ending}", "--cap"))
+
+    def test_triangles_as_obj(self):
+        """As OBJ of triangles a ball is what it is as STL, with y up; without the option OBJ holds B-splines as before."""
+        drawing = self.drawing([self.surface(ball(30, True), "100,100,0,0,1,0")])
+        text = self.written(drawing, "obj", "--triangles", "--tolerance", "0.01")
+        self.assertNotIn(b"cstype", text)
+        stl = triangles_of_stl(self.written(drawing, "stl", "--tolerance", "0.01"))
+        obj = triangles_of_obj(text)
+        self.assertEqual(len(obj), len(stl))
+        self.assertEqual(open_edges(obj), 0)
+        self.assertLess(abs(volume(obj) / volume(stl) - 1), 1e-6)
+        normals = [tuple(map(float, line.split()[1:])) for line in text.decode().splitlines() if line.startswith("vn ")]
+        places = [tuple(map(float, line.split()[1:])) for line in text.decode().splitlines() if line.startswith("v ")]
+        for p, n in zip(places, normals):
+            self.assertGreater(sum((a - m) * b for a, m, b in zip(p, WALL["glb"](100, 100, 0), n)), 0)
+        self.assertIn(b"cstype bspline", self.written(drawing, "obj"))
 
     def test_what_is_refused_and_left_out(self):
         flat = self.file("flat.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 C 10 0 20 10 30 30"/></svg>')

@@ -10,7 +10,7 @@ import { Space, standing } from './export_space.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
-/** @typedef {{ format: string, part: number, width: number, white: boolean, tolerance: number }} Choice */
+/** @typedef {{ format: string, part: number, width: number, white: boolean, tolerance: number, cap: boolean }} Choice */
 
 const STORE = 'batten-export';
 const WIDEST = 16384; // pixels that browsers paint
@@ -20,7 +20,7 @@ const SELECTION = 2;
 
 /** @returns {Choice} */
 function remembered() {
-  const usual = { format: 'svg', part: 0, width: 0, white: true, tolerance: 0 };
+  const usual = { format: 'svg', part: 0, width: 0, white: true, tolerance: 0, cap: false };
   try {
     return { ...usual, ...JSON.parse(localStorage.getItem(STORE) ?? '{}') };
   } catch {
@@ -44,7 +44,7 @@ function fields(engine, choice, selected, floor) {
   const hint = document.createElement('p');
   hint.textContent = word('shell.print');
   const picture = [row('width', word('number.width'), width, word('unit.px')), row('white', word('shell.white'), white)];
-  const space = new Space(engine, choice.tolerance, floor === true);
+  const space = new Space(engine, choice.tolerance, choice.cap, floor === true);
   const show = () => {
     space.show(FORMATS.find(({ of }) => of === format.value), Number(part.value));
     picture.forEach((control) => { control.hidden = format.value !== 'png'; });
@@ -58,7 +58,7 @@ function fields(engine, choice, selected, floor) {
   box.append(row('format', word('shell.format'), format), row('part', word('shell.part'), part), ...picture, ...space.rows, hint);
   const read = () => ({ format: format.value, part: Number(part.value), white: white.checked,
     width: Math.max(0, Math.min(WIDEST, Math.round(Number(width.value) || 0))) });
-  return { box, read: () => ({ ...read(), tolerance: space.tolerance }), space };
+  return { box, read: () => ({ ...read(), tolerance: space.tolerance, cap: space.cap }), space };
 }
 
 /** Carries it out. @param {Shell} shell @param {Choice} choice @param {Space} model @param {boolean} copied to the clipboard, as a picture */

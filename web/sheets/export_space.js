@@ -5,7 +5,7 @@ import { row, select } from './fields.js';
 import { Refusal, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
-/** @typedef {{ wide: number, deep: number, tall: number, triangles: number, bytes: number }} Told millimetres */
+/** @typedef {{ wide: number, deep: number, tall: number, triangles: number, open: number, bytes: number }} Told millimetres */
 
 const EVERYTHING = 1; // as bat_excerpt counts it
 
@@ -28,22 +28,26 @@ export function standing(engine) {
 const readable = (length) => Number(length.toPrecision(4)).toLocaleString('en', { maximumSignificantDigits: 4 });
 
 export class Space {
-  /** @param {Engine} engine @param {number} tolerance 0: in proportion to the size @param {boolean} floor */
-  constructor(engine, tolerance, floor) {
+  /** @param {Engine} engine @param {number} tolerance 0: in proportion to the size @param {boolean} cap @param {boolean} floor */
+  constructor(engine, tolerance, cap, floor) {
     this.engine = engine;
     this.stand = select(['wall', 'floor'].map((name) => /** @type {[string, string]} */ ([name, word(`shell.${name}.help`)])), floor ? 'floor' : 'wall');
     this.finest = document.createElement('input');
     Object.assign(this.finest, { type: 'number', min: '0', step: 'any', value: tolerance ? String(tolerance) : '', placeholder: word('shell.by-itself.help') });
+    this.capped = document.createElement('input');
+    Object.assign(this.capped, { type: 'checkbox', checked: cap });
     this.told = document.createElement('output');
     this.told.id = 'export-told';
-    this.dividing = row('tolerance', word('property.tolerance'), this.finest, word('unit.mm'));
+    this.divided = true;
+    /** Rows for triangles. @type {HTMLElement[]} */
+    this.dividing = [row('tolerance', word('property.tolerance'), this.finest, word('unit.mm')), row('cap', word('shell.cap.help'), this.capped)];
     /** @type {HTMLElement[]} */
-    this.rows = [row('stand', word('shell.page-stands.help'), this.stand), this.dividing, this.told];
+    this.rows = [row('stand', word('shell.page-stands.help'), this.stand), ...this.dividing, this.told];
     this.shown = 0;
     this.part = EVERYTHING;
     /** @type {string | undefined} */
     this.space = undefined;
-    for (const field of [this.stand, this.finest]) {
+    for (const field of [this.stand, this.finest, this.capped]) {
       field.addEventListener('input', () => this.tell());
     }
   }
@@ -52,18 +56,24 @@ export class Space {
     return Math.max(0, Number(this.finest.value) || 0);
   }
 
+  get cap() {
+    return this.capped.checked;
+  }
+
   /** Shows what belongs to the format. @param {{ space?: string, divided?: boolean } | undefined} format @param {number} part */
   show(format, part) {
     this.space = format?.space;
     this.part = part;
     this.rows.forEach((control) => { control.hidden = !this.space; });
-    this.dividing.hidden ||= !format?.divided;
+    this.divided = Boolean(format?.divided);
+    this.dividing.forEach((control) => { control.hidden = !this.divided; });
     this.tell();
   }
 
   /** What is asked of the engine. @param {string} [more] */
   asked(more = '') {
-    return `${this.space} ${this.stand.value} ${this.dividing.hidden ? 0 : this.tolerance}${more}`;
+    const how = this.divided ? ` ${this.tolerance}${this.cap ? ' cap' : ''}` : '';
+    return `${this.space} ${this.stand.value}${how}${more}`;
   }
 
   /** Says what the file will hold, once the fields have been painted. */
@@ -82,8 +92,9 @@ export class Space {
         return word('shell.not-in-space.help');
       }
       const size = [told.wide, told.deep, told.tall].map(readable).join(' × ');
-      const faces = this.dividing.hidden ? '' : `, ${word('shell.triangles.help', told.triangles.toLocaleString('en'))}`;
-      return `${size} ${word('unit.mm')}${faces}`;
+      const open = told.open ? word('shell.open-edges.help', told.open.toLocaleString('en')) : word('shell.watertight.help');
+      const faces = told.triangles && this.divided ? [word('shell.triangles.help', told.triangles.toLocaleString('en')), open] : [];
+      return [`${size} ${word('unit.mm')}`, ...faces].join(', ');
     } catch (error) {
       return error instanceof Error ? error.message : String(error);
     }

@@ -26,10 +26,19 @@ typedef struct bat_parts {
     bat_tessellation **surfaces;
     double **lines, *normals;
     int *triangles;
+    void **blocks; /* of parts that were closed; NULL: none was */
 } bat_parts;
 
 /* Statuses as of bat_gltf_write. tolerance 0: the default. The model must outlive the parts. */
 bat_status bat_parts_create(const bat_model *model, double tolerance, bat_parts *out);
+/*
+ * Vertices of rims that are nearer than 1e-7 of `size` become one, as at seams and poles. cap: rims that lie in a plane
+ * within the tolerance are filled, unless all that hangs together lies in that plane, and what surfaces are closed then face
+ * outward. mesh: whether the first part is a mesh, which faces as it did. *open: the edges that are left without a
+ * neighbour. On failure the parts are as they were or closed. O(triangles log triangles).
+ */
+bat_status bat_parts_close(bat_parts *parts, double tolerance, double size, bool cap, bool mesh,
+                           size_t *open);
 void bat_parts_clear(bat_parts *parts);
 
 #endif

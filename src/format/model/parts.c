@@ -13,6 +13,8 @@ enum { TRIANGLES_MOST = 1 << 24, STEPS_MOST = 1 << 20 };
 void bat_parts_clear(bat_parts *parts) {
     for (size_t i = 0; i < parts->surface_count; i++) bat_tessellation_free(parts->surfaces[i]);
     for (size_t i = 0; i < parts->line_count; i++) free(parts->lines[i]);
+    for (size_t i = 0; parts->blocks && i < parts->count; i++) free(parts->blocks[i]);
+    free(parts->blocks);
     free(parts->surfaces);
     free(parts->lines);
     free(parts->normals);
