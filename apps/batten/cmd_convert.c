@@ -26,9 +26,10 @@ static int output_format(const cli_arguments *arguments, const bat_format **out,
     if (*out) return EXIT_DONE;
     if (strcmp(name, "-") == 0) return fail_usage(arguments->command, "for standard output, --to is needed");
     bat_formats_words(".", false, words);
-    return fail_usage(arguments->command,
-                      "%s: expected a name that ends in .pdf, .eps, .stl, .glb, .step, .iges, %s", name,
-                      words);
+    return fail_usage(
+        arguments->command,
+        "%s: expected a name that ends in .pdf, .eps, .stl, .3mf, .glb, .gltf, .ply, .usda, .step, .iges, %s",
+        name, words);
 }
 
 /* Lines of a template: "\\n" between them. */
@@ -229,7 +230,8 @@ static int run_model(const cli_arguments *arguments, const bat_model_format *for
     if (arguments_value(arguments, "--floor") && arguments_value(arguments, "--wall"))
         failed = fail_usage(arguments->command, "--floor and --wall exclude each other");
     if (how.cap && !format->divide)
-        failed = fail_usage(arguments->command, "--cap is for .stl, .glb and, with %s, .obj",
+        failed = fail_usage(arguments->command,
+                            "--cap is for .stl, .3mf, .glb, .gltf, .ply, .usda and, with %s, .obj",
                             OPTION_TRIANGLES);
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &how.tolerance);
     if (!failed) failed = drawing_read(arguments->operands[0], NULL, &drawing);
@@ -243,11 +245,14 @@ static int run_one(const cli_arguments *arguments) {
     const bat_model_format *model = model_wanted(arguments);
     if (model) return run_model(arguments, model);
     if (arguments_value(arguments, "--floor") || arguments_value(arguments, "--wall"))
-        return fail_usage(arguments->command, "--floor and --wall are for .stl, .glb, .step and .iges");
+        return fail_usage(arguments->command, "--floor and --wall are for shapes in space: .stl, .3mf, .glb, "
+                                              ".gltf, .ply, .usda, .step and .iges");
     if (arguments_value(arguments, "--cap"))
-        return fail_usage(arguments->command, "--cap is for .stl, .glb and, with %s, .obj", OPTION_TRIANGLES);
+        return fail_usage(arguments->command,
+                          "--cap is for .stl, .3mf, .glb, .gltf, .ply, .usda and, with %s, .obj",
+                          OPTION_TRIANGLES);
     if (arguments_value(arguments, OPTION_TRIANGLES))
-        return fail_usage(arguments->command, "%s is for .obj, .stl and .glb", OPTION_TRIANGLES);
+        return fail_usage(arguments->command, "%s is for .obj", OPTION_TRIANGLES);
     const bat_format *format;
     picture_kind page;
     bat_svg_options options = bat_svg_merging();
@@ -289,16 +294,16 @@ const cli_command command_convert = {
         "kept: from SVG to SVG the file stays as it is. Of a folder, or the glyphs of a font (UFO), each "
         "drawing is\n"
         "converted into the folder OUT. Where a glyph is already, only its contours change.\n"
-        "Surfaces, meshes and curves in space of a drawing go to .stl, .glb, .step and .iges: upright, in "
-        "millimetres\n"
-        "(.glb: metres), what is closed with its normals outward.",
+        "Surfaces, meshes and curves in space of a drawing go to .stl, .3mf, .glb, .gltf, .ply, .usda, "
+        ".step\nand .iges: upright, in millimetres (glTF: metres), what is closed with its normals outward.",
     .example = "batten convert drawing.svg drawing.batten\n"
                "batten fit stroke.csv | batten convert - stroke.svg\n"
                "batten convert Sans.ufo drawings --to svg",
     .operands = 2,
     .options = {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
                 {"--tolerance", "T",
-                 "knots of imported paths are removed within T units; .stl, .glb: how near triangles are"},
+                 "knots of imported paths are removed within T units; .stl, .glb and the like: how near "
+                 "triangles are"},
                 {"--arcs", "T",
                  "to .dxf: curves as arcs and lines within T mm, for cutters; to .gcode: 0.01"},
                 {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
@@ -310,11 +315,11 @@ const cli_command command_convert = {
                  "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
                 {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
                 {"--floor", NULL,
-                 "to .stl, .glb, .step, .iges: up is towards the eye; so where a plane stands on the page"},
-                {"--wall", NULL, "to .stl, .glb, .step, .iges: up is the page's up; so where none does"},
+                 "to files of shapes in space: up is towards the eye; so where a plane stands on the page"},
+                {"--wall", NULL, "to the same: up is the page's up; so where none does"},
                 {OPTION_TRIANGLES, NULL,
                  "to .obj: triangles of what is in space, upright and in millimetres, not B-splines"},
-                {"--cap", NULL, "to .stl, .glb: open rims that lie in a plane are filled"},
+                {"--cap", NULL, "to files of triangles: open rims that lie in a plane are filled"},
                 {OPTION_LOSSY, NULL, "write over the input even when something of it is lost"}},
     .run = run,
 };

@@ -10,10 +10,12 @@ static int run(const cli_arguments *arguments) {
     bat_dividing how = {0, arguments_value(arguments, "--cap") != NULL, false};
     bat_model model;
     if (format && arguments_value(arguments, "--cap") && format->write)
-        return fail_usage(arguments->command, "--cap is for .stl and .glb");
+        return fail_usage(arguments->command, "--cap is for files of triangles");
     if (!format)
         return fail_usage(arguments->command,
-                          "%s: expected a name that ends in .json, .obj, .stl, .glb, .igs or .step", out);
+                          "%s: expected a name that ends in .json, .obj, .stl, .3mf, .glb, .gltf, .ply, "
+                          ".usda, .igs or .step",
+                          out);
     int failed = arguments_number(arguments, "--tolerance", 1e-30, 1e30, &how.tolerance);
     if (!failed) failed = read_model(in, &model);
     if (failed) return failed;
@@ -30,16 +32,17 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_surface_convert = {
     .name = "surface convert",
-    .usage = "IN OUT.(json|obj|stl|glb|igs|step) [--tolerance T]",
+    .usage = "IN OUT.(json|obj|stl|3mf|glb|gltf|ply|usda|igs|step) [--tolerance T]",
     .summary = "A mesh, surfaces and curves as OBJ, STL, glTF, IGES or STEP, and OBJ, IGES or STEP as JSON.",
     .details =
         "IN is a MESH, a SURFACE, a CURVE or a list of them, or an .obj, .igs or .step file. OBJ holds faces "
-        "and B-splines\nas they are, IGES and STEP B-splines, in millimetres; STL holds triangles, binary "
+        "and B-splines\nas they are, IGES and STEP B-splines, in millimetres; STL and 3MF hold triangles, "
+        "PLY these and vertices, binary "
         "glTF "
         "(.glb) triangles with\nnormals, curves as line strips and clouds as points.",
     .example = "batten surface convert jug.json jug.glb --tolerance 0.01",
     .operands = 2,
     .options = {{"--tolerance", "T", "greatest distance of triangles and lines; 1e-4 of the size by default"},
-                {"--cap", NULL, "to .stl, .glb: open rims that lie in a plane are filled"}},
+                {"--cap", NULL, "to files of triangles: open rims that lie in a plane are filled"}},
     .run = run,
 };

@@ -2,7 +2,10 @@
 
 #include "format/gltf/gltf.h"
 #include "format/obj/obj.h"
+#include "format/ply/ply.h"
 #include "format/stl/stl.h"
+#include "format/threemf/threemf.h"
+#include "format/usd/usd.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,6 +15,10 @@ static const bat_model_format formats[] = {
     {"obj", NULL, bat_obj_write, bat_obj_put_parts, "a mesh, surfaces or curves", 1, true, false},
     {"stl", NULL, NULL, bat_stl_put_parts, "faces or surfaces", 1, false, true},
     {"glb", NULL, NULL, bat_gltf_put_parts, "a mesh, surfaces or curves", 1000, true, true},
+    {"gltf", NULL, NULL, bat_gltf_put_parts_as_text, "a mesh, surfaces or curves", 1000, true, true},
+    {"3mf", NULL, NULL, bat_threemf_put_parts, "faces or surfaces", 1, false, true},
+    {"ply", NULL, NULL, bat_ply_put_parts, "a mesh or surfaces", 1, false, true},
+    {"usda", NULL, NULL, bat_usd_put_parts, "a mesh, surfaces or curves", 1, false, true},
     {"iges", "igs", bat_iges_write, NULL, "surfaces or curves", 1, false, true},
     {"step", "stp", bat_step_write, NULL, "surfaces or curves", 1, false, true},
 };

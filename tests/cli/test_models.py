@@ -1,11 +1,15 @@
-"""Shapes in space leave a drawing in true size, upright and outward: STL, glTF, STEP, IGES and OBJ, read here without Batten."""
+"""Shapes in space leave a drawing in true size, upright and outward: STL, 3MF, PLY, glTF, USD, STEP, IGES and OBJ, read here without Batten."""
 
+import base64
 import collections
+import io
 import json
 import math
 import re
 import struct
 import unittest
+import xml.etree.ElementTree as ElementTree
+import zipfile
 
 from program import ProgramTest
 
@@ -58,6 +62,74 @@ def triangles_of_obj(data):
         elif words[0] == "f":
             out.append(tuple(places[int(word.split("/")[0]) - 1] for word in words[1:]))
     return out
+
+
+CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+
+
+def triangles_of_3mf(data):
+    """Of a package as the core specification wants it: its parts, types and relation; every edge of an object twice, by number."""
+    with zipfile.ZipFile(io.BytesIO(data)) as package:
+        assert package.testzip() is None
+        assert package.namelist() == ["[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"]
+        types = {e.get("Extension"): e.get("ContentType") for e in ElementTree.fromstring(package.read("[Content_Types].xml"))}
+        assert types == {"rels": "application/vnd.openxmlformats-package.relationships+xml",
+                         "model": "application/vnd.ms-package.3dmanufacturing-3dmodel+xml"}
+        relation = ElementTree.fromstring(package.read("_rels/.rels"))[0]
+        assert relation.get("Target") == "/3D/3dmodel.model"
+        assert relation.get("Type") == "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
+        model = ElementTree.fromstring(package.read("3D/3dmodel.model"))
+    assert model.tag == CORE + "model" and model.get("unit") == "millimeter"
+    objects = {e.get("id"): e for e in model.find(CORE + "resources")}
+    out = []
+    for item in model.find(CORE + "build"):
+        mesh = objects[item.get("objectid")].find(CORE + "mesh")
+        places = [tuple(float(v.get(c)) for c in "xyz") for v in mesh.find(CORE + "vertices")]
+        assert len(set(places)) == len(places)
+        for triangle in mesh.find(CORE + "triangles"):
+            corners = [int(triangle.get(name)) for name in ("v1", "v2", "v3")]
+            assert len(set(corners)) == 3
+            out.append(tuple(places[i] for i in corners))
+    return out
+
+
+def triangles_of_ply(data):
+    head, body = data.split(b"end_header\n", 1)
+    vertices, faces = (int(re.search(rf"element {name} (\d+)", head.decode())[1]) for name in ("vertex", "face"))
+    assert head.startswith(b"ply\nformat binary_little_endian 1.0\n") and len(body) == 24 * vertices + 13 * faces
+    places = [struct.unpack_from("<3f", body, 24 * i) for i in range(vertices)]
+    lists = [struct.unpack_from("<B3i", body, 24 * vertices + 13 * i) for i in range(faces)]
+    assert all(row[0] == 3 for row in lists)
+    return [tuple(places[i] for i in row[1:]) for row in lists]
+
+
+def triangles_of_usda(data):
+    text, out = data.decode(), []
+    assert text.startswith("#usda 1.0\n") and 'upAxis = "Z"' in text and "metersPerUnit = 0.001" in text
+    assert text.count("{") == text.count("}")
+    for mesh in re.findall(r'def Mesh "\w+"\n\{(.*?)\n\}', text, re.S):
+        places = [tuple(map(float, p.split(","))) for p in re.findall(r"\(([^()]*)\)", re.search(r"points = \[(.*?)\]", mesh, re.S)[1])]
+        corners = [int(n) for n in re.search(r"faceVertexIndices = \[(.*?)\]", mesh, re.S)[1].split(",")]
+        counts = re.search(r"faceVertexCounts = \[(.*?)\]", mesh, re.S)[1].split(",")
+        assert len(corners) == 3 * len(counts) and {n.strip() for n in counts} == {"3"}
+        out += [tuple(places[corners[i + k]] for k in range(3)) for i in range(0, len(corners), 3)]
+    return out
+
+
+def triangles_of_gltf(data):
+    """As binary glTF: the same JSON, whose numbers lie in it."""
+    scene = json.loads(data)
+    head, numbers = scene["buffers"][0].pop("uri").split(",")
+    assert head == "data:application/octet-stream;base64"
+    body, text = base64.b64decode(numbers, validate=True), json.dumps(scene).encode()
+    assert len(body) == scene["buffers"][0]["byteLength"]
+    text += b" " * (-len(text) % 4)
+    return triangles_of_glb(struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(body), len(text), 0x4E4F534A) + text
+                            + struct.pack("<II", len(body), 0x004E4942) + body)
+
+
+READERS = {"stl": triangles_of_stl, "glb": triangles_of_glb, "gltf": triangles_of_gltf, "3mf": triangles_of_3mf, "ply": triangles_of_ply,
+           "usda": triangles_of_usda}
 
 
 def volume(triangles):
@@ -210,9 +282,9 @@ class OfDrawings(Models):
             knots = [0, *range(len(points)), len(points) - 1]
             surface = self.surface({"degree": 1, "closed": False, "knots": knots, "points": points}, "100,100,0,0,1,0")
             drawing = self.drawing([surface])
-            for ending, read, options in (("stl", triangles_of_stl, ()), ("glb", triangles_of_glb, ()), ("stl", triangles_of_stl, ("--floor",)),
+            for ending, read, options in (*((ending, read, ()) for ending, read in READERS.items()), ("stl", triangles_of_stl, ("--floor",)),
                                           ("obj", triangles_of_obj, ("--triangles",))):
-                scale = 1e-3 if ending == "glb" else 1
+                scale = 1e-3 if ending in ("glb", "gltf") else 1
                 loose = read(self.written(drawing, ending, "--tolerance", repr(0.01 * scale), *options))
                 solid = read(self.written(drawing, ending, "--tolerance", repr(0.01 * scale), "--cap", *options))
                 self.assertGreater(open_edges(loose), 50)
@@ -239,6 +311,21 @@ class OfDrawings(Models):
         for p, n in zip(places, normals):
             self.assertGreater(sum((a - m) * b for a, m, b in zip(p, WALL["glb"](100, 100, 0), n)), 0)
         self.assertIn(b"cstype bspline", self.written(drawing, "obj"))
+
+    def test_every_file_of_triangles(self):
+        """A cone with its tip up has it up in each file, as large as it is, on a wall and on a floor; two surfaces are two objects."""
+        profile = {"degree": 1, "closed": False, "knots": [0, 0, 1, 2, 2], "points": [[100, 40], [120, 90], [100, 90]]}
+        surface = self.surface(profile, "100,0,0,0,1,0")
+        drawing = self.drawing([surface, surface], "in")
+        for options, ways in (((), WALL), (("--floor",), FLOOR)):
+            for ending, read in READERS.items():
+                scale = 25.4 / (1000 if ending in ("glb", "gltf") else 1)
+                triangles = read(self.written(drawing, ending, "--tolerance", repr(0.02 * scale), *options))
+                self.assertEqual(len(triangles) % 2, 0)
+                self.assertLess(abs(volume(triangles) / (2 * math.pi / 3 * 20 ** 2 * 50 * scale ** 3) - 1), 5e-3)
+                points = {p for t in triangles for p in t}
+                tip = ways["glb" if ending in ("glb", "gltf") else "stl"](100 * scale, 40 * scale, 0)
+                self.assertLess(min(math.dist(p, tip) for p in points), 1e-4 * scale)
 
     def test_what_is_refused_and_left_out(self):
         flat = self.file("flat.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 C 10 0 20 10 30 30"/></svg>')

@@ -4,6 +4,7 @@
 #include "format/model/floats.h"
 
 #include "base/real.h"
+#include "text/base64.h"
 #include <batten/camera.h>
 
 #include <math.h>
@@ -216,7 +217,7 @@ static void put_list(bat_text *text, const char *name, const bat_text *list) {
     bat_text_string(text, "]");
 }
 
-/* The chunk of JSON, filled up to a multiple of 4 bytes. */
+/* All but the end of JSON, which says where the numbers are. */
 static void put_json(const writer *w, bat_text *text) {
     bat_text_string(text, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Batten " BAT_VERSION
                           "\"},\"scene\":0,\"scenes\":[{\"nodes\":[");
@@ -230,13 +231,24 @@ static void put_json(const writer *w, bat_text *text) {
     put_list(text, "accessors", &w->accessors);
     put_list(text, "bufferViews", &w->views);
     put_member(text, ",\n\"buffers\":[{\"byteLength\":", w->numbers.size);
-    bat_text_string(text, "}]}");
-    for (size_t fill = (4 - text->size % 4) % 4; fill > 0; fill--) bat_text_string(text, " ");
+}
+
+/* JSON with the numbers in it. */
+static bat_status put_text(const writer *w, char **bytes, size_t *size) {
+    bat_text text = {0};
+    put_json(w, &text);
+    bat_text_string(&text, ",\"uri\":\"data:application/octet-stream;base64,");
+    if (!w->numbers.failed) bat_base64_write(&text, w->numbers.data, w->numbers.size);
+    bat_text_string(&text, "\"}]}\n");
+    text.failed = text.failed || w->numbers.failed;
+    return bat_text_finish(&text, bytes, size);
 }
 
 static bat_status put_file(const writer *w, char **bytes, size_t *size) {
     bat_text json = {0}, file = {0};
     put_json(w, &json);
+    bat_text_string(&json, "}]}");
+    for (size_t fill = (4 - json.size % 4) % 4; fill > 0; fill--) bat_text_string(&json, " ");
     const uint64_t total = HEADER + 2 * CHUNK + (uint64_t)json.size + w->numbers.size;
     bat_status status = json.failed || w->numbers.failed ? BAT_MEMORY
                         : total > UINT32_MAX             ? BAT_TOLERANCE
@@ -269,13 +281,22 @@ static bat_status put_model(writer *w, const bat_model *model, double tolerance)
     return status;
 }
 
-bat_status bat_gltf_put_parts(const bat_parts *parts, char **bytes, size_t *size) {
+static bat_status put_parts(const bat_parts *parts, bool as_text, char **bytes, size_t *size) {
     writer w = {.part_count = 0};
     bat_status status = BAT_OK;
     for (size_t i = 0; i < parts->count && status == BAT_OK; i++) status = put_part(&w, &parts->part[i]);
-    if (status == BAT_OK) status = w.part_count ? put_file(&w, bytes, size) : BAT_COUNT;
+    if (status == BAT_OK)
+        status = !w.part_count ? BAT_COUNT : as_text ? put_text(&w, bytes, size) : put_file(&w, bytes, size);
     clear(&w);
     return status;
+}
+
+bat_status bat_gltf_put_parts(const bat_parts *parts, char **bytes, size_t *size) {
+    return put_parts(parts, false, bytes, size);
+}
+
+bat_status bat_gltf_put_parts_as_text(const bat_parts *parts, char **bytes, size_t *size) {
+    return put_parts(parts, true, bytes, size);
 }
 
 bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
