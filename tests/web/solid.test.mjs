@@ -114,9 +114,9 @@ test('from the blank page to the STL of a vase: draw, revolve, export', async ()
   await shot('open');
   assert.match(told, / mm, [\d,]+ triangles, [\d,]+ open edges$/);
   const [wide, deep, tall] = sizes(told);
-  const open = await made(page);
-  assert.match(open.name, /\.stl$/);
-  assert.ok(openEdges(triangles(open.bytes)) > 0);
+  const loose = await made(page);
+  assert.match(loose.name, /\.stl$/);
+  assert.ok(openEdges(triangles(loose.bytes)) > 0);
 
   assert.match(await choose(page, { format: 'stl', cap: true }), /, watertight$/);
   await shot('capped');
