@@ -50,7 +50,7 @@ static bat_status add_surface(const bat_surface *surface, double tolerance, bat_
     bat_status status = bat_surface_tessellate(surface, &options, made, &report);
     if (status != BAT_OK) return status == BAT_COUNT ? BAT_TOLERANCE : status;
     to->surface_count++;
-    if (report.max_error > tolerance) return BAT_TOLERANCE;
+    if (report.limited && report.max_error > tolerance) return BAT_TOLERANCE; /* rounding apart */
     bat_tessellation_mesh(*made, &mesh);
     to->part[to->count++] = (bat_part){BAT_PART_TRIANGLES,  mesh.rows * mesh.columns,
                                        mesh.triangle_count, mesh.points,
