@@ -33,16 +33,19 @@ static int run(const cli_arguments *arguments) {
 const cli_command command_surface_convert = {
     .name = "surface convert",
     .usage = "IN OUT.(json|obj|stl|3mf|glb|gltf|ply|usda|igs|step) [--tolerance T]",
-    .summary = "A mesh, surfaces and curves as OBJ, STL, glTF, IGES or STEP, and OBJ, IGES or STEP as JSON.",
+    .summary = "A mesh, surfaces and curves as OBJ, STL, 3MF, glTF, PLY, USD, IGES or STEP, and OBJ, IGES or "
+               "STEP as JSON.",
     .details =
         "IN is a MESH, a SURFACE, a CURVE or a list of them, or an .obj, .igs or .step file. OBJ holds faces "
-        "and B-splines\nas they are, IGES and STEP B-splines, in millimetres; STL and 3MF hold triangles, "
-        "PLY these and vertices, binary "
-        "glTF "
-        "(.glb) triangles with\nnormals, curves as line strips and clouds as points.",
+        "and B-splines\nas they are, IGES and STEP B-splines, in millimetres. STL and 3MF hold triangles, "
+        "PLY "
+        "these and vertices; glTF (.glb,\n.gltf) and USD (.usda) triangles with normals, curves as line "
+        "strips and "
+        "clouds as points.",
     .example = "batten surface convert jug.json jug.glb --tolerance 0.01",
     .operands = 2,
     .options = {{"--tolerance", "T", "greatest distance of triangles and lines; 1e-4 of the size by default"},
-                {"--cap", NULL, "to files of triangles: open rims that lie in a plane are filled"}},
+                {"--cap", NULL,
+                 "to files of triangles: the ends of tubes and rims that lie in a plane are filled"}},
     .run = run,
 };

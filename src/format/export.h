@@ -6,7 +6,7 @@
 
 /*
  * words, with a blank between each: the name of a format; "wall" or "floor", which is how the page stands, else as `found`;
- * a number, which is the greatest distance of triangles in millimetres (0: 1e-4 of the size); "cap": rims that lie in a plane are filled; "tell": the bytes are JSON of
+ * a number, which is the greatest distance of triangles in millimetres (0: 1e-4 of the size); "cap": open rims are filled (bat_parts_close); "tell": the bytes are JSON of
  * what the file would hold instead, with its size in millimetres. "space" in place of a format: JSON of whether the page is
  * a floor. BAT_COUNT: nothing is in space; BAT_ARGUMENT: other words; problem says why there is no file.
  */

@@ -45,9 +45,7 @@ const bat_model_format *bat_model_format_called(const char *file) {
 /* Triangles as the formats hold them that hold no surfaces. */
 static bat_status divide(const bat_model *model, const bat_dividing *how, bat_parts *out, size_t *open) {
     bat_status status = bat_parts_create(model, how->tolerance, out);
-    if (status == BAT_OK)
-        status = bat_parts_close(out, how->tolerance, bat_model_size(model), how->cap, model->mesh != NULL,
-                                 open);
+    if (status == BAT_OK) status = bat_parts_close(out, model, how->tolerance, how->cap, open);
     return status;
 }
 

@@ -23,7 +23,7 @@ const bat_model_format *bat_model_format_called(const char *file);
 
 typedef struct bat_dividing {
     double tolerance; /* greatest distance of triangles and lines; 0: 1e-4 of the model's size */
-    bool cap;         /* rims that lie in a plane are filled: bat_parts_close */
+    bool cap;         /* open rims are filled: bat_parts_close */
     bool always;      /* into triangles also where the format holds surfaces, if it holds triangles */
 } bat_dividing;
 /* What a file holds, in its own axes and unit. */

@@ -1,4 +1,4 @@
-/* Parts become watertight: seams are joined, and rims that lie in a plane are filled. */
+/* Parts become watertight: seams are joined, and rims that lie in a plane or end a tube are filled. */
 #include "format/model/fill.h"
 #include "format/model/rim.h"
 
@@ -13,7 +13,7 @@ static const double SEAM = 1e-7, FLAT = 1e-9; /* of the size */
 typedef struct closing {
     const bat_part *part;
     double tolerance, seam;
-    bool cap, outward;
+    bool cap, outward, tube; /* tube: of a surface that is closed in a direction */
     size_t edge_count, open;
     bat_rim_edge *edges;
     int *same, *piece; /* of each vertex: the first at its place; another one that it hangs together with */
@@ -126,15 +126,16 @@ static bool fill_rim(closing *c) {
     plane p;
     double middle[2];
     size_t count;
+    bool planar = true;
     if (!find_plane(c, &p)) return false;
     for (size_t i = 0; i < c->corner_count; i++) {
         const vec at = vec_sub(place(c, c->corners[i]), p.origin);
-        if (!is_near(c, &p, c->corners[i])) return false;
+        planar = planar && is_near(c, &p, c->corners[i]);
         c->flat[2 * i] = vec_dot(at, p.x), c->flat[2 * i + 1] = vec_dot(at, p.y);
     }
     int *triangles = c->triangles + 3 * c->triangle_count;
-    if (is_flat_sheet(c, &p) || !bat_fill(c->corner_count, c->flat, c->next, triangles, &count, middle))
-        return false;
+    if (planar ? is_flat_sheet(c, &p) : !c->tube) return false;
+    if (!bat_fill(c->corner_count, c->flat, c->next, triangles, &count, middle)) return false;
     for (size_t i = 0; i < 3 * count; i++) triangles[i] += (int)c->vertex_count;
     c->triangle_count += count;
     for (size_t i = 0; i < c->corner_count; i++) put_vertex(c, place(c, c->corners[i]), p.normal);
@@ -230,8 +231,15 @@ static bat_status close_part(closing *c, bat_part *part, void **block) {
     return BAT_OK;
 }
 
-bat_status bat_parts_close(bat_parts *parts, double tolerance, double size, bool cap, bool mesh,
+/* The surface that a part was made of; NULL: of something else. */
+static const bat_surface *surface_of(const bat_model *model, size_t part) {
+    const size_t before = model->mesh ? 1 : 0;
+    return part >= before && part - before < model->surface_count ? model->surfaces[part - before] : NULL;
+}
+
+bat_status bat_parts_close(bat_parts *parts, const bat_model *model, double tolerance, bool cap,
                            size_t *open) {
+    const double size = bat_model_size(model);
     bat_status status = BAT_OK;
     *open = 0;
     parts->blocks = calloc(parts->count + 1, sizeof *parts->blocks);
@@ -240,7 +248,9 @@ bat_status bat_parts_close(bat_parts *parts, double tolerance, double size, bool
         bat_part *part = &parts->part[i];
         if (part->kind != BAT_PART_TRIANGLES) continue;
         const bat_part from = *part;
-        closing c = {.part = &from, .seam = SEAM * size, .cap = cap, .outward = !mesh || i > 0};
+        const bat_surface *surface = surface_of(model, i);
+        closing c = {.part = &from, .seam = SEAM * size, .cap = cap, .outward = surface != NULL};
+        c.tube = surface && (bat_surface_is_closed(surface, BAT_U) || bat_surface_is_closed(surface, BAT_V));
         c.tolerance = fmax(tolerance > 0 ? tolerance : 1e-4 * size, FLAT * size);
         status = close_part(&c, part, &parts->blocks[i]);
         *open += c.open;

@@ -32,12 +32,13 @@ typedef struct bat_parts {
 /* Statuses as of bat_gltf_write. tolerance 0: the default. The model must outlive the parts. */
 bat_status bat_parts_create(const bat_model *model, double tolerance, bat_parts *out);
 /*
- * Vertices of rims that are nearer than 1e-7 of `size` become one, as at seams and poles. cap: rims that lie in a plane
- * within the tolerance are filled, unless all that hangs together lies in that plane, and what surfaces are closed then face
- * outward. mesh: whether the first part is a mesh, which faces as it did. *open: the edges that are left without a
- * neighbour. On failure the parts are as they were or closed. O(triangles log triangles).
+ * Of parts made of that model: vertices of rims that are nearer than 1e-7 of its size become one, as at seams and poles. cap:
+ * rims that lie in a plane within the tolerance (0: 1e-4 of the size) are filled, unless all that hangs together lies in that
+ * plane; so are the ends of surfaces that are closed in a direction, whether they lie in a plane or not. What surfaces are
+ * closed by that faces outward. *open: the edges that are left without a neighbour. On failure the parts are as they were or
+ * closed. O(triangles log triangles).
  */
-bat_status bat_parts_close(bat_parts *parts, double tolerance, double size, bool cap, bool mesh,
+bat_status bat_parts_close(bat_parts *parts, const bat_model *model, double tolerance, bool cap,
                            size_t *open);
 void bat_parts_clear(bat_parts *parts);
 
