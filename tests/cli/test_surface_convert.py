@@ -181,13 +181,13 @@ class Convert(ProgramTest):
         self.assertIn("surfaces or curves", self.refused(1, "surface", "convert", cloud, "o.igs"))
         self.assertIn("line 1", self.refused(1, "surface", "convert", self.file("x.igs", "no"), "o.json"))
         self.assertIn("ISO-10303-21", self.refused(1, "surface", "convert", self.file("x.stp", "no"), "o.json"))
-        self.refused(2, "surface", "convert", cloud, "o.ply")
+        self.refused(2, "surface", "convert", cloud, "o.off")
         self.refused(2, "surface", "convert", cloud, "-")
 
     @unittest.skipUnless(shutil.which("assimp"), "assimp-utils")
     def test_another_program_reads_them(self):
         for content, triangles, faces in ((CUBE, 12, 6), (ELL, 20, 8)):
-            for ending in (".glb", ".stl", ".obj"):
+            for ending in (".glb", ".stl", ".obj", ".gltf", ".ply", ".3mf"):
                 told = subprocess.run(["assimp", "info", self.convert(content, ending), "--raw"], stdout=subprocess.PIPE, check=True).stdout.decode()
                 self.assertRegex(told, rf"(?m)^Faces: +{faces if ending == '.obj' else triangles}\b")
                 self.assertRegex(told, r"(?m)^Meshes: +1\b")
