@@ -137,7 +137,7 @@ test('a jug in every format, on the wall and on the floor', async () => {
   const { page, context } = await open(browser, server.address);
   await drop(page, 'jug.batten', fs.readFileSync(JUG, 'utf8'));
   const digest = (await state(page)).digest;
-  const asked = await choose(page, { format: 'glb', part: '0' });
+  const said = await choose(page, { format: 'glb', part: '0' });
   await page.screenshot({ path: path.join(SCREENSHOTS, 'solid-jug.png') });
   const stands = await page.inputValue('#export-stand');
   const glb = (await made(page)).bytes;
@@ -146,8 +146,10 @@ test('a jug in every format, on the wall and on the floor', async () => {
   const scene = JSON.parse(glb.toString('utf8', 20, 20 + glb.readUInt32LE(12)));
   const ends = scene.accessors.filter(({ min }) => min);
   const height = Math.max(...ends.map(({ max }) => max[1])) - Math.min(...ends.map(({ min }) => min[1]));
-  assert.ok(Math.abs(1000 * height - sizes(asked)[2]) < 1e-3 * sizes(asked)[2], `${height} ${asked}`); // metres, y up
+  assert.ok(Math.abs(1000 * height - sizes(said)[2]) < 1e-3 * sizes(said)[2], `${height} ${said}`); // metres, y up
 
+  const asked = [];
+  page.on('request', (request) => { if (request.url().startsWith('http')) { asked.push(request.url()); } });
   await choose(page, { format: 'stl', stand: stands, cap: false });
   const one = box(triangles((await made(page)).bytes));
   await choose(page, { format: 'stl', stand: stands === 'wall' ? 'floor' : 'wall', cap: false });
@@ -160,6 +162,11 @@ test('a jug in every format, on the wall and on the floor', async () => {
   assert.match(obj.name, /\.obj$/);
   const [low, high] = box(faces(obj.bytes.toString()));
   assert.ok(Math.abs(high[1] - low[1] - sizes(fine)[2]) < 2e-3 * sizes(fine)[2]); // y up
+  for (const [format, head] of [['3mf', 'PK'], ['ply', 'ply'], ['usda', '#usda 1.0']]) {
+    await choose(page, { format, stand: stands, tolerance: 0.1 });
+    const file = await made(page);
+    assert.ok(file.name.endsWith(`.${format}`) && file.bytes.toString('latin1', 0, 9).startsWith(head));
+  }
   for (const [format, head] of [['step', 'ISO-10303-21'], ['iges', 'B-spline']]) {
     assert.doesNotMatch(await choose(page, { format, stand: stands }), /triangles/);
     assert.equal(await page.isVisible('#export-tolerance'), false);
@@ -168,6 +175,7 @@ test('a jug in every format, on the wall and on the floor', async () => {
     assert.ok(file.bytes.toString('latin1', 0, 80).includes(head));
   }
   assert.equal((await state(page)).digest, digest);
+  assert.deepEqual(asked, []); // all are made in the page
   await context.close();
 });
 
