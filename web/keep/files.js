@@ -236,9 +236,8 @@ export class Files {
       await this.place.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
       this.engine.saved();
       this.onsaved();
-      if (!this.engine.keeps) {
-        this.losses = this.engine.losses = {};
-      }
+      // What no longer agreed with the drawing is no longer in the file.
+      this.losses = this.engine.losses = this.engine.keeps ? { ...this.losses, native: 0 } : {};
       this.notices.over('kept', 'unkept', 'changed', 'unsaved');
       this.notices.say(word('shell.saved', this.name));
     } catch (error) {
