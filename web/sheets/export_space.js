@@ -31,18 +31,18 @@ export class Space {
   /** @param {Engine} engine @param {number} tolerance 0: in proportion to the size @param {boolean} cap @param {boolean} floor */
   constructor(engine, tolerance, cap, floor) {
     this.engine = engine;
-    this.stand = select(['wall', 'floor'].map((name) => /** @type {[string, string]} */ ([name, word(`shell.${name}.help`)])), floor ? 'floor' : 'wall');
+    this.stand = select(['wall', 'floor'].map((name) => /** @type {[string, string]} */ ([name, word(`shell.${name}`)])), floor ? 'floor' : 'wall');
     this.finest = document.createElement('input');
-    Object.assign(this.finest, { type: 'number', min: '0', step: 'any', value: tolerance ? String(tolerance) : '', placeholder: word('shell.by-itself.help') });
+    Object.assign(this.finest, { type: 'number', min: '0', step: 'any', value: tolerance ? String(tolerance) : '', placeholder: word('shell.by-itself') });
     this.capped = document.createElement('input');
     Object.assign(this.capped, { type: 'checkbox', checked: cap });
     this.told = document.createElement('output');
     this.told.id = 'export-told';
     this.divided = true;
     /** Rows for triangles. @type {HTMLElement[]} */
-    this.dividing = [row('tolerance', word('property.tolerance'), this.finest, word('unit.mm')), row('cap', word('shell.cap.help'), this.capped)];
+    this.dividing = [row('tolerance', word('property.tolerance'), this.finest, word('unit.mm')), row('cap', word('shell.cap'), this.capped)];
     /** @type {HTMLElement[]} */
-    this.rows = [row('stand', word('shell.page-stands.help'), this.stand), ...this.dividing, this.told];
+    this.rows = [row('stand', word('shell.page-stands'), this.stand), ...this.dividing, this.told];
     this.shown = 0;
     this.part = EVERYTHING;
     /** @type {string | undefined} */
@@ -92,8 +92,8 @@ export class Space {
         return word('shell.not-in-space.help');
       }
       const size = [told.wide, told.deep, told.tall].map(readable).join(' × ');
-      const open = told.open ? word('shell.open-edges.help', told.open.toLocaleString('en')) : word('shell.watertight.help');
-      const faces = told.triangles && this.divided ? [word('shell.triangles.help', told.triangles.toLocaleString('en')), open] : [];
+      const open = told.open ? word('shell.open-edges', told.open.toLocaleString('en')) : word('shell.watertight');
+      const faces = told.triangles && this.divided ? [word('shell.triangles', told.triangles.toLocaleString('en')), open] : [];
       return [`${size} ${word('unit.mm')}`, ...faces].join(', ');
     } catch (error) {
       return error instanceof Error ? error.message : String(error);
