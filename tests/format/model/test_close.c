@@ -75,23 +75,51 @@ static bool is_line(const bat_part *part, size_t s) {
     return is_same(p[0], p[1]) || is_same(p[1], p[2]) || is_same(p[2], p[0]);
 }
 
+enum { SIDE = 6 }; /* numbers of a side: where it begins and where it ends */
+
+static int compare_sides(const void *a, const void *b) { return memcmp(a, b, SIDE * sizeof(double)); }
+
+/* How many of sorted sides are this one. */
+static size_t times(const double *sorted, size_t count, const double *side) {
+    size_t low = 0, high = count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (compare_sides(sorted + SIDE * middle, side) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    size_t found = 0;
+    while (low + found < count && compare_sides(sorted + SIDE * (low + found), side) == 0) found++;
+    return found;
+}
+
 /* Sides of triangles that no other triangle has the other way round, at the same places. */
+static size_t open_of_part(const bat_part *part) {
+    size_t count = 0, open = 0;
+    double *sides = malloc((3 * part->triangle_count + 1) * SIDE * sizeof *sides);
+    assert_non_null(sides);
+    for (size_t s = 0; s < 3 * part->triangle_count; s++) {
+        if (is_line(part, s)) continue;
+        double *side = sides + SIDE * count++;
+        memcpy(side, part->points + 3 * (size_t)part->triangles[s], 3 * sizeof *side);
+        memcpy(side + 3, part->points + 3 * (size_t)part->triangles[s - s % 3 + (s + 1) % 3],
+               3 * sizeof *side);
+    }
+    qsort(sides, count, SIDE * sizeof *sides, compare_sides);
+    for (size_t s = 0; s < count; s++) {
+        double back[SIDE];
+        memcpy(back, sides + SIDE * s + 3, 3 * sizeof *back);
+        memcpy(back + 3, sides + SIDE * s, 3 * sizeof *back);
+        open += times(sides, count, back) != 1;
+    }
+    free(sides);
+    return open;
+}
+
 static size_t open_of(const bat_parts *parts) {
     size_t open = 0;
-    for (size_t i = 0; i < parts->count; i++) {
-        const bat_part *part = &parts->part[i];
-        for (size_t s = 0; s < 3 * part->triangle_count; s++) {
-            const double *a = part->points + 3 * (size_t)part->triangles[s],
-                         *b = part->points + 3 * (size_t)part->triangles[s - s % 3 + (s + 1) % 3];
-            int twins = 0;
-            for (size_t o = 0; o < 3 * part->triangle_count; o++) {
-                const double *c = part->points + 3 * (size_t)part->triangles[o],
-                             *d = part->points + 3 * (size_t)part->triangles[o - o % 3 + (o + 1) % 3];
-                twins += !is_line(part, o) && is_same(a, d) && is_same(b, c);
-            }
-            open += twins != 1 && !is_line(part, s);
-        }
-    }
+    for (size_t i = 0; i < parts->count; i++) open += open_of_part(&parts->part[i]);
     return open;
 }
 
