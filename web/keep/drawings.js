@@ -1,6 +1,5 @@
-// The page's drawing and what the browser has kept of it: opening it with what a closed or crashed page left, leaving
-// it for another, taking it over from another page. Whatever the engine begins anew is a drawing of its own, with an id that no
-// other has, so that nothing takes the place of what is kept.
+// The page's drawing and what the browser has kept of it: opening what a closed or crashed page left, leaving it for another, taking
+// it over from another page. Whatever the engine begins anew has an id that no other has: nothing takes the place of what is kept.
 
 import { want } from '../page/build.js';
 import { keep as remember, kept } from '../page/kept.js';
