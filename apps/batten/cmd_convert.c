@@ -211,6 +211,12 @@ static int put_model(const cli_arguments *arguments, const drawing_file *drawing
     return EXIT_DONE;
 }
 
+static int fail_cap(const cli_arguments *arguments) {
+    return fail_usage(arguments->command,
+                      "--cap is for .stl, .3mf, .glb, .gltf, .ply, .usda and, with %s, .obj",
+                      OPTION_TRIANGLES);
+}
+
 /* A drawing as a model: the name says so, or for .obj an option, and --to names no other format. */
 static const bat_model_format *model_wanted(const cli_arguments *arguments) {
     const bat_model_format *format = arguments_value(arguments, "--to")
@@ -229,10 +235,7 @@ static int run_model(const cli_arguments *arguments, const bat_model_format *for
     int failed = options_fit(arguments, format->name);
     if (arguments_value(arguments, "--floor") && arguments_value(arguments, "--wall"))
         failed = fail_usage(arguments->command, "--floor and --wall exclude each other");
-    if (how.cap && !format->divide)
-        failed = fail_usage(arguments->command,
-                            "--cap is for .stl, .3mf, .glb, .gltf, .ply, .usda and, with %s, .obj",
-                            OPTION_TRIANGLES);
+    if (how.cap && !format->divide) failed = fail_cap(arguments);
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &how.tolerance);
     if (!failed) failed = drawing_read(arguments->operands[0], NULL, &drawing);
     if (failed) return failed;
@@ -247,10 +250,7 @@ static int run_one(const cli_arguments *arguments) {
     if (arguments_value(arguments, "--floor") || arguments_value(arguments, "--wall"))
         return fail_usage(arguments->command, "--floor and --wall are for shapes in space: .stl, .3mf, .glb, "
                                               ".gltf, .ply, .usda, .step and .iges");
-    if (arguments_value(arguments, "--cap"))
-        return fail_usage(arguments->command,
-                          "--cap is for .stl, .3mf, .glb, .gltf, .ply, .usda and, with %s, .obj",
-                          OPTION_TRIANGLES);
+    if (arguments_value(arguments, "--cap")) return fail_cap(arguments);
     if (arguments_value(arguments, OPTION_TRIANGLES))
         return fail_usage(arguments->command, "%s is for .obj", OPTION_TRIANGLES);
     const bat_format *format;

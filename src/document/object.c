@@ -276,6 +276,19 @@ bat_status bat_object_with_paint(const bat_object *object, const bat_paint *pain
     return BAT_OK;
 }
 
+bat_status bat_object_filled_as_stroke(const bat_object *object, bat_object **out) {
+    bat_style style = *bat_object_style(object);
+    const bat_paint *before = bat_object_paint(object);
+    bat_object *styled = NULL;
+    bat_paint paint = {0};
+    style.stroked = false, style.filled = true, style.fill = style.stroke, style.even_odd = false;
+    if (before) paint.fill = before->stroke;
+    bat_status status = bat_object_with_style(object, &style, &styled);
+    if (status == BAT_OK) status = bat_object_with_paint(styled, &paint, out);
+    bat_object_release(styled);
+    return status;
+}
+
 bat_status bat_object_with_clip(const bat_object *object, const bat_clip *clip, bat_object **out) {
     if (!object || !out || !(bat_object_is(object, BAT_DRAWN) || bat_object_is(object, BAT_HOLDS)))
         return BAT_ARGUMENT;

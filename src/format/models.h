@@ -9,7 +9,7 @@ typedef struct bat_model_format {
     /* What is written comes back as it was; */
     bat_status (*write)(const bat_model *model, char **bytes, size_t *size);
     /* or triangles, of which one side is the outer one. */
-    bat_status (*divide)(const bat_parts *parts, char **bytes, size_t *size);
+    bat_parts_writer *divide;
     const char *holds;
     double unit;      /* of the file, in millimetres */
     bool up_is_y;     /* else up is z */

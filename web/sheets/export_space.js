@@ -47,6 +47,8 @@ export class Space {
     this.part = EVERYTHING;
     /** @type {string | undefined} */
     this.space = undefined;
+    /** What was asked last, and the answer. @type {{ asked: string, told: Told } | undefined} */
+    this.known = undefined;
     for (const field of [this.stand, this.finest, this.capped]) {
       field.addEventListener('input', () => this.tell());
     }
@@ -84,10 +86,18 @@ export class Space {
     }
   }
 
+  /** What the file will hold: asked once for each way of making it, since all triangles are made for it. @returns {Told} */
+  holds() {
+    const asked = `${this.part} ${this.asked(' tell')}`;
+    if (this.known?.asked !== asked) {
+      this.known = { asked, told: parsed(excerpt(this.engine, this.asked(' tell'), this.part)) };
+    }
+    return this.known.told;
+  }
+
   summary() {
     try {
-      /** @type {Told} */
-      const told = parsed(excerpt(this.engine, this.asked(' tell'), this.part));
+      const told = this.holds();
       if (!told.bytes) {
         return word('shell.not-in-space.help');
       }
@@ -102,7 +112,7 @@ export class Space {
 
   /** The file. */
   made() {
-    if (!parsed(excerpt(this.engine, this.asked(' tell'), this.part)).bytes) {
+    if (!this.holds().bytes) {
       throw new Refusal(word('shell.not-in-space.help'));
     }
     return excerpt(this.engine, this.asked(), this.part);

@@ -1,5 +1,7 @@
 #include "editor/edit/outlining.h"
 
+#include "document/object.h"
+
 #include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/paint.h>
@@ -279,20 +281,6 @@ static bat_status stretches(const bat_object *object, const bat_paint *paint, li
     return status;
 }
 
-/* Filled with what painted the stroke. */
-static bat_status fill_as_stroke(const bat_object *path, bat_object **out) {
-    bat_style style = *bat_object_style(path);
-    const bat_paint *before = bat_object_paint(path);
-    bat_object *styled = NULL;
-    bat_paint paint = {0};
-    style.stroked = false, style.filled = true, style.fill = style.stroke, style.even_odd = false;
-    if (before) paint.fill = before->stroke;
-    bat_status status = bat_object_with_style(path, &style, &styled);
-    if (status == BAT_OK) status = bat_object_with_paint(styled, &paint, out);
-    bat_object_release(styled);
-    return status;
-}
-
 bat_status bat_outlining_stroke(const bat_object *object, bat_object **out, bool *first) {
     const bat_style *style = bat_object_style(object);
     const bat_paint *paint = bat_object_paint(object);
@@ -313,7 +301,7 @@ bat_status bat_outlining_stroke(const bat_object *object, bat_object **out, bool
     free(ends);
     if (status == BAT_OK) status = path_of(object, &outlines, &path);
     *out = NULL;
-    if (status == BAT_OK && path) status = fill_as_stroke(path, out);
+    if (status == BAT_OK && path) status = bat_object_filled_as_stroke(path, out);
     bat_object_release(path);
     bat_curves_free(lines.count, lines.curves);
     bat_curves_free(outlines.count, outlines.curves);

@@ -300,13 +300,7 @@ bat_status bat_gltf_put_parts_as_text(const bat_parts *parts, char **bytes, size
 }
 
 bat_status bat_gltf_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    if (!model || !bytes || !size) return BAT_ARGUMENT;
-    bat_parts parts;
-    bat_status status = bat_parts_create(model, tolerance, &parts);
-    if (status != BAT_OK) return status;
-    status = bat_gltf_put_parts(&parts, bytes, size);
-    bat_parts_clear(&parts);
-    return status;
+    return bat_parts_write(model, tolerance, bat_gltf_put_parts, bytes, size);
 }
 
 bat_status bat_gltf_write_move(const bat_camera *camera, double place, double angle, char **bytes,

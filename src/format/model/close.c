@@ -40,16 +40,11 @@ static void clear(closing *c) {
 
 static vec place(const closing *c, int vertex) { return vec_load(c->part->points + 3 * (size_t)vertex, 3); }
 
-static int root(int *piece, int vertex) {
-    while (piece[vertex] != vertex) vertex = piece[vertex] = piece[piece[vertex]];
-    return vertex;
-}
-
 static void find_pieces(closing *c) {
     for (size_t i = 0; i < c->part->vertex_count; i++) c->piece[i] = (int)i;
     for (size_t i = 0; i < 3 * c->part->triangle_count; i++) {
-        const int a = root(c->piece, c->same[c->part->triangles[i]]),
-                  b = root(c->piece, c->same[c->part->triangles[i - i % 3]]);
+        const int a = bat_rim_root(c->piece, c->same[c->part->triangles[i]]),
+                  b = bat_rim_root(c->piece, c->same[c->part->triangles[i - i % 3]]);
         c->piece[a < b ? b : a] = a < b ? a : b;
     }
 }
@@ -108,9 +103,9 @@ static bool is_near(const closing *c, const plane *p, int vertex) {
 }
 
 static bool is_flat_sheet(closing *c, const plane *p) {
-    const int piece = root(c->piece, c->corners[0]);
+    const int piece = bat_rim_root(c->piece, c->corners[0]);
     for (size_t i = 0; i < c->part->vertex_count; i++)
-        if (root(c->piece, c->same[i]) == piece && !is_near(c, p, c->same[i])) return false;
+        if (bat_rim_root(c->piece, c->same[i]) == piece && !is_near(c, p, c->same[i])) return false;
     return true;
 }
 

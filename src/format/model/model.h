@@ -41,5 +41,10 @@ bat_status bat_parts_create(const bat_model *model, double tolerance, bat_parts 
 bat_status bat_parts_close(bat_parts *parts, const bat_model *model, double tolerance, bool cap,
                            size_t *open);
 void bat_parts_clear(bat_parts *parts);
+/* A file of triangles. */
+typedef bat_status bat_parts_writer(const bat_parts *parts, char **bytes, size_t *size);
+/* The parts of a model, as such a file. Statuses as of bat_gltf_write. */
+bat_status bat_parts_write(const bat_model *model, double tolerance, bat_parts_writer *writer, char **bytes,
+                           size_t *size);
 
 #endif

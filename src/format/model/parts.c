@@ -135,3 +135,14 @@ bat_status bat_parts_create(const bat_model *model, double tolerance, bat_parts 
         bat_parts_clear(&made);
     return status;
 }
+
+bat_status bat_parts_write(const bat_model *model, double tolerance, bat_parts_writer *writer, char **bytes,
+                           size_t *size) {
+    if (!model || !bytes || !size) return BAT_ARGUMENT;
+    bat_parts parts;
+    bat_status status = bat_parts_create(model, tolerance, &parts);
+    if (status != BAT_OK) return status;
+    status = writer(&parts, bytes, size);
+    bat_parts_clear(&parts);
+    return status;
+}

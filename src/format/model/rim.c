@@ -118,11 +118,6 @@ static int by_key(const void *a, const void *b) {
     return p->vertex == q->vertex ? 0 : p->vertex < q->vertex ? -1 : 1;
 }
 
-static int root(const int *same, int vertex) {
-    while (same[vertex] != vertex) vertex = same[vertex];
-    return vertex;
-}
-
 bat_status bat_rim_join(const bat_part *part, size_t count, const bat_rim_edge *edges, double within,
                         int *same, size_t *joined) {
     ranked *list = malloc((count + 1) * sizeof *list);
@@ -139,12 +134,12 @@ bat_status bat_rim_join(const bat_part *part, size_t count, const bat_rim_edge *
         for (size_t j = i + 1; j < ends && list[j].key - list[i].key <= within; j++) {
             const vec a = vec_load(part->points + 3 * (size_t)list[i].vertex, 3),
                       b = vec_load(part->points + 3 * (size_t)list[j].vertex, 3);
-            const int p = root(same, list[i].vertex), q = root(same, list[j].vertex);
+            const int p = bat_rim_root(same, list[i].vertex), q = bat_rim_root(same, list[j].vertex);
             if (p == q || vec_norm(vec_sub(a, b)) > within) continue;
             same[p < q ? q : p] = p < q ? p : q;
             ++*joined;
         }
-    for (size_t i = 0; i < part->vertex_count; i++) same[i] = root(same, (int)i);
+    for (size_t i = 0; i < part->vertex_count; i++) same[i] = bat_rim_root(same, (int)i);
     free(list);
     return BAT_OK;
 }

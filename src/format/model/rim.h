@@ -9,6 +9,12 @@ typedef struct bat_rim_edge {
     int from, to;
 } bat_rim_edge;
 
+/* The vertex that stands for all that hang together with this one, by way of others; ways become shorter. */
+static inline int bat_rim_root(int *way, int vertex) {
+    while (way[vertex] != vertex) vertex = way[vertex] = way[way[vertex]];
+    return vertex;
+}
+
 /* Of each vertex, the first one at its very place. O(vertices log vertices). */
 bat_status bat_rim_same(const bat_part *part, int *same);
 /* Edges in order of `from`, to be freed; triangles without area have none. O(triangles log triangles). */

@@ -41,11 +41,5 @@ bat_status bat_stl_put_parts(const bat_parts *parts, char **bytes, size_t *size)
 }
 
 bat_status bat_stl_write(const bat_model *model, double tolerance, char **bytes, size_t *size) {
-    if (!model || !bytes || !size) return BAT_ARGUMENT;
-    bat_parts parts;
-    bat_status status = bat_parts_create(model, tolerance, &parts);
-    if (status != BAT_OK) return status;
-    status = bat_stl_put_parts(&parts, bytes, size);
-    bat_parts_clear(&parts);
-    return status;
+    return bat_parts_write(model, tolerance, bat_stl_put_parts, bytes, size);
 }

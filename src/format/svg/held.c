@@ -171,12 +171,12 @@ static bool is_as_written(const bat_held *held, const char *noted, uint64_t all,
     return true;
 }
 
-/* The first place of an element, which are sorted by these. */
-static int first_place(const bat_svg_walk *w, uint32_t element) {
-    int low = 0, high = w->place_count;
+/* The first place of an element or behind it, of places in their order. */
+static int first_place(const bat_sourced *places, int count, double element) {
+    int low = 0, high = count;
     while (low < high) {
         const int middle = (low + high) / 2;
-        if (w->places[middle].element < element)
+        if (places[middle].element < element)
             low = middle + 1;
         else
             high = middle;
@@ -190,7 +190,7 @@ static void name_others(bat_svg_walk *w, const bat_held *held) {
         const bat_splice *s = &held->splices[k];
         if (!s->element || !s->object) continue;
         const bat_svg_kind kind = bat_object_is_group(s->object) ? BAT_SVG_GROUP : BAT_SVG_SHAPE;
-        const int at = first_place(w, s->element);
+        const int at = first_place(w->places, w->place_count, s->element);
         if (at < w->place_count && w->places[at].element == s->element && !w->places[at].id &&
             w->tree->elements[s->element].kind == kind)
             w->places[at].id = bat_object_id(s->object);
@@ -268,14 +268,7 @@ bat_status bat_svg_name_native(const bat_svg_reader *reader, bat_sourced *list, 
             bat_json_type_of(&json, second) != BAT_JSON_NUMBER)
             continue;
         const double id = json.nodes[first].value.number, element = json.nodes[second].value.number;
-        int low = 0, high = count;
-        while (low < high) {
-            const int middle = (low + high) / 2;
-            if (list[middle].element < element)
-                low = middle + 1;
-            else
-                high = middle;
-        }
+        int low = first_place(list, count, element);
         const bool shared = low + 1 < count && list[low + 1].element == element;
         if (shared) low++; /* the first is the `use` itself */
         while (low < count && list[low].element == element && list[low].id) low++;

@@ -1,6 +1,7 @@
 #include "format/svg/write/covered.h"
 
 #include "document/markers.h"
+#include "document/object.h"
 
 #include <batten/bezier.h>
 
@@ -48,20 +49,6 @@ static bat_status add_cover(chains *c, const bat_object *object, int curve) {
     return status;
 }
 
-/* Filled with what paints the stroke. */
-static bat_status fill_as_stroke(const bat_object *path, bat_object **out) {
-    bat_style style = *bat_object_style(path);
-    const bat_paint *before = bat_object_paint(path);
-    bat_object *styled = NULL;
-    bat_paint paint = {0};
-    style.stroked = false, style.filled = true, style.fill = style.stroke, style.even_odd = false;
-    if (before) paint.fill = before->stroke;
-    bat_status status = bat_object_with_style(path, &style, &styled);
-    if (status == BAT_OK) status = bat_object_with_paint(styled, &paint, out);
-    bat_object_release(styled);
-    return status;
-}
-
 /* Markers are at the vertices of the curve, not of what covers its stroke. */
 static bat_status unmark(bat_object **path) {
     bat_object *made = NULL;
@@ -85,7 +72,7 @@ static bat_status stroke_of(const bat_object *object, bat_object **out) {
         c.count = 0; /* they are the object's, or gone */
     }
     if (path) status = unmark(&path);
-    if (path && status == BAT_OK) status = fill_as_stroke(path, out);
+    if (path && status == BAT_OK) status = bat_object_filled_as_stroke(path, out);
     bat_object_release(path);
     for (size_t i = 0; i < c.count; i++) bat_curve_free(c.curves[i]);
     free(c.curves);
