@@ -19,7 +19,7 @@ function settings({ panel }) {
 /** @param {Shell} shell @returns {Other[]} */
 function formats(shell) {
   return FORMATS.map(({ name, of }) => ({ name: `export-${of}`, label: name || word('shell.plain'), of: word('command.export'), words: word(`format.${of}.words`),
-    help: '', run: async () => (await want(import('./export.js'))).exportDrawing(shell, of) }));
+    help: '', run: async () => (await want(import('../export/sheet.js'))).exportDrawing(shell, of) }));
 }
 
 /** @param {Shell} shell @returns {Other[]} */

@@ -68,7 +68,7 @@ export class Requests {
   }
 
   async #export() {
-    const { exportDrawing } = await want(import('./export.js'));
+    const { exportDrawing } = await want(import('../export/sheet.js'));
     await exportDrawing(this.shell);
   }
 

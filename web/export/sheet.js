@@ -1,12 +1,12 @@
 // Export: a file of the page, of everything or of the selection, in a format of choice; or a picture on the clipboard.
 // The last choice is remembered. Fetched with the first export.
 
-import { answer, question } from './question.js';
+import { answer, question } from '../sheets/question.js';
 import { excerpt } from './excerpt.js';
 import { row, select } from './fields.js';
 import { pictureOf, print } from './picture.js';
-import { FORMATS, PNG } from './formats.js';
-import { Space, standing } from './export_space.js';
+import { FORMATS, PNG } from '../sheets/formats.js';
+import { Space, standing } from './space.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
