@@ -10,7 +10,7 @@
 
 void bat_held_free(bat_held *held) {
     for (int i = 0; i < held->count; i++) {
-        bat_splice *s = &held->splices[i];
+        bat_substitute *s = &held->splices[i];
         bat_object_release(s->object);
         for (int k = 0; k < s->redrawn_count; k++) {
             bat_curve_free(s->redrawn[k].curve);
@@ -74,15 +74,15 @@ static bool is_known(const task *t, bat_id id) {
            bsearch(&id, t->known, (size_t)t->known_count, sizeof id, compare_ids) != NULL;
 }
 
-static bat_id id_of(const bat_splice *s) { return s->object ? bat_object_id(s->object) : s->id; }
+static bat_id id_of(const bat_substitute *s) { return s->object ? bat_object_id(s->object) : s->id; }
 
-static bool has_object(const bat_splice *s) { return s->object || s->like; }
+static bool has_object(const bat_substitute *s) { return s->object || s->like; }
 
 /* Who owns what, and which ids that takes. */
 static void claim(task *t) {
     const int count = bat_document_count(t->drawing);
     for (int k = 0; k < t->held->count; k++) {
-        const bat_splice *s = &t->held->splices[k];
+        const bat_substitute *s = &t->held->splices[k];
         if (t->placed[k] < 0 || (!t->whole && !has_object(s))) continue;
         for (int j = 0; j < s->count && t->placed[k] + j < count; j++) t->owner[t->placed[k] + j] = k + 1;
         if (has_object(s)) t->known[t->known_count++] = id_of(s);
@@ -137,7 +137,7 @@ static bat_status redraw_curve(const bat_curve *curve, const bat_redrawn *redraw
 }
 
 /* The object with other curves, which it is made of. */
-static bat_status redraw(const bat_object *object, const bat_splice *s, bat_object **out) {
+static bat_status redraw(const bat_object *object, const bat_substitute *s, bat_object **out) {
     const int count = bat_object_curve_count(object);
     if (s->redrawn_count == 0) {
         *out = bat_object_retain(object);
@@ -179,7 +179,7 @@ static bat_status add(task *t, const bat_object *object, bat_id id, bat_id paren
     return status;
 }
 
-static bat_status add_splice(task *t, const bat_splice *s, int at) {
+static bat_status add_splice(task *t, const bat_substitute *s, int at) {
     const bat_id around = s->count > 0 ? bat_held_parent(t->drawing, t->ids, at) : 0;
     if (s->object) {
         const bat_id own = bat_object_parent(s->object);
@@ -202,7 +202,7 @@ static bat_status gather(task *t) {
     bat_status status = BAT_OK;
     for (int j = 0, k = 0; j <= count && status == BAT_OK; j++) {
         for (; k < t->held->count && status == BAT_OK; k++) {
-            const bat_splice *s = &t->held->splices[k];
+            const bat_substitute *s = &t->held->splices[k];
             if (s->count > 0 || t->placed[k] < 0) continue;
             if (t->placed[k] > j) break;
             if (has_object(s)) status = add_splice(t, s, j);

@@ -19,7 +19,7 @@ typedef struct bat_redrawn {
 } bat_redrawn;
 
 /* An object that takes the place of `count` objects of the drawing from `at` on; 0: it stands before that one. */
-typedef struct bat_splice {
+typedef struct bat_substitute {
     int at, count;
     uint64_t digest;    /* of what those show; without a meaning when count is 0 */
     bat_object *object; /* owned; NULL: none, or as `like` says */
@@ -30,7 +30,7 @@ typedef struct bat_splice {
     bat_id id, parent;
     int redrawn_count;
     bat_redrawn *redrawn; /* ascending by index; owned */
-} bat_splice;
+} bat_substitute;
 
 /* The ids of objects of the drawing from that index on are greater by `more`, up to the next such entry. */
 typedef struct bat_id_shift {
@@ -39,7 +39,7 @@ typedef struct bat_id_shift {
 } bat_id_shift;
 
 typedef struct bat_held {
-    bat_splice *splices; /* ascending */
+    bat_substitute *splices; /* ascending */
     int count;
     bat_id_shift *shifts; /* ascending */
     int shift_count;

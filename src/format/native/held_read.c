@@ -107,7 +107,7 @@ static bat_status read_curve(const bat_json *json, uint32_t node, bat_redrawn *o
 }
 
 /* [id, group, curve, ...]: an object as the drawing has it; group -1: as there. */
-static bat_status read_like(const bat_json *json, uint32_t node, bat_splice *out) {
+static bat_status read_like(const bat_json *json, uint32_t node, bat_substitute *out) {
     double id, parent;
     uint32_t item = bat_json_first(json, node);
     if (!whole_at(json, item, 1, (double)BAT_ID_MAX, &id)) return BAT_SYNTAX;
@@ -130,7 +130,7 @@ static bat_status read_like(const bat_json *json, uint32_t node, bat_splice *out
     return BAT_OK;
 }
 
-static bat_status read_splice(const bat_fields *f, uint32_t node, int above, bat_splice *out) {
+static bat_status read_splice(const bat_fields *f, uint32_t node, int above, bat_substitute *out) {
     const bat_json *json = f->json;
     double at, count;
     uint32_t item = bat_json_first(json, node);
@@ -163,7 +163,7 @@ static bat_status read_splices(const bat_fields *f, bat_held *out) {
     if (!out->splices) return BAT_MEMORY;
     int above = 0;
     for (uint32_t at = bat_json_first(f->json, list); at; at = f->json->nodes[at].next) {
-        bat_splice *made = &out->splices[out->count++];
+        bat_substitute *made = &out->splices[out->count++];
         const bat_status status = read_splice(f, at, above, made);
         if (status != BAT_OK) return status;
         above = made->at + made->count;

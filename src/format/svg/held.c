@@ -122,7 +122,7 @@ static int place(const bat_held *held, const uint64_t *digests, int count, numbe
     if (count > 1) qsort(list, (size_t)count, sizeof *list, compare); /* no ties */
     for (int i = 0; i < count; i++) list[i].next = i;
     for (int k = 0; k < held->count; k++) {
-        const bat_splice *s = &held->splices[k];
+        const bat_substitute *s = &held->splices[k];
         const bool gone = s->broken ||
                           (s->object && s->grouped); /* what depends on a group that is not drawn */
         placed[k] = s->count == 0 && !gone && !bat_object_is_group(s->object) ? count : -1;
@@ -164,7 +164,7 @@ static bool is_as_written(const bat_held *held, const char *noted, uint64_t all,
     bat_digest_print(all, own);
     if (strcmp(noted, own) != 0) return false;
     for (int k = 0; k < held->count; k++) {
-        const bat_splice *s = &held->splices[k];
+        const bat_substitute *s = &held->splices[k];
         if (s->at + s->count > count || s->broken) return false;
         if (s->count > 0 && bat_svg_held_digest(digests + s->at, s->count) != s->digest) return false;
     }
@@ -187,7 +187,7 @@ static int first_place(const bat_sourced *places, int count, double element) {
 /* Gives elements from which nothing is read their objects. */
 static void name_others(bat_svg_walk *w, const bat_held *held) {
     for (int k = 0; k < held->count; k++) {
-        const bat_splice *s = &held->splices[k];
+        const bat_substitute *s = &held->splices[k];
         if (!s->element || !s->object) continue;
         const bat_svg_kind kind = bat_object_is_group(s->object) ? BAT_SVG_GROUP : BAT_SVG_SHAPE;
         const int at = first_place(w->places, w->place_count, s->element);

@@ -198,14 +198,14 @@ static void know_sources(beside *b) {
 
 /* ---- the list ---- */
 
-static bat_splice *add(beside *b, int at, int count) {
-    bat_splice *made = &b->held.splices[b->held.count++];
-    *made = (bat_splice){.at = at, .count = count};
+static bat_substitute *add(beside *b, int at, int count) {
+    bat_substitute *made = &b->held.splices[b->held.count++];
+    *made = (bat_substitute){.at = at, .count = count};
     if (count > 0) made->digest = bat_svg_held_digest(b->digests + at, count);
     return made;
 }
 
-static bat_status set_curves(const beside *b, const pair *p, bat_splice *out) {
+static bat_status set_curves(const beside *b, const pair *p, bat_substitute *out) {
     const bat_object *object = bat_document_at(b->document, p->object),
                      *read = bat_document_at(b->again->document, p->drawn);
     const int count = bat_object_curve_count(object);
@@ -227,7 +227,7 @@ static bat_status add_pair(beside *b, int i, int end) {
         count++;
     if (count == 1 && b->ways[i] == AS_READ) return BAT_OK;
     const bool like = count == 1 && b->ways[i] == AS_DRAWN;
-    bat_splice *made = add(b, p->drawn, count);
+    bat_substitute *made = add(b, p->drawn, count);
     made->object = bat_object_retain(object);
     made->grouped = bat_held_parent(b->again->document, b->ids, p->drawn) != bat_object_parent(object);
     if (!like) return BAT_OK;
@@ -240,7 +240,7 @@ static bat_status add_pair(beside *b, int i, int end) {
 /* From the end of one pair to the next: objects that no element shows, and elements that show none. */
 static void add_between(beside *b, int first, int last, int from, int to) {
     for (int k = first; k < last; k++) {
-        bat_splice *made = add(b, from, 0);
+        bat_substitute *made = add(b, from, 0);
         made->object = bat_object_retain(bat_document_at(b->document, k));
         made->element = b->elements[k];
         if (made->element) b->held.element_count = b->element_count;
@@ -407,7 +407,7 @@ static void write_curve(const bat_curve *curve, const bat_curve *read, int index
     bat_text_string(json, "]");
 }
 
-static void write_splice(const beside *b, const bat_splice *s, bat_text *json) {
+static void write_splice(const beside *b, const bat_substitute *s, bat_text *json) {
     const bat_object *read = bat_document_at(b->again->document, s->at);
     char digest[17] = "";
     bat_text_string(json, "[");
@@ -449,7 +449,7 @@ static bat_status write_pictures(const beside *b, bat_text *json) {
             status = bat_pictures_add(&drawn, bat_object_picture(object));
     }
     for (int k = 0; k < BAT_OBJECT_PICTURES * b->held.count && status == BAT_OK; k++) {
-        const bat_splice *s = &b->held.splices[k / BAT_OBJECT_PICTURES];
+        const bat_substitute *s = &b->held.splices[k / BAT_OBJECT_PICTURES];
         const bat_picture *picture = s->object && !s->like
                                          ? bat_object_picture_at(s->object, k % BAT_OBJECT_PICTURES)
                                          : NULL;
