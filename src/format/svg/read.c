@@ -150,6 +150,7 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
     }
     if (status == BAT_OK && reader->source && !reader->again)
         status = bat_svg_keep(reader, w, report->native, document);
+    bat_svg_candidates_free(&w->candidates);
     free(w->places);
     free(w->shown);
     free(w->opacities);

@@ -50,11 +50,15 @@ static int compare_texts(const char *a, size_t a_size, const char *b, size_t b_s
     return order ? order : (a_size > b_size) - (a_size < b_size);
 }
 
+int bat_svg_key_compare(const bat_svg_key *a, const bat_svg_key *b) {
+    if (a->mark != b->mark) return a->mark < b->mark ? -1 : 1;
+    const int order = compare_texts(a->text, a->size, b->text, b->size);
+    return order ? order : compare_texts(a->value, a->value_size, b->value, b->value_size);
+}
+
 static int compare_keys(const void *a, const void *b) {
     const bat_svg_key *x = a, *y = b;
-    if (x->mark != y->mark) return x->mark < y->mark ? -1 : 1;
-    int order = compare_texts(x->text, x->size, y->text, y->size);
-    if (order == 0) order = compare_texts(x->value, x->value_size, y->value, y->value_size);
+    const int order = bat_svg_key_compare(x, y);
     return order ? order : (x->rule > y->rule) - (x->rule < y->rule);
 }
 
@@ -78,6 +82,11 @@ static bat_status put_in_order(bat_svg_sheet *sheet) {
         if (strchr("^$", sheet->keys[i].mark)) sheet->by_ends = true;
     }
     qsort(sheet->keys, sheet->count, sizeof *sheet->keys, compare_keys); /* no ties */
+    for (size_t i = sheet->count; i-- > 0;) {
+        const bool alike = i + 1 < sheet->count &&
+                           bat_svg_key_compare(&sheet->keys[i], &sheet->keys[i + 1]) == 0;
+        sheet->keys[i].end = alike ? sheet->keys[i + 1].end : (uint32_t)i + 1;
+    }
     return BAT_OK;
 }
 
@@ -201,58 +210,149 @@ void bat_svg_sheet_free(bat_svg_sheet *sheet) {
     *sheet = (bat_svg_sheet){0};
 }
 
-/* The first rule from `from` on whose key is like that one. */
-static size_t next_of(const bat_svg_sheet *sheet, bat_svg_key wanted, size_t from) {
-    size_t low = 0, high = sheet->count;
-    wanted.rule = (uint32_t)from;
+/* ---- the rules that may match an element: those that ask for its type, id, classes or attributes ---- */
+
+/* Where keys begin that ask for what the element has; each goes on to its `end`. */
+typedef struct runs {
+    const bat_svg_sheet *sheet;
+    uint32_t *starts; /* owned */
+    size_t count, room;
+    bool failed;
+} runs;
+
+static void add_run(runs *r, char mark, const char *text, size_t size, const char *value, size_t value_size) {
+    const bat_svg_key wanted = {.mark = mark,
+                                .text = text,
+                                .size = (uint32_t)size,
+                                .value = value,
+                                .value_size = (uint32_t)value_size};
+    const bat_svg_key *keys = r->sheet->keys;
+    size_t low = 0, high = r->sheet->count;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (compare_keys(&sheet->keys[middle], &wanted) < 0)
+        if (bat_svg_key_compare(&keys[middle], &wanted) < 0)
             low = middle + 1;
         else
             high = middle;
     }
-    if (low == sheet->count) return sheet->count;
-    const size_t rule = wanted.rule = sheet->keys[low].rule;
-    return compare_keys(&sheet->keys[low], &wanted) == 0 ? rule : sheet->count;
+    if (low == r->sheet->count || bat_svg_key_compare(&keys[low], &wanted) != 0) return;
+    if (r->count == r->room) {
+        const size_t more = r->room ? r->room * 2 : 16;
+        uint32_t *grown = realloc(r->starts, more * sizeof *grown);
+        if (!grown) {
+            r->failed = true;
+            return;
+        }
+        r->starts = grown;
+        r->room = more;
+    }
+    r->starts[r->count++] = (uint32_t)low;
 }
 
-static bat_svg_key key_like(char mark, const char *name, size_t size) {
-    return (bat_svg_key){.mark = mark, .text = name, .size = (uint32_t)size};
-}
-
-static size_t least(size_t a, size_t b) { return a < b ? a : b; }
-
-size_t bat_svg_sheet_next(const bat_svg_sheet *sheet, const char *type, const char *id, const char *classes,
-                          size_t from) {
-    if (from >= sheet->count) return sheet->count;
-    size_t next = next_of(sheet, key_like('t', "*", 1), from);
-    if (type) next = least(next, next_of(sheet, key_like('t', type, strlen(type)), from));
-    if (id) next = least(next, next_of(sheet, key_like('#', id, strlen(id)), from));
-    while (classes && *classes) {
+static void add_classes(runs *r, const char *classes) {
+    while (*classes) {
         while (is_space(*classes)) classes++;
         size_t n = 0;
         while (classes[n] && !is_space(classes[n])) n++;
-        if (n > 0) next = least(next, next_of(sheet, key_like('.', classes, n), from));
+        if (n > 0) add_run(r, '.', classes, n, NULL, 0);
         classes += n;
     }
-    return next;
 }
 
-size_t bat_svg_sheet_next_by(const bat_svg_sheet *sheet, const char *name, const char *value, size_t from) {
-    if (from >= sheet->count) return sheet->count;
-    bat_svg_key key = key_like('[', name, strlen(name));
-    const size_t size = strlen(value), most = !sheet->by_ends           ? 0
-                                              : size < BAT_SVG_ENDS_MAX ? size
-                                                                        : BAT_SVG_ENDS_MAX;
-    size_t next = next_of(sheet, key, from);
-    key.mark = '=', key.value = value, key.value_size = (uint32_t)size;
-    next = least(next, next_of(sheet, key, from));
+static void add_attribute(runs *r, const char *name, const char *value) {
+    const size_t name_size = strlen(name), size = strlen(value),
+                 most = !r->sheet->by_ends        ? 0
+                        : size < BAT_SVG_ENDS_MAX ? size
+                                                  : BAT_SVG_ENDS_MAX;
+    add_run(r, '[', name, name_size, NULL, 0);
+    add_run(r, '=', name, name_size, value, size);
     for (size_t n = 1; n <= most; n++) {
-        key.mark = '^', key.value = value, key.value_size = (uint32_t)n;
-        next = least(next, next_of(sheet, key, from));
-        key.mark = '$', key.value = value + size - n;
-        next = least(next, next_of(sheet, key, from));
+        add_run(r, '^', name, name_size, value, n);
+        add_run(r, '$', name, name_size, value + size - n, n);
     }
-    return next;
+}
+
+static void add_all(runs *r, const bat_svg_tree *tree, uint32_t element) {
+    const char *type = bat_svg_tree_name(tree, element), *id = bat_svg_tree_attribute(tree, element, "id"),
+               *classes = bat_svg_tree_attribute(tree, element, "class");
+    add_run(r, 't', "*", 1, NULL, 0);
+    if (type) add_run(r, 't', type, strlen(type), NULL, 0);
+    if (id) add_run(r, '#', id, strlen(id), NULL, 0);
+    if (classes) add_classes(r, classes);
+    if (!r->sheet->by_attributes) return;
+    const bat_svg_element *e = &tree->elements[element];
+    const uint32_t *pair = tree->attributes + e->attributes;
+    for (uint32_t k = 0; k < e->attribute_count; k++, pair += 2)
+        add_attribute(r, tree->strings.data + pair[0], tree->strings.data + pair[1]);
+}
+
+static int compare_starts(const void *a, const void *b) {
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* A class named twice is one run. */
+static void each_once(runs *r) {
+    size_t kept = 0;
+    if (r->count > 1) qsort(r->starts, r->count, sizeof *r->starts, compare_starts);
+    for (size_t i = 0; i < r->count; i++)
+        if (kept == 0 || r->starts[i] != r->starts[kept - 1]) r->starts[kept++] = r->starts[i];
+    r->count = kept;
+}
+
+/* The position after the ascending run at `at`. */
+static size_t run_end(const uint32_t *rules, size_t at, size_t count) {
+    for (at++; at < count && rules[at - 1] < rules[at];) at++;
+    return at;
+}
+
+/* Merges [a, b) and [b, c) of `from` into [a, c) of `to`. */
+static void merge(const uint32_t *from, size_t a, size_t b, size_t c, uint32_t *to) {
+    for (size_t i = a, k = b, n = a; n < c;)
+        to[n++] = k == c || (i < b && from[i] < from[k]) ? from[i++] : from[k++];
+}
+
+/* Sorts by merging what ascends already: O(n log k) for k runs. No two are equal, since a rule has one key. */
+static void sort(uint32_t *rules, size_t count) {
+    uint32_t *from = rules, *to = rules + count;
+    for (bool sorted = false; !sorted;) {
+        sorted = count == 0 || run_end(from, 0, count) == count;
+        if (sorted) break;
+        for (size_t a = 0; a < count;) {
+            const size_t b = run_end(from, a, count), c = b < count ? run_end(from, b, count) : b;
+            merge(from, a, b, c, to);
+            a = c;
+        }
+        uint32_t *other = from;
+        from = to;
+        to = other;
+    }
+    if (from != rules) memcpy(rules, from, count * sizeof *rules);
+}
+
+bat_status bat_svg_candidates_find(const bat_svg_sheet *sheet, const bat_svg_tree *tree, uint32_t element,
+                                   bat_svg_candidates *out) {
+    runs r = {.sheet = sheet};
+    out->count = 0;
+    if (sheet->count == 0) return BAT_OK;
+    add_all(&r, tree, element);
+    each_once(&r);
+    size_t count = 0;
+    for (size_t i = 0; i < r.count; i++) count += sheet->keys[r.starts[i]].end - r.starts[i];
+    if (!r.failed && count > out->room) {
+        uint32_t *grown = realloc(out->rules, 2 * count * sizeof *grown);
+        r.failed = !grown;
+        if (grown) out->rules = grown, out->room = count;
+    }
+    for (size_t i = 0; !r.failed && i < r.count; i++)
+        for (uint32_t k = r.starts[i]; k < sheet->keys[r.starts[i]].end; k++)
+            out->rules[out->count++] = sheet->keys[k].rule;
+    sort(out->rules, out->count);
+    free(r.starts);
+    return r.failed ? BAT_MEMORY : BAT_OK;
+}
+
+void bat_svg_candidates_free(bat_svg_candidates *candidates) {
+    free(candidates->rules);
+    *candidates = (bat_svg_candidates){0};
 }

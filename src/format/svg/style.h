@@ -100,6 +100,7 @@ typedef struct bat_svg_key {
     char mark;
     const char *text, *value; /* value: of '=', '^' and '$' */
     uint32_t size, value_size, rule;
+    uint32_t end; /* of the keys of a sheet that ask for the same */
 } bat_svg_key;
 
 typedef struct bat_svg_sheet {
@@ -119,11 +120,20 @@ enum {
 
 bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *sheet);
 void bat_svg_sheet_free(bat_svg_sheet *sheet);
-/* The first rule from `from` on that may match, judged by its key; `count`: none. type, id, classes: NULL when
- * there is none. Rules whose keys ask for attributes are found by the second function, for each attribute. O(log rules). */
-size_t bat_svg_sheet_next(const bat_svg_sheet *sheet, const char *type, const char *id, const char *classes,
-                          size_t from);
-size_t bat_svg_sheet_next_by(const bat_svg_sheet *sheet, const char *name, const char *value, size_t from);
+/* Their order by what they ask for. */
+int bat_svg_key_compare(const bat_svg_key *a, const bat_svg_key *b);
+
+/* Rules that may match an element, judged by their keys: ascending, each once. */
+typedef struct bat_svg_candidates {
+    uint32_t *rules; /* owned, with room for as many again */
+    size_t count, room;
+} bat_svg_candidates;
+
+/* Replaces them by those of the element. O(k log(rules) + n log k) for n rules of k keys that the element answers to; k is at most
+ * the number of its classes and attributes, and some more for each where rules ask how a value begins or ends. */
+bat_status bat_svg_candidates_find(const bat_svg_sheet *sheet, const bat_svg_tree *tree, uint32_t element,
+                                   bat_svg_candidates *out);
+void bat_svg_candidates_free(bat_svg_candidates *candidates);
 
 /* ---- select.c ---- */
 bool bat_svg_is_name(char c);

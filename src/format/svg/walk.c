@@ -105,32 +105,25 @@ static void declare(const bat_svg_scope *outer, const char *text, size_t size, t
         bat_svg_style_declarations(style, &outer->style, diagonal(outer), text, size, what == IMPORTANT);
 }
 
-static size_t next_rule(const bat_svg_walk *w, uint32_t element, const char *type, const char *id,
-                        const char *classes, size_t from) {
-    size_t next = bat_svg_sheet_next(w->sheet, type, id, classes, from);
-    if (!w->sheet->by_attributes) return next;
-    const bat_svg_element *e = &w->tree->elements[element];
-    const uint32_t *pair = w->tree->attributes + e->attributes;
-    const char *strings = w->tree->strings.data;
-    for (uint32_t k = 0; k < e->attribute_count; k++, pair += 2) {
-        const size_t other = bat_svg_sheet_next_by(w->sheet, strings + pair[0], strings + pair[1], from);
-        if (other < next) next = other;
-    }
-    return next;
+/* Finds the rules that match, for declare_rules. */
+static void match_rules(bat_svg_walk *w, uint32_t element) {
+    bat_svg_candidates *c = &w->candidates;
+    const bat_status status = bat_svg_candidates_find(w->sheet, w->tree, element, c);
+    size_t kept = 0;
+    if (status != BAT_OK) w->status = status;
+    for (size_t i = 0; i < c->count; i++)
+        if (bat_svg_rule_matches(w->sheet, &w->sheet->rules[c->rules[i]], w->tree, element, &w->tried))
+            c->rules[kept++] = c->rules[i];
+    c->count = kept;
+    w->tried++;
 }
 
-static void match_rules(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer, taken what,
-                        bat_svg_style *style) {
-    const char *id = bat_svg_attribute_of(w, element, "id"),
-               *classes = bat_svg_attribute_of(w, element, "class");
-    const char *type = bat_svg_tree_name(w->tree, element);
-    size_t i = 0;
-    while ((i = next_rule(w, element, type, id, classes, i)) < w->sheet->count) {
-        const bat_svg_rule *rule = &w->sheet->rules[i++];
-        if (bat_svg_rule_matches(w->sheet, rule, w->tree, element, &w->tried))
-            declare(outer, w->sheet->text + rule->body, rule->body_size, what, style);
+static void declare_rules(const bat_svg_walk *w, const bat_svg_scope *outer, taken what,
+                          bat_svg_style *style) {
+    for (size_t i = 0; i < w->candidates.count; i++) {
+        const bat_svg_rule *rule = &w->sheet->rules[w->candidates.rules[i]];
+        declare(outer, w->sheet->text + rule->body, rule->body_size, what, style);
     }
-    w->tried++;
 }
 
 /* The cascade: attributes, sheets, style="", then the !important declarations of the latter two. */
@@ -139,7 +132,8 @@ void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *out
     const bat_svg_element *e = &w->tree->elements[element];
     const uint32_t *pair = w->tree->attributes + e->attributes;
     const char *strings = w->tree->strings.data, *own = bat_svg_attribute_of(w, element, "style");
-    if (w->sheet->variables) match_rules(w, element, outer, VARIABLES, style);
+    match_rules(w, element);
+    if (w->sheet->variables) declare_rules(w, outer, VARIABLES, style);
     if (own) bat_svg_style_variables(style, own, strlen(own));
     for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
         const char *value = strings + pair[1];
@@ -148,9 +142,9 @@ void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *out
             !bat_svg_style_set(style, &outer->style, diagonal(outer), name, value, value))
             bat_svg_style_miss(style, strings + pair[0], value, strlen(value));
     }
-    match_rules(w, element, outer, NORMAL, style);
+    declare_rules(w, outer, NORMAL, style);
     if (own) declare(outer, own, strlen(own), NORMAL, style);
-    if (w->sheet->important) match_rules(w, element, outer, IMPORTANT, style);
+    if (w->sheet->important) declare_rules(w, outer, IMPORTANT, style);
     if (own) declare(outer, own, strlen(own), IMPORTANT, style);
     if (w->variables.failed) w->status = BAT_MEMORY;
 }

@@ -72,6 +72,7 @@ struct bat_svg_walk {
     bat_svg_report *report;
     bat_svg_notes notes;
     bat_svg_variables variables;     /* custom properties of styles */
+    bat_svg_candidates candidates;   /* the rules of the element whose style is sought */
     bat_svg_stops **stops;           /* of gradients, by element; NULL: not known yet */
     struct bat_svg_tile **tiles;     /* of patterns and masks, by element: the last one made of it */
     struct bat_svg_marker **markers; /* by element; NULL: not known yet */

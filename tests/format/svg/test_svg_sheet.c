@@ -110,6 +110,7 @@ static void all_rules_that_match_are_found(void **unused) {
     (void)unused;
     unsigned state = 5;
     long steps = 0;
+    bat_svg_candidates candidates = {0};
     for (int round = 0; round < 300; round++) {
         char text[2000] = "";
         bat_svg_sheet sheet;
@@ -127,37 +128,20 @@ static void all_rules_that_match_are_found(void **unused) {
         assert_int_equal(bat_svg_sheet_parse(text, strlen(text), &sheet), BAT_OK);
         make_tree(&tree, &state);
         for (uint32_t element = 1; element < tree.count; element++) {
-            const char *type = bat_svg_tree_name(&tree, element);
-            const char *id = bat_svg_tree_attribute(&tree, element, "id");
-            const char *given = bat_svg_tree_attribute(&tree, element, "class");
+            assert_int_equal(bat_svg_candidates_find(&sheet, &tree, element, &candidates), BAT_OK);
             size_t at = 0;
             for (size_t i = 0; i < sheet.count; i++) {
                 if (!bat_svg_rule_matches(&sheet, &sheet.rules[i], &tree, element, &steps)) continue;
-                do at = bat_svg_sheet_next(&sheet, type, id, given, at);
-                while (at < i && ++at);
-                assert_int_equal(at++, i);
+                while (at < candidates.count && candidates.rules[at] < i) at++;
+                assert_true(at < candidates.count && candidates.rules[at] == i);
             }
-            while ((at = bat_svg_sheet_next(&sheet, type, id, given, at)) < sheet.count)
-                assert_false(bat_svg_rule_matches(&sheet, &sheet.rules[at++], &tree, element, &steps));
+            for (size_t i = 1; i < candidates.count; i++)
+                assert_true(candidates.rules[i - 1] < candidates.rules[i]);
         }
         bat_svg_tree_free(&tree);
         bat_svg_sheet_free(&sheet);
     }
-}
-
-static size_t next_candidate(const bat_svg_sheet *sheet, const bat_svg_tree *tree, uint32_t element,
-                             size_t from) {
-    const bat_svg_element *e = &tree->elements[element];
-    size_t next = bat_svg_sheet_next(sheet, bat_svg_tree_name(tree, element),
-                                     bat_svg_tree_attribute(tree, element, "id"),
-                                     bat_svg_tree_attribute(tree, element, "class"), from);
-    for (uint32_t k = 0; k < e->attribute_count; k++) {
-        const uint32_t *pair = tree->attributes + e->attributes + (size_t)2 * k;
-        const size_t other = bat_svg_sheet_next_by(sheet, tree->strings.data + pair[0],
-                                                   tree->strings.data + pair[1], from);
-        if (other < next) next = other;
-    }
-    return next;
+    bat_svg_candidates_free(&candidates);
 }
 
 /* Every rule that matches is a candidate, in order; of rules about other values hardly any is. */
@@ -166,7 +150,8 @@ static void rules_about_attributes_are_found(void **unused) {
     static const char *const tests[] = {"=", "~=", "^=", "$=", "*=", ""};
     unsigned state = 11;
     long steps = 0;
-    int matched = 0, candidates = 0;
+    size_t matched = 0, tried = 0;
+    bat_svg_candidates candidates = {0};
     for (int round = 0; round < 300; round++) {
         char text[6000] = ".z{}";
         bat_svg_sheet sheet;
@@ -185,19 +170,21 @@ static void rules_about_attributes_are_found(void **unused) {
         assert_int_equal(bat_svg_sheet_parse(text, strlen(text), &sheet), BAT_OK);
         make_tree(&tree, &state);
         for (uint32_t element = 1; element < tree.count; element++) {
+            assert_int_equal(bat_svg_candidates_find(&sheet, &tree, element, &candidates), BAT_OK);
             size_t at = 0;
+            tried += candidates.count;
             for (size_t i = 0; i < sheet.count; i++) {
                 if (!bat_svg_rule_matches(&sheet, &sheet.rules[i], &tree, element, &steps)) continue;
-                do at = next_candidate(&sheet, &tree, element, at), candidates++;
-                while (at < i && ++at);
-                assert_int_equal(at++, i);
+                while (at < candidates.count && candidates.rules[at] < i) at++;
+                assert_true(at < candidates.count && candidates.rules[at] == i);
                 matched++;
             }
         }
         bat_svg_tree_free(&tree);
         bat_svg_sheet_free(&sheet);
     }
-    assert_true(matched > 1000 && candidates < 3 * matched);
+    bat_svg_candidates_free(&candidates);
+    assert_true(matched > 1000 && tried < 3 * matched);
 }
 
 static void elements_are_found_as_by_trying_all(void **unused) {
