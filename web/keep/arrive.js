@@ -46,10 +46,9 @@ async function openOne(files, arrival) {
     return;
   }
   files.bind(place);
+  const listed = place && !files.server.passing ? remember(place.handle) : null; // begun at once: the page may be left any moment
   await files.onopen();
-  if (place && !files.server.passing) {
-    await remember(place.handle);
-  }
+  await listed;
 }
 
 /** Shows what the file holds, beside what is open. @param {Files} files @param {Content} content @param {string} name */
