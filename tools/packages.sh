@@ -88,6 +88,7 @@ need_to_test() {
     need groff-base groff
     need nodejs node
     need chromium chromium
+    need chromium-headless-shell chromium-headless-shell
     need dpkg-dev dpkg-buildflags
     need adwaita-icon-theme /usr/share/icons/Adwaita/scalable
     need tango-icon-theme /usr/share/icons/Tango/scalable

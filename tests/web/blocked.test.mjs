@@ -4,6 +4,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { WINDOWED } from './chromium.mjs';
 import { bezier, expectFaults, Hand, launch, launchAt, place, quiet, ready, SCREENSHOTS, settle, state, until } from './page.mjs';
 import { serve } from './server.mjs';
 
@@ -71,7 +72,7 @@ test('all site data is blocked: the page draws, and says that it keeps nothing',
   fs.mkdirSync(path.join(profile, 'Default'));
   fs.writeFileSync(path.join(profile, 'Default/Preferences'), JSON.stringify({ profile: { default_content_setting_values: { cookies: 2 } } }));
   const server = await serve(undefined, true);
-  const context = await launchAt(profile);
+  const context = await launchAt(profile, { executablePath: WINDOWED });
   t.after(async () => {
     await context.close();
     server.close();

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { downloaded, drop, launch, move, open, place, quiet, SCREENSHOTS, state } from './page.mjs';
+import { downloaded, drop, launch, move, open, pictures, place, quiet, SCREENSHOTS, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -55,78 +55,76 @@ async function exported(page) {
 /** How high the root is in each frame. */
 const heights = (values) => Array.from({ length: FRAMES }, (_, f) => values[1 + f * (3 + 3 * BONES.length) + 1]);
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a walk: dropped, played, a joint chosen, mixed, redrawn, undone, ${colorScheme}`, async (t) => {
-    const server = await serve();
-    t.after(() => server.close());
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `body-${name}-${colorScheme}.png`) });
-    await drop(page, 'walk.bvh', walk());
-    await page.waitForSelector('.time:not([hidden])');
-    await quiet(page);
-    await shot('opened');
-    const first = await state(page);
-    const opened = await move(page);
-    assert.ok(Math.abs(opened.duration - (FRAMES - 1) / 24) < 1e-9);
-    assert.equal(opened.joints.length, BONES.length);
-    assert.equal(await page.locator('.time [data-command=look-through]').isVisible(), false, 'it sees nothing');
+test('a walk: dropped, played, a joint chosen, mixed, redrawn, undone', async (t) => {
+  const server = await serve();
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  const shot = (name) => pictures(page, `body-${name}`);
+  await drop(page, 'walk.bvh', walk());
+  await page.waitForSelector('.time:not([hidden])');
+  await quiet(page);
+  await shot('opened');
+  const first = await state(page);
+  const opened = await move(page);
+  assert.ok(Math.abs(opened.duration - (FRAMES - 1) / 24) < 1e-9);
+  assert.equal(opened.joints.length, BONES.length);
+  assert.equal(await page.locator('.time [data-command=look-through]').isVisible(), false, 'it sees nothing');
 
-    await page.click('.time-more');
-    await quiet(page);
-    assert.deepEqual(await page.locator('.timing-joint option').allTextContents(), BONES.map(([name]) => name));
-    await page.selectOption('.timing-joint', { label: 'LeftLeg' });
-    await page.selectOption('.timing-angle', { label: 'X' });
-    const slider = await page.locator('.time-row input').boundingBox();
-    await hand.stroke([[slider.x + 8, slider.y + slider.height / 2], [slider.x + 0.3 * slider.width, slider.y + slider.height / 2]], { pointerType: 'pen' });
-    await quiet(page);
-    await shot('joint');
-    assert.equal((await move(page)).angles[(await move(page)).angle], 'X');
-    assert.equal((await state(page)).digest, first.digest, 'looking and choosing are not editing');
+  await page.click('.time-more');
+  await quiet(page);
+  assert.deepEqual(await page.locator('.timing-joint option').allTextContents(), BONES.map(([name]) => name));
+  await page.selectOption('.timing-joint', { label: 'LeftLeg' });
+  await page.selectOption('.timing-angle', { label: 'X' });
+  const slider = await page.locator('.time-row input').boundingBox();
+  await hand.stroke([[slider.x + 8, slider.y + slider.height / 2], [slider.x + 0.3 * slider.width, slider.y + slider.height / 2]], { pointerType: 'pen' });
+  await quiet(page);
+  await shot('joint');
+  assert.equal((await move(page)).angles[(await move(page)).angle], 'X');
+  assert.equal((await state(page)).digest, first.digest, 'looking and choosing are not editing');
 
-    const box = await page.locator('.timing-graph').boundingBox();
-    const { graph, range } = await move(page);
-    const stroke = Array.from({ length: 13 }, (_, i) => {
-      const x = 0.25 + i / 24;
-      return [box.x + x * box.width, box.y + (1 - graph[Math.round(96 * x)] - 0.2 * Math.sin((Math.PI * i) / 12)) * box.height];
-    });
-    await hand.stroke(stroke, { pointerType: 'pen' });
-    await quiet(page);
-    await shot('redrawn');
-    const redrawn = await move(page);
-    const degrees = (share, [low, high]) => low + share * (high - low); // the range may have grown
-    const change = graph.map((share, i) => degrees(redrawn.graph[i], redrawn.range) - degrees(share, range));
-    const wanted = 0.2 * (range[1] - range[0]);
-    assert.ok(Math.abs(change[48] - wanted) < 0.05 * wanted, `the angle is where the stroke is: ${change[48]} degrees, not ${wanted}`);
-    assert.ok(Math.max(...change.slice(0, 10).map(Math.abs)) < 1e-6, 'and elsewhere where it was');
-    assert.notEqual((await state(page)).digest, first.digest);
-
-    const muted = page.locator('.timing-levels').nth(1).locator('li').first().locator('button').nth(1);
-    await muted.click();
-    await quiet(page);
-    assert.equal(await muted.getAttribute('aria-pressed'), 'true');
-    for (const target of await page.locator('.timing button:visible, .timing select:visible').all()) {
-      const size = await target.boundingBox();
-      assert.ok(size.height >= 32, `${size.height} px high`);
-    }
-    await page.locator('#stage').focus();
-    await page.keyboard.press('Control+Z');
-    await page.keyboard.press('Control+Z');
-    await quiet(page);
-    const now = await state(page);
-    assert.equal(now.digest, first.digest, 'undone');
-    assert.equal(now.check, '');
-
-    const [written, given] = [await exported(page), numbers(walk())];
-    assert.equal(written.length, given.length);
-    assert.ok(written.every((value, i) => Math.abs(value - given[i]) < 1e-9), 'exported as it was dropped');
-    await context.close();
+  const box = await page.locator('.timing-graph').boundingBox();
+  const { graph, range } = await move(page);
+  const stroke = Array.from({ length: 13 }, (_, i) => {
+    const x = 0.25 + i / 24;
+    return [box.x + x * box.width, box.y + (1 - graph[Math.round(96 * x)] - 0.2 * Math.sin((Math.PI * i) / 12)) * box.height];
   });
-}
+  await hand.stroke(stroke, { pointerType: 'pen' });
+  await quiet(page);
+  await shot('redrawn');
+  const redrawn = await move(page);
+  const degrees = (share, [low, high]) => low + share * (high - low); // the range may have grown
+  const change = graph.map((share, i) => degrees(redrawn.graph[i], redrawn.range) - degrees(share, range));
+  const wanted = 0.2 * (range[1] - range[0]);
+  assert.ok(Math.abs(change[48] - wanted) < 0.05 * wanted, `the angle is where the stroke is: ${change[48]} degrees, not ${wanted}`);
+  assert.ok(Math.max(...change.slice(0, 10).map(Math.abs)) < 1e-6, 'and elsewhere where it was');
+  assert.notEqual((await state(page)).digest, first.digest);
+
+  const muted = page.locator('.timing-levels').nth(1).locator('li').first().locator('button').nth(1);
+  await muted.click();
+  await quiet(page);
+  assert.equal(await muted.getAttribute('aria-pressed'), 'true');
+  for (const target of await page.locator('.timing button:visible, .timing select:visible').all()) {
+    const size = await target.boundingBox();
+    assert.ok(size.height >= 32, `${size.height} px high`);
+  }
+  await page.locator('#stage').focus();
+  await page.keyboard.press('Control+Z');
+  await page.keyboard.press('Control+Z');
+  await quiet(page);
+  const now = await state(page);
+  assert.equal(now.digest, first.digest, 'undone');
+  assert.equal(now.check, '');
+
+  const [written, given] = [await exported(page), numbers(walk())];
+  assert.equal(written.length, given.length);
+  assert.ok(written.every((value, i) => Math.abs(value - given[i]) < 1e-9), 'exported as it was dropped');
+  await context.close();
+});
 
 test('a camera that stands still sees the walk: docked and looked through, scrubbed and played', async (t) => {
   const server = await serve();
   t.after(() => server.close());
-  const { page, hand, context } = await open(browser, server.address, {});
+  const { page, hand, context } = await open(browser, server.address);
   await drop(page, 'walk.bvh', walk());
   await page.waitForSelector('.time:not([hidden])');
   await quiet(page);
@@ -180,7 +178,7 @@ test('a camera that stands still sees the walk: docked and looked through, scrub
 test('the path of a walk is a curve: laid out by a button, moved by keys, redrawn by a pen, and the walk follows; undone', async (t) => {
   const server = await serve();
   t.after(() => server.close());
-  const { page, hand, context } = await open(browser, server.address, {});
+  const { page, hand, context } = await open(browser, server.address);
   await drop(page, 'walk.bvh', walk());
   await page.waitForSelector('.time:not([hidden])');
   await quiet(page);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, pictures, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -26,59 +26,57 @@ const objects = (page, count) => page.evaluate((wanted) =>
 const size = (page) => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
 const clipboardThere = (page) => page.waitForFunction(() => batten.requests.clipboard !== null);
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`copied in one window, pasted in another, knot by knot, ${colorScheme}`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    await clipboardThere(page);
-    await page.focus('#stage');
-    await page.keyboard.press('v');
-    const at = await place(page, 592, 103.5);
-    await hand.stroke([at, at], { pointerType: 'mouse', modifiers: 2 }); // Ctrl: the curve, not its group
-    await page.keyboard.press('Control+c');
-    await settle(page);
-    assert.match((await state(page)).notice, /Copied/);
-    assert.equal((await state(page)).unsaved, false);
-    const source = await page.evaluate(() => batten.engine.copy(false));
-    const other = await context.newPage();
-    await other.goto(elsewhere.address);
-    await ready(other);
-    await clipboardThere(other);
-    await other.bringToFront();
-    await other.focus('#stage');
-    const before = await size(other);
-    await other.keyboard.press('Control+v');
-    await settle(other);
-    assert.match((await state(other)).notice, /Pasted/);
-    assert.equal(await size(other), before + 1);
-    assert.equal(await other.evaluate(() => glance().selected), 1);
-    await other.screenshot({ path: path.join(SCREENSHOTS, `clipboard-${colorScheme}-pasted.png`) });
-    const [pasted] = await objects(other, 1);
-    const zoom = (await state(other)).zoom;
-    const [first] = await page.evaluate((text) => {
-      const json = new DOMParser().parseFromString(text, 'image/svg+xml').getElementsByTagName('batten:document')[0];
-      return JSON.parse(json.textContent).objects;
-    }, source);
-    pasted.curves.forEach((curve, i) => {
-      assert.deepEqual(curve.knots, first.curves[i].knots);
-      curve.points.forEach((point, k) => point.forEach((value, axis) =>
-        assert.ok(Math.abs(value - first.curves[i].points[k][axis] - 10 / zoom) < 1e-9)));
-    });
-    // Pasted in place: exactly where it was. Then cut, and undo restores it.
-    await other.keyboard.press('Control+Shift+v');
-    await settle(other);
-    const [inPlace] = await objects(other, 1);
-    assert.deepEqual(inPlace.curves, first.curves);
-    const { digest } = await state(other);
-    await other.keyboard.press('Control+x');
-    await settle(other);
-    assert.equal(await size(other), before + 1);
-    await other.keyboard.press('Control+z');
-    await settle(other);
-    assert.equal((await state(other)).digest, digest);
-    assert.equal((await state(other)).check, '');
-    await context.close();
+test('copied in one window, pasted in another, knot by knot', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  await clipboardThere(page);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  const at = await place(page, 592, 103.5);
+  await hand.stroke([at, at], { pointerType: 'mouse', modifiers: 2 }); // Ctrl: the curve, not its group
+  await page.keyboard.press('Control+c');
+  await settle(page);
+  assert.match((await state(page)).notice, /Copied/);
+  assert.equal((await state(page)).unsaved, false);
+  const source = await page.evaluate(() => batten.engine.copy(false));
+  const other = await context.newPage();
+  await other.goto(elsewhere.address);
+  await ready(other);
+  await clipboardThere(other);
+  await other.bringToFront();
+  await other.focus('#stage');
+  const before = await size(other);
+  await other.keyboard.press('Control+v');
+  await settle(other);
+  assert.match((await state(other)).notice, /Pasted/);
+  assert.equal(await size(other), before + 1);
+  assert.equal(await other.evaluate(() => glance().selected), 1);
+  await pictures(other, 'clipboard-pasted');
+  const [pasted] = await objects(other, 1);
+  const zoom = (await state(other)).zoom;
+  const [first] = await page.evaluate((text) => {
+    const json = new DOMParser().parseFromString(text, 'image/svg+xml').getElementsByTagName('batten:document')[0];
+    return JSON.parse(json.textContent).objects;
+  }, source);
+  pasted.curves.forEach((curve, i) => {
+    assert.deepEqual(curve.knots, first.curves[i].knots);
+    curve.points.forEach((point, k) => point.forEach((value, axis) =>
+      assert.ok(Math.abs(value - first.curves[i].points[k][axis] - 10 / zoom) < 1e-9)));
   });
-}
+  // Pasted in place: exactly where it was. Then cut, and undo restores it.
+  await other.keyboard.press('Control+Shift+v');
+  await settle(other);
+  const [inPlace] = await objects(other, 1);
+  assert.deepEqual(inPlace.curves, first.curves);
+  const { digest } = await state(other);
+  await other.keyboard.press('Control+x');
+  await settle(other);
+  assert.equal(await size(other), before + 1);
+  await other.keyboard.press('Control+z');
+  await settle(other);
+  assert.equal((await state(other)).digest, digest);
+  assert.equal((await state(other)).check, '');
+  await context.close();
+});
 
 /** Puts text on the browser's clipboard, then pastes it by the key. */
 async function pasteText(page, text) {

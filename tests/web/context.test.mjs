@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { inThemes, launch, open, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const AXE = fs.readFileSync(path.join(path.dirname(fileURLToPath(import.meta.url)), 'node_modules/axe-core/axe.min.js'), 'utf8');
@@ -19,49 +19,49 @@ after(() => browser.close());
 const items = (page) => page.locator('#context [role=menuitem]').evaluateAll((list) => list.map((one) => one.dataset.command));
 const shown = (page) => page.locator('#context').isVisible();
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a right click chooses what lies there and offers what fits it; a drag turns the view, ${colorScheme}`, async () => {
-    const { page, context } = await open(browser, server.address, { colorScheme });
-    await page.focus('#stage');
-    await page.keyboard.press('v');
-    const [x, y] = await place(page, 592, 103.5);
-    await page.mouse.click(x, y, { button: 'right' });
-    await page.waitForSelector('#context:popover-open');
-    await quiet(page);
-    assert.equal(await page.evaluate(() => glance().selected), 1);
-    const one = await items(page);
-    assert.ok(['copy', 'order-front', 'curve-reverse', 'delete'].every((name) => one.includes(name)), String(one));
-    assert.ok(!one.includes('region-unite') && !one.includes('distribute-across'), String(one));
-    await page.evaluate(AXE);
+test('a right click chooses what lies there and offers what fits it; a drag turns the view', async () => {
+  const { page, context } = await open(browser, server.address);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  const [x, y] = await place(page, 592, 103.5);
+  await page.mouse.click(x, y, { button: 'right' });
+  await page.waitForSelector('#context:popover-open');
+  await quiet(page);
+  assert.equal(await page.evaluate(() => glance().selected), 1);
+  const one = await items(page);
+  assert.ok(['copy', 'order-front', 'curve-reverse', 'delete'].every((name) => one.includes(name)), String(one));
+  assert.ok(!one.includes('region-unite') && !one.includes('distribute-across'), String(one));
+  await page.evaluate(AXE);
+  await inThemes(page, async (colorScheme) => {
     const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
     assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), []);
     await page.screenshot({ path: path.join(SCREENSHOTS, `context-${colorScheme}.png`) });
-    // Arrows go through it, Enter runs; the drawing has the focus again.
-    const fresh = await state(page);
-    await page.keyboard.press('End');
-    assert.equal(await page.evaluate(() => document.activeElement.dataset.command), 'delete');
-    await page.keyboard.press('Enter');
-    await settle(page);
-    assert.notEqual((await state(page)).digest, fresh.digest);
-    assert.equal(await page.evaluate(() => document.activeElement.id), 'stage');
-    await page.keyboard.press('Control+z');
-    assert.equal((await state(page)).digest, fresh.digest);
-    // Again, elsewhere: nothing is selected, so it offers what fits the drawing.
-    await page.keyboard.press('Escape');
-    await page.mouse.click(x, y + 300, { button: 'right' });
-    await page.waitForSelector('#context:popover-open');
-    assert.ok((await items(page)).includes('paste'));
-    await page.keyboard.press('Escape');
-    assert.equal(await shown(page), false);
-    await page.mouse.move(x, y);
-    await page.mouse.down({ button: 'right' });
-    await page.mouse.move(x + 60, y + 20, { steps: 5 });
-    await page.mouse.up({ button: 'right' });
-    await settle(page);
-    assert.equal(await shown(page), false);
-    await context.close();
   });
-}
+  // Arrows go through it, Enter runs; the drawing has the focus again.
+  const fresh = await state(page);
+  await page.keyboard.press('End');
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.command), 'delete');
+  await page.keyboard.press('Enter');
+  await settle(page);
+  assert.notEqual((await state(page)).digest, fresh.digest);
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'stage');
+  await page.keyboard.press('Control+z');
+  assert.equal((await state(page)).digest, fresh.digest);
+  // Again, elsewhere: nothing is selected, so it offers what fits the drawing.
+  await page.keyboard.press('Escape');
+  await page.mouse.click(x, y + 300, { button: 'right' });
+  await page.waitForSelector('#context:popover-open');
+  assert.ok((await items(page)).includes('paste'));
+  await page.keyboard.press('Escape');
+  assert.equal(await shown(page), false);
+  await page.mouse.move(x, y);
+  await page.mouse.down({ button: 'right' });
+  await page.mouse.move(x + 60, y + 20, { steps: 5 });
+  await page.mouse.up({ button: 'right' });
+  await settle(page);
+  assert.equal(await shown(page), false);
+  await context.close();
+});
 
 test('a long press without a stroke opens it under a finger; a stroke does not, and it stays inside a phone', async () => {
   const { page, hand, context } = await open(browser, server.address, { viewport: { width: 390, height: 844 }, hasTouch: true,

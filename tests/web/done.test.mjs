@@ -1,9 +1,8 @@
 // Working with a pen and no keyboard: ending a curve made point by point, and the barrel button.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, pictures, place, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -12,27 +11,25 @@ before(async () => {
 });
 after(() => browser.close());
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`Done ends a curve made point by point, ${colorScheme}`, async (t) => {
-    const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
-    t.after(() => server.close());
-    const { page, hand } = await open(browser, server.address, { colorScheme });
-    const done = page.locator('#pending button:visible');
-    const tap = (at) => hand.stroke([at, at]);
-    for (const [key, sheet] of [['t', 'tangents'], ['u', 'line']]) {
-      await page.focus('#stage');
-      await page.keyboard.press(key);
-      await tap([300, 600]);
-      await tap([500, 560]);
-      assert.deepEqual(await done.allTextContents(), ['Done']);
-      await page.screenshot({ path: path.join(SCREENSHOTS, `done-${sheet}-${colorScheme}.png`) });
-      await done.click();
-      await settle(page);
-      assert.equal(await done.count(), 0);
-      assert.equal((await state(page)).check, '');
-    }
-  });
-}
+test('Done ends a curve made point by point', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address);
+  const done = page.locator('#pending button:visible');
+  const tap = (at) => hand.stroke([at, at]);
+  for (const [key, sheet] of [['t', 'tangents'], ['u', 'line']]) {
+    await page.focus('#stage');
+    await page.keyboard.press(key);
+    await tap([300, 600]);
+    await tap([500, 560]);
+    assert.deepEqual(await done.allTextContents(), ['Done']);
+    await pictures(page, `done-${sheet}`);
+    await done.click();
+    await settle(page);
+    assert.equal(await done.count(), 0);
+    assert.equal((await state(page)).check, '');
+  }
+});
 
 test('the button on the barrel smooths, or moves the view', async (t) => {
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, launch, open, place, quiet, reveal, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, inThemes, launch, open, place, quiet, reveal, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const TABLET = { viewport: { width: 1024, height: 768 }, hasTouch: true };
@@ -31,70 +31,68 @@ function pinch([x, y], angles, distances, count = 16) {
   });
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a session with fingers alone, ${colorScheme}`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { ...TABLET, colorScheme });
-    const stroke = async () =>
-      (await Promise.all(bezier([440, 137], [490, 103], [560, 92], [690, 114]).map(([x, y]) => place(page, x, y))))
-        .map((point) => [point]);
-    const plain = (await state(page)).digest;
-    await hand.fingers(await stroke());
-    const drawn = (await state(page)).digest;
-    assert.notEqual(drawn, plain, 'one finger draws');
+test('a session with fingers alone', async () => {
+  const { page, hand, context } = await open(browser, server.address, { ...TABLET });
+  const stroke = async () =>
+    (await Promise.all(bezier([440, 137], [490, 103], [560, 92], [690, 114]).map(([x, y]) => place(page, x, y))))
+      .map((point) => [point]);
+  const plain = (await state(page)).digest;
+  await hand.fingers(await stroke());
+  const drawn = (await state(page)).digest;
+  assert.notEqual(drawn, plain, 'one finger draws');
 
-    await hand.tap(2);
-    assert.equal((await state(page)).digest, plain, 'two undo');
-    await hand.tap(3);
-    assert.equal((await state(page)).digest, drawn, 'three redo');
+  await hand.tap(2);
+  assert.equal((await state(page)).digest, plain, 'two undo');
+  await hand.tap(3);
+  assert.equal((await state(page)).digest, drawn, 'three redo');
 
-    const middle = [500, 380];
-    const before = await state(page);
-    hand.time += 1;
-    const slight = pinch(middle, [0, 5], [160, 300]);
-    await hand.fingers([slight[0].slice(0, 1), ...slight]);
-    let now = await state(page);
-    assert.ok(now.zoom > before.zoom * 1.6 && now.angle === 0, `a pinch that hardly turns stays upright: ${now.angle}`);
-    const turned = pinch(middle, [0, 36], [300, 160]);
-    await hand.fingers([turned[0].slice(0, 1), ...turned]);
-    now = await state(page);
-    assert.ok(Math.abs(now.angle - 30) < 1, `it turns: ${now.angle}`);
-    assert.equal(now.digest, drawn);
-    assert.match(await page.textContent('#readouts'), /, 30°/);
-    await page.keyboard.press('f');
-    await settle(page);
-    await shot(page, `turned-${colorScheme}`);
+  const middle = [500, 380];
+  const before = await state(page);
+  hand.time += 1;
+  const slight = pinch(middle, [0, 5], [160, 300]);
+  await hand.fingers([slight[0].slice(0, 1), ...slight]);
+  let now = await state(page);
+  assert.ok(now.zoom > before.zoom * 1.6 && now.angle === 0, `a pinch that hardly turns stays upright: ${now.angle}`);
+  const turned = pinch(middle, [0, 36], [300, 160]);
+  await hand.fingers([turned[0].slice(0, 1), ...turned]);
+  now = await state(page);
+  assert.ok(Math.abs(now.angle - 30) < 1, `it turns: ${now.angle}`);
+  assert.equal(now.digest, drawn);
+  assert.match(await page.textContent('#readouts'), /, 30°/);
+  await page.keyboard.press('f');
+  await settle(page);
+  await inThemes(page, (colorScheme) => shot(page, `turned-${colorScheme}`));
 
-    const turnedStroke = await stroke();
-    await hand.tap(2);
-    await hand.fingers(turnedStroke);
-    now = await state(page);
-    assert.ok(![plain, drawn].includes(now.digest), 'and draws on the page as it lies');
-    assert.equal(now.check, '');
+  const turnedStroke = await stroke();
+  await hand.tap(2);
+  await hand.fingers(turnedStroke);
+  now = await state(page);
+  assert.ok(![plain, drawn].includes(now.digest), 'and draws on the page as it lies');
+  assert.equal(now.check, '');
 
-    const back = pinch(middle, [30, -2], [200, 200]);
-    await hand.fingers([back[0].slice(0, 1), ...back]);
-    assert.equal((await state(page)).angle, 0, 'upright again');
+  const back = pinch(middle, [30, -2], [200, 200]);
+  await hand.fingers([back[0].slice(0, 1), ...back]);
+  assert.equal((await state(page)).angle, 0, 'upright again');
 
-    // In a rotated view, painting in parts gives the same as painting everything.
-    await page.keyboard.press('6');
-    await settle(page);
-    await hand.tap(2);
-    const different = await page.evaluate(async () => {
-      const canvas = document.getElementById('still');
-      // Colours weighted by alpha: those of an almost transparent pixel mean nothing.
-      const read = () => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
-        .map((value, i, all) => ((i & 3) < 3 ? (value * all[i | 3]) / 255 : value));
-      const parts = read();
-      batten.painter.retheme();
-      batten.wake();
-      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-      const whole = read();
-      return whole.reduce((count, value, i) => count + (Math.abs(value - parts[i]) > 90 ? 1 : 0), 0);
-    });
-    assert.equal(different, 0);
-    await context.close();
+  // In a rotated view, painting in parts gives the same as painting everything.
+  await page.keyboard.press('6');
+  await settle(page);
+  await hand.tap(2);
+  const different = await page.evaluate(async () => {
+    const canvas = document.getElementById('still');
+    // Colours weighted by alpha: those of an almost transparent pixel mean nothing.
+    const read = () => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
+      .map((value, i, all) => ((i & 3) < 3 ? (value * all[i | 3]) / 255 : value));
+    const parts = read();
+    batten.painter.retheme();
+    batten.wake();
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const whole = read();
+    return whole.reduce((count, value, i) => count + (Math.abs(value - parts[i]) > 90 ? 1 : 0), 0);
   });
-}
+  assert.equal(different, 0);
+  await context.close();
+});
 
 test('after the pen fingers only navigate, until the switch says otherwise', async () => {
   const { page, hand, context } = await open(browser, server.address, TABLET);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { inThemes, launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -51,102 +51,100 @@ async function loaded(page) {
   });
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a session by keys alone, ${colorScheme}`, async () => {
-    const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
-    const { page, context } = await open(browser, server.address, { colorScheme });
-    await loaded(page);
-    const first = await state(page);
-    const count = (await objects(page)).length;
+test('a session by keys alone', async () => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  const { page, context } = await open(browser, server.address);
+  await loaded(page);
+  const first = await state(page);
+  const count = (await objects(page)).length;
 
-    // Draw: Enter places points, the arrows move the cursor, Enter twice in one place ends the line.
-    await press(page, 'F6', 'F6', 'F6');
-    assert.equal(await focus(page), 'stage');
-    await press(page, 'Enter', '2 x Control+ArrowLeft', '10 x Shift+ArrowUp', '2 x Control+ArrowUp', 'Enter');
-    await press(page, '2 x Control+ArrowRight', '6 x Shift+ArrowUp', 'Enter', '2 x Control+ArrowRight');
-    await press(page, '6 x Shift+ArrowDown');
-    assert.match(await said(page), /^Point 3 of 3: /);
-    await shot(page, `drawing-${colorScheme}`);
-    await press(page, 'Enter', 'Enter');
-    const drawn = await state(page);
-    assert.notEqual(drawn.digest, first.digest);
-    assert.equal(drawn.check, '');
-    assert.equal((await objects(page)).length, count + 1);
-    assert.equal((await said(page)).trim(), 'New curve');
+  // Draw: Enter places points, the arrows move the cursor, Enter twice in one place ends the line.
+  await press(page, 'F6', 'F6', 'F6');
+  assert.equal(await focus(page), 'stage');
+  await press(page, 'Enter', '2 x Control+ArrowLeft', '10 x Shift+ArrowUp', '2 x Control+ArrowUp', 'Enter');
+  await press(page, '2 x Control+ArrowRight', '6 x Shift+ArrowUp', 'Enter', '2 x Control+ArrowRight');
+  await press(page, '6 x Shift+ArrowDown');
+  assert.match(await said(page), /^Point 3 of 3: /);
+  await inThemes(page, (colorScheme) => shot(page, `drawing-${colorScheme}`));
+  await press(page, 'Enter', 'Enter');
+  const drawn = await state(page);
+  assert.notEqual(drawn.digest, first.digest);
+  assert.equal(drawn.check, '');
+  assert.equal((await objects(page)).length, count + 1);
+  assert.equal((await said(page)).trim(), 'New curve');
 
-    // Redraw a stretch of it: select the curve in the list, set the range by its ends, the path by five waypoints.
-    await press(page, 'F6');
-    await calm(page);
-    await press(page, 'End');
-    assert.match(await focus(page), /curve \d+, open, \d+ points/);
-    await calm(page);
-    assert.match(await said(page), /^Selected: curve/);
-    await shot(page, `list-${colorScheme}`);
-    await press(page, 'Enter', 'r');
-    assert.equal(await focus(page), 'stage');
-    assert.match(await said(page), /Start of the range: /);
-    await press(page, '2 x Shift+ArrowLeft', 'ArrowUp', '3 x Shift+ArrowRight');
-    assert.match(await said(page), /^End of the range: /);
-    await shot(page, `range-${colorScheme}`);
-    const before = (await objects(page)).at(-1);
-    await press(page, 'Enter', '4 x Shift+ArrowDown');
-    assert.match(await said(page), /^Point 3 of 5: /);
-    await shot(page, `redrawing-${colorScheme}`);
-    assert.equal((await state(page)).digest, drawn.digest, 'nothing has changed yet');
-    await press(page, 'Enter');
-    const redrawn = await state(page);
-    assert.notEqual(redrawn.digest, drawn.digest);
-    assert.equal(redrawn.check, '');
-    assert.equal((await objects(page)).length, count + 1);
-    assert.notDeepEqual((await objects(page)).at(-1), before);
+  // Redraw a stretch of it: select the curve in the list, set the range by its ends, the path by five waypoints.
+  await press(page, 'F6');
+  await calm(page);
+  await press(page, 'End');
+  assert.match(await focus(page), /curve \d+, open, \d+ points/);
+  await calm(page);
+  assert.match(await said(page), /^Selected: curve/);
+  await inThemes(page, (colorScheme) => shot(page, `list-${colorScheme}`));
+  await press(page, 'Enter', 'r');
+  assert.equal(await focus(page), 'stage');
+  assert.match(await said(page), /Start of the range: /);
+  await press(page, '2 x Shift+ArrowLeft', 'ArrowUp', '3 x Shift+ArrowRight');
+  assert.match(await said(page), /^End of the range: /);
+  await inThemes(page, (colorScheme) => shot(page, `range-${colorScheme}`));
+  const before = (await objects(page)).at(-1);
+  await press(page, 'Enter', '4 x Shift+ArrowDown');
+  assert.match(await said(page), /^Point 3 of 5: /);
+  await inThemes(page, (colorScheme) => shot(page, `redrawing-${colorScheme}`));
+  assert.equal((await state(page)).digest, drawn.digest, 'nothing has changed yet');
+  await press(page, 'Enter');
+  const redrawn = await state(page);
+  assert.notEqual(redrawn.digest, drawn.digest);
+  assert.equal(redrawn.check, '');
+  assert.equal((await objects(page)).length, count + 1);
+  assert.notDeepEqual((await objects(page)).at(-1), before);
 
-    // Points: move the next one; add a knot.
-    await press(page, 'a', 'Tab', 'Tab', '3 x ArrowUp');
-    assert.match(await said(page), /Point 2 of \d+: /);
-    const moved = await state(page);
-    assert.notEqual(moved.digest, redrawn.digest);
-    await press(page, 'Insert');
-    assert.notEqual((await state(page)).digest, moved.digest);
-    await shot(page, `points-${colorScheme}`);
+  // Points: move the next one; add a knot.
+  await press(page, 'a', 'Tab', 'Tab', '3 x ArrowUp');
+  assert.match(await said(page), /Point 2 of \d+: /);
+  const moved = await state(page);
+  assert.notEqual(moved.digest, redrawn.digest);
+  await press(page, 'Insert');
+  assert.notEqual((await state(page)).digest, moved.digest);
+  await inThemes(page, (colorScheme) => shot(page, `points-${colorScheme}`));
 
-    // Erase a stretch, smooth another, select, rotate, scale, delete.
-    const busy = await state(page);
-    await press(page, 'r', 'e', 'Enter');
-    assert.equal((await objects(page)).length, count + 2);
-    await press(page, 'r', 's', 'Enter');
-    const smoothed = await state(page);
-    assert.equal(smoothed.check, '');
-    await press(page, 'v', 'Tab', 'Control+ArrowRight', 'Control+ArrowUp', 'ArrowLeft');
-    await press(page, 'Delete');
-    assert.equal((await objects(page)).length, count + 1);
-    assert.equal((await said(page)).includes('Delete'), true);
+  // Erase a stretch, smooth another, select, rotate, scale, delete.
+  const busy = await state(page);
+  await press(page, 'r', 'e', 'Enter');
+  assert.equal((await objects(page)).length, count + 2);
+  await press(page, 'r', 's', 'Enter');
+  const smoothed = await state(page);
+  assert.equal(smoothed.check, '');
+  await press(page, 'v', 'Tab', 'Control+ArrowRight', 'Control+ArrowUp', 'ArrowLeft');
+  await press(page, 'Delete');
+  assert.equal((await objects(page)).length, count + 1);
+  assert.equal((await said(page)).includes('Delete'), true);
 
-    // Undo everything, and redo.
-    for (let i = 0; i < 40 && (await state(page)).digest !== busy.digest; i++) {
-      await press(page, 'Control+z');
-    }
-    assert.equal((await state(page)).digest, busy.digest);
-    assert.match((await state(page)).notice, /^Undone: /);
-    await press(page, '30 x Control+z');
-    assert.equal((await state(page)).digest, first.digest);
-    await press(page, '2 x Control+Shift+z');
-    assert.equal((await state(page)).digest, redrawn.digest);
+  // Undo everything, and redo.
+  for (let i = 0; i < 40 && (await state(page)).digest !== busy.digest; i++) {
+    await press(page, 'Control+z');
+  }
+  assert.equal((await state(page)).digest, busy.digest);
+  assert.match((await state(page)).notice, /^Undone: /);
+  await press(page, '30 x Control+z');
+  assert.equal((await state(page)).digest, first.digest);
+  await press(page, '2 x Control+Shift+z');
+  assert.equal((await state(page)).digest, redrawn.digest);
 
-    // A spline of the tangents tool, started by keys.
-    await press(page, 'Escape', 't', 'Enter', 'Enter', 'Control+ArrowRight', 'Enter', 'Control+ArrowDown', 'Enter', 'Enter');
-    assert.equal((await objects(page)).at(-1).kind, 'spline');
-    await press(page, 'Tab', '2 x Shift+ArrowRight');
-    await shot(page, `spline-${colorScheme}`);
+  // A spline of the tangents tool, started by keys.
+  await press(page, 'Escape', 't', 'Enter', 'Enter', 'Control+ArrowRight', 'Enter', 'Control+ArrowDown', 'Enter', 'Enter');
+  assert.equal((await objects(page)).at(-1).kind, 'spline');
+  await press(page, 'Tab', '2 x Shift+ArrowRight');
+  await inThemes(page, (colorScheme) => shot(page, `spline-${colorScheme}`));
 
-    // Save.
-    await press(page, 'Control+s');
-    await page.waitForFunction(() => document.getElementById('unsaved').hidden);
-    assert.match(server.bytes.toString(), /<svg/);
-    assert.equal(await page.evaluate(() => globalThis.pointed), 0);
-    await context.close();
-    server.close();
-  });
-}
+  // Save.
+  await press(page, 'Control+s');
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.match(server.bytes.toString(), /<svg/);
+  assert.equal(await page.evaluate(() => globalThis.pointed), 0);
+  await context.close();
+  server.close();
+});
 
 test('the list mirrors the drawing, and the drawing the list', async () => {
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, move, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, move, open, pictures, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 import { SCENE } from './tori.mjs';
 
@@ -54,39 +54,37 @@ async function undone(page, digest) {
   assert.equal((await state(page)).digest, digest);
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`the docked view shows what the camera sees, ${colorScheme}`, async (t) => {
-    const { page, hand, first } = await begin(t, { colorScheme });
-    assert.ok(await colours(page) > 20, `surfaces are painted: ${await colours(page)}`);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `lens-face-on-${colorScheme}.png`) });
-    const still = await shown(page);
-    await hand.stroke([[600, 400], [640, 290]], { pointerType: 'mouse', button: 'right' });
-    await quiet(page);
-    assert.ok(await colours(page) > 20);
-    assert.equal(await shown(page), still, 'the room turns, and the camera sees what it saw');
-    await page.evaluate(() => {
-      const { engine, wake } = globalThis.batten;
-      engine.wasm.editor_seek(engine.editor, 1.5);
-      wake();
-    });
-    await quiet(page);
-    assert.notEqual(await shown(page), still, 'the playhead moves it');
-    await page.screenshot({ path: path.join(SCREENSHOTS, `lens-tilted-${colorScheme}.png`) });
-    const { width, height } = await box(page);
-    assert.ok(Math.abs(width / height - 16 / 9) < 0.02);
-    const name = await page.locator('.lens canvas').getAttribute('aria-label');
-    assert.ok(name && name !== 'lens.name', name);
-    await page.click('.time [data-command=lens]');
-    await quiet(page);
-    assert.ok(await page.locator('.lens').isHidden());
-    await page.locator('#stage').focus();
-    await page.keyboard.press('Shift+U');
-    await quiet(page);
-    assert.ok(await page.locator('.lens').isVisible());
-    await undone(page, first.digest);
-    assert.ok(await page.locator('.lens').isHidden(), 'no camera, no view');
+test('the docked view shows what the camera sees', async (t) => {
+  const { page, hand, first } = await begin(t);
+  assert.ok(await colours(page) > 20, `surfaces are painted: ${await colours(page)}`);
+  await pictures(page, 'lens-face-on');
+  const still = await shown(page);
+  await hand.stroke([[600, 400], [640, 290]], { pointerType: 'mouse', button: 'right' });
+  await quiet(page);
+  assert.ok(await colours(page) > 20);
+  assert.equal(await shown(page), still, 'the room turns, and the camera sees what it saw');
+  await page.evaluate(() => {
+    const { engine, wake } = globalThis.batten;
+    engine.wasm.editor_seek(engine.editor, 1.5);
+    wake();
   });
-}
+  await quiet(page);
+  assert.notEqual(await shown(page), still, 'the playhead moves it');
+  await pictures(page, 'lens-tilted');
+  const { width, height } = await box(page);
+  assert.ok(Math.abs(width / height - 16 / 9) < 0.02);
+  const name = await page.locator('.lens canvas').getAttribute('aria-label');
+  assert.ok(name && name !== 'lens.name', name);
+  await page.click('.time [data-command=lens]');
+  await quiet(page);
+  assert.ok(await page.locator('.lens').isHidden());
+  await page.locator('#stage').focus();
+  await page.keyboard.press('Shift+U');
+  await quiet(page);
+  assert.ok(await page.locator('.lens').isVisible());
+  await undone(page, first.digest);
+  assert.ok(await page.locator('.lens').isHidden(), 'no camera, no view');
+});
 
 test('corrected by pen, mouse, wheel and keys; Esc takes a correction back; it flies on', async (t) => {
   const { page, hand, first } = await begin(t, {});

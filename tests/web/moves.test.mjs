@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, move, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, move, open, pictures, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 import { SCENE } from './tori.mjs';
 
@@ -43,68 +43,66 @@ async function begin(t, options) {
   return { page, hand, first };
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a camera along a curve: made, played, looked through, undone, ${colorScheme}`, async (t) => {
-    const { page, hand, first } = await begin(t, { colorScheme });
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `moves-${name}-${colorScheme}.png`) });
-    await page.waitForSelector('#actions [data-name="camera-along"]:not([hidden]), #actions [data-command="camera-along"]:not([hidden])');
-    await shot('offered');
-    await page.click('#actions [data-name="camera-along"], #actions [data-command="camera-along"]');
-    await page.waitForSelector('.time:not([hidden])');
-    await quiet(page);
-    await shot('made');
-    const made = await state(page);
-    assert.notEqual(made.digest, first.digest);
-    assert.deepEqual([(await move(page)).duration, (await move(page)).playing], [4, 0], 'four seconds, and nothing plays by itself');
-    await hand.stroke([[600, 400], [640, 290]], { pointerType: 'mouse', button: 'right' });
-    await quiet(page);
-    const written = await journal(page);
+test('a camera along a curve: made, played, looked through, undone', async (t) => {
+  const { page, hand, first } = await begin(t);
+  const shot = (name) => pictures(page, `moves-${name}`);
+  await page.waitForSelector('#actions [data-name="camera-along"]:not([hidden]), #actions [data-command="camera-along"]:not([hidden])');
+  await shot('offered');
+  await page.click('#actions [data-name="camera-along"], #actions [data-command="camera-along"]');
+  await page.waitForSelector('.time:not([hidden])');
+  await quiet(page);
+  await shot('made');
+  const made = await state(page);
+  assert.notEqual(made.digest, first.digest);
+  assert.deepEqual([(await move(page)).duration, (await move(page)).playing], [4, 0], 'four seconds, and nothing plays by itself');
+  await hand.stroke([[600, 400], [640, 290]], { pointerType: 'mouse', button: 'right' });
+  await quiet(page);
+  const written = await journal(page);
 
-    const slider = await page.locator('.time-row input').boundingBox();
-    await hand.stroke([[slider.x + 8, slider.y + slider.height / 2], [slider.x + 0.4 * slider.width, slider.y + slider.height / 2]], { pointerType: 'pen' });
-    await quiet(page);
-    const scrubbed = (await move(page)).at;
-    await shot('tilted');
-    assert.ok(scrubbed > 1.2 && scrubbed < 2, `a pen scrubs: ${scrubbed}`);
+  const slider = await page.locator('.time-row input').boundingBox();
+  await hand.stroke([[slider.x + 8, slider.y + slider.height / 2], [slider.x + 0.4 * slider.width, slider.y + slider.height / 2]], { pointerType: 'pen' });
+  await quiet(page);
+  const scrubbed = (await move(page)).at;
+  await shot('tilted');
+  assert.ok(scrubbed > 1.2 && scrubbed < 2, `a pen scrubs: ${scrubbed}`);
 
-    await page.locator('#stage').focus();
-    await page.keyboard.press('.');
-    const stepped = (await move(page)).at;
-    assert.ok(stepped > scrubbed && stepped - scrubbed <= 1 / 24 + 1e-9 && Math.abs(stepped * 24 - Math.round(stepped * 24)) < 1e-6, `a frame on: ${stepped}`);
-    await page.keyboard.press(',');
-    assert.ok(Math.abs((await move(page)).at - (stepped - 1 / 24)) < 1e-9);
+  await page.locator('#stage').focus();
+  await page.keyboard.press('.');
+  const stepped = (await move(page)).at;
+  assert.ok(stepped > scrubbed && stepped - scrubbed <= 1 / 24 + 1e-9 && Math.abs(stepped * 24 - Math.round(stepped * 24)) < 1e-6, `a frame on: ${stepped}`);
+  await page.keyboard.press(',');
+  assert.ok(Math.abs((await move(page)).at - (stepped - 1 / 24)) < 1e-9);
 
-    await tapSpace(page);
-    assert.equal((await move(page)).playing, 1, 'a tap of the space bar plays');
-    await tapSpace(page, stepped + 0.3);
-    assert.equal((await move(page)).playing, 0, 'and stops');
-    assert.ok((await move(page)).at < 4, 'before the end');
-    await page.keyboard.down(' ');
-    await hand.stroke([[500, 300], [520, 320]], { pointerType: 'mouse' });
-    await page.keyboard.up(' ');
-    assert.equal((await move(page)).playing, 0, 'held, it pans');
+  await tapSpace(page);
+  assert.equal((await move(page)).playing, 1, 'a tap of the space bar plays');
+  await tapSpace(page, stepped + 0.3);
+  assert.equal((await move(page)).playing, 0, 'and stops');
+  assert.ok((await move(page)).at < 4, 'before the end');
+  await page.keyboard.down(' ');
+  await hand.stroke([[500, 300], [520, 320]], { pointerType: 'mouse' });
+  await page.keyboard.up(' ');
+  assert.equal((await move(page)).playing, 0, 'held, it pans');
 
-    const outside = await page.locator('#space').screenshot();
-    await page.keyboard.press('q');
-    await page.waitForSelector('#stage.through');
-    await quiet(page);
-    await shot('through');
-    assert.notDeepEqual(await page.locator('#space').screenshot(), outside);
-    await page.keyboard.press('Escape');
-    await quiet(page);
-    assert.equal((await move(page)).through, 0, 'Esc goes back');
-    assert.equal(await page.locator('#stage.through').count(), 0);
+  const outside = await page.locator('#space').screenshot();
+  await page.keyboard.press('q');
+  await page.waitForSelector('#stage.through');
+  await quiet(page);
+  await shot('through');
+  assert.notDeepEqual(await page.locator('#space').screenshot(), outside);
+  await page.keyboard.press('Escape');
+  await quiet(page);
+  assert.equal((await move(page)).through, 0, 'Esc goes back');
+  assert.equal(await page.locator('#stage.through').count(), 0);
 
-    const now = await state(page);
-    assert.equal(now.digest, made.digest, 'playing is not editing');
-    assert.equal(await journal(page), written, 'nothing entered the journal');
-    assert.equal(now.check, '');
-    await page.keyboard.press('Control+z');
-    await quiet(page);
-    assert.equal((await state(page)).digest, first.digest);
-    assert.ok(await page.locator('.time').isHidden(), 'no camera, no strip');
-  });
-}
+  const now = await state(page);
+  assert.equal(now.digest, made.digest, 'playing is not editing');
+  assert.equal(await journal(page), written, 'nothing entered the journal');
+  assert.equal(now.check, '');
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  assert.equal((await state(page)).digest, first.digest);
+  assert.ok(await page.locator('.time').isHidden(), 'no camera, no strip');
+});
 
 test('by touch, from a view, looped and in Korean', async (t) => {
   const { page, hand, first } = await begin(t, { locale: 'ko-KR', reducedMotion: 'reduce', hasTouch: true, isMobile: true, viewport: { width: 1024, height: 768 } });

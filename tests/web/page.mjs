@@ -163,9 +163,9 @@ export async function launch() {
   return browser;
 }
 
-/** A browser with persistent storage in a folder. @param {string} profile */
-export async function launchAt(profile) {
-  return watch(await chromium.launchPersistentContext(profile, { ...BROWSER, viewport: { width: 1280, height: 800 } }));
+/** A browser with persistent storage in a folder. @param {string} profile @param {object} more how it is started */
+export async function launchAt(profile, more = {}) {
+  return watch(await chromium.launchPersistentContext(profile, { ...BROWSER, viewport: { width: 1280, height: 800 }, ...more }));
 }
 
 /**
@@ -225,6 +225,22 @@ export async function until(page, holds, value) {
 export function settle(page) {
   return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 }
+
+/**
+ * Does something in the light theme, the page's own, and in the dark one: what is seen of a state, which itself is reached once.
+ * @param {(colorScheme: 'light' | 'dark') => Promise<unknown>} work
+ */
+export async function inThemes(page, work) {
+  for (const colorScheme of /** @type {const} */ (['dark', 'light'])) {
+    await page.emulateMedia({ colorScheme });
+    await settle(page);
+    await work(colorScheme);
+  }
+}
+
+/** Pictures of the page in both themes: NAME-light.png and NAME-dark.png. @param {string} name */
+export const pictures = (page, name) => inThemes(page, (colorScheme) =>
+  page.screenshot({ path: path.join(SCREENSHOTS, `${name}-${colorScheme}.png`) }));
 
 /** Waits until the page has nothing left to do: no frame, short timer or transition. */
 export function quiet(page) {

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, quiet, SCREENSHOTS, state } from './page.mjs';
+import { launch, open, pictures, quiet, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const EXAMPLES = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples');
@@ -17,49 +17,47 @@ before(async () => {
 });
 after(() => browser.close());
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`the button beside the dial switches perspective on and off, ${colorScheme}`, async (t) => {
-    const server = await serve({ name: 'jug.batten', bytes: JUG });
-    t.after(() => server.close());
-    const { page } = await open(browser, server.address, { ...SMALL, colorScheme });
-    await page.locator('#first button').click();
-    await page.locator('#stage').focus();
-    assert.equal(await page.locator('.deep').isVisible(), false);
-    for (let i = 0; i < 4; i++) {
-      await page.keyboard.press('Shift+Alt+ArrowUp');
-    }
-    await page.waitForFunction(() => batten.loop.space?.counts.painted > 0);
-    await page.keyboard.press('f');
-    await quiet(page);
-    const first = await state(page);
-    const button = page.locator('.deep');
-    assert.equal(await button.getAttribute('aria-pressed'), 'false');
-    await button.click();
-    await page.keyboard.press('f');
-    await quiet(page);
-    assert.equal(await button.getAttribute('aria-pressed'), 'true');
-    assert.match((await state(page)).notice, /perspective/);
-    const now = await page.evaluate(() => {
-      const picture = batten.loop.space.read();
-      return { deep: picture.perspective, error: batten.loop.space.gl.getError() };
-    });
-    assert.deepEqual(now, { deep: 1, error: 0 });
-    await page.screenshot({ path: path.join(SCREENSHOTS, `perspective-${colorScheme}.png`) });
-    for (let i = 0; i < 9; i++) {
-      await page.keyboard.press('+'); // into the jug
-    }
-    await quiet(page);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `perspective-near-${colorScheme}.png`) });
-    await page.keyboard.press('Shift+P');
-    await quiet(page);
-    assert.equal(await button.getAttribute('aria-pressed'), 'false');
-    assert.equal((await state(page)).digest, first.digest);
-    assert.equal((await state(page)).unsaved, false);
-    await page.keyboard.press('5');
-    await quiet(page);
-    assert.equal(await page.locator('.deep').isVisible(), false);
+test('the button beside the dial switches perspective on and off', async (t) => {
+  const server = await serve({ name: 'jug.batten', bytes: JUG });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address, { ...SMALL });
+  await page.locator('#first button').click();
+  await page.locator('#stage').focus();
+  assert.equal(await page.locator('.deep').isVisible(), false);
+  for (let i = 0; i < 4; i++) {
+    await page.keyboard.press('Shift+Alt+ArrowUp');
+  }
+  await page.waitForFunction(() => batten.loop.space?.counts.painted > 0);
+  await page.keyboard.press('f');
+  await quiet(page);
+  const first = await state(page);
+  const button = page.locator('.deep');
+  assert.equal(await button.getAttribute('aria-pressed'), 'false');
+  await button.click();
+  await page.keyboard.press('f');
+  await quiet(page);
+  assert.equal(await button.getAttribute('aria-pressed'), 'true');
+  assert.match((await state(page)).notice, /perspective/);
+  const now = await page.evaluate(() => {
+    const picture = batten.loop.space.read();
+    return { deep: picture.perspective, error: batten.loop.space.gl.getError() };
   });
-}
+  assert.deepEqual(now, { deep: 1, error: 0 });
+  await pictures(page, 'perspective');
+  for (let i = 0; i < 9; i++) {
+    await page.keyboard.press('+'); // into the jug
+  }
+  await quiet(page);
+  await pictures(page, 'perspective-near');
+  await page.keyboard.press('Shift+P');
+  await quiet(page);
+  assert.equal(await button.getAttribute('aria-pressed'), 'false');
+  assert.equal((await state(page)).digest, first.digest);
+  assert.equal((await state(page)).unsaved, false);
+  await page.keyboard.press('5');
+  await quiet(page);
+  assert.equal(await page.locator('.deep').isVisible(), false);
+});
 
 test('lines with a depth lie where the overlay shows them', async (t) => {
   const server = await serve({ name: 'jug.batten', bytes: JUG });

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import axe from 'axe-core';
-import { launch, open, place, reveal, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, pictures, place, reveal, SCREENSHOTS, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -54,42 +54,40 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
   });
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a copy dragged off with Alt, a group entered by a double click, ${colorScheme}`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    const objects = () => page.evaluate(() =>
-      JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
-    const selected = () => page.evaluate(() => glance().selected);
-    const fresh = await state(page);
-    await page.focus('#stage');
-    await page.keyboard.press('v');
-    const at = await place(page, 592, 103.5);
-    const before = await objects();
-    await hand.stroke([at, [at[0] + 60, at[1] + 40]], { pointerType: 'mouse', modifiers: 1 });
-    assert.ok(await objects() > before);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-copy.png`) });
-    await page.keyboard.press('Control+z');
-    await settle(page);
-    assert.equal((await state(page)).digest, fresh.digest);
-    await page.keyboard.press('Control+a');
-    await page.keyboard.press('Control+g');
-    await page.keyboard.press('Control+Shift+a');
-    await settle(page);
-    await page.mouse.dblclick(...at);
-    await settle(page);
-    assert.equal(await selected(), 1);
-    assert.ok((await page.evaluate(() => glance().labels.length)) > 0);
-    await page.mouse.move(640, 200);
-    await settle(page);
-    assert.match((await state(page)).hint, /In a group/);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-entered.png`) });
-    await page.keyboard.press('Escape');
-    await settle(page);
-    assert.equal(await page.evaluate(() => glance().labels.length), 0);
-    assert.equal((await state(page)).check, '');
-    await context.close();
-  });
-}
+test('a copy dragged off with Alt, a group entered by a double click', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  const objects = () => page.evaluate(() =>
+    JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
+  const selected = () => page.evaluate(() => glance().selected);
+  const fresh = await state(page);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  const at = await place(page, 592, 103.5);
+  const before = await objects();
+  await hand.stroke([at, [at[0] + 60, at[1] + 40]], { pointerType: 'mouse', modifiers: 1 });
+  assert.ok(await objects() > before);
+  await pictures(page, 'select-copy');
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  assert.equal((await state(page)).digest, fresh.digest);
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('Control+g');
+  await page.keyboard.press('Control+Shift+a');
+  await settle(page);
+  await page.mouse.dblclick(...at);
+  await settle(page);
+  assert.equal(await selected(), 1);
+  assert.ok((await page.evaluate(() => glance().labels.length)) > 0);
+  await page.mouse.move(640, 200);
+  await settle(page);
+  assert.match((await state(page)).hint, /In a group/);
+  await pictures(page, 'select-entered');
+  await page.keyboard.press('Escape');
+  await settle(page);
+  assert.equal(await page.evaluate(() => glance().labels.length), 0);
+  assert.equal((await state(page)).check, '');
+  await context.close();
+});
 
 /** The findings of axe. */
 async function violations(page) {
@@ -131,70 +129,68 @@ for (const [name, hand, options] of [['desk', 0, {}], ['desk-left', 1, {}],
   });
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`buttons for the selection, layers dragged, a colour that lets through, ${colorScheme}`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    const shown = () => page.locator('#actions button:visible').evaluateAll((list) => list.map((one) => one.dataset.name));
-    await page.focus('#stage');
-    await page.keyboard.press('v');
-    const at = await place(page, 592, 103.5);
-    await hand.stroke([at, at], { pointerType: 'mouse' });
-    await page.waitForSelector('#actions:not([hidden])');
-    assert.equal((await shown()).at(-1), 'delete');
-    await page.click('#actions [data-name=further]');
-    const one = await shown();
-    assert.ok(one.includes('order-front') && one.includes('curve-reverse') && !one.includes('group'), String(one));
-    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-actions-one.png`) });
-    await page.focus('#stage');
-    await page.keyboard.press('Control+a');
-    await settle(page);
-    assert.ok((await shown()).includes('group'));
-    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-actions.png`) });
-    assert.deepEqual(await violations(page), [], 'the row of actions');
-    await page.click('#actions [data-name="group"]');
-    await settle(page);
-    assert.equal(await page.evaluate(() => glance().selected), 1);
-    assert.ok((await shown()).includes('ungroup'));
-    await page.keyboard.press('Control+Shift+a');
-    await settle(page);
-    assert.equal(await page.isVisible('#actions'), false);
-    // Three layers; the front one is dragged to the back by its grip, then moved up again with the keyboard.
-    await reveal(page, 'layers');
-    for (let i = 0; i < 3; i++) {
-      await page.click('#layers [data-text="command.layer-add"]');
-    }
-    await settle(page);
-    const names = () => page.evaluate(() => batten.engine.layers().layers.map((layer) => layer.name.at(-1)).join(''));
-    assert.equal(await names(), '123');
-    const middle = async (locator) => {
-      const box = await locator.boundingBox();
-      return [box.x + box.width / 2, box.y + box.height / 2];
-    };
-    const grips = page.locator('#layers .grip');
-    assert.deepEqual(await violations(page), [], 'layers with grips');
-    await page.mouse.move(...await middle(grips.nth(0)));
-    await page.mouse.down();
-    await page.mouse.move(...await middle(grips.nth(2)), { steps: 4 });
-    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-layers-drag.png`) });
-    await page.mouse.up();
-    await settle(page);
-    assert.equal(await names(), '312');
-    await page.keyboard.press('ArrowUp');
-    assert.equal(await names(), '132');
-    await page.click('#layers [aria-label^="Hide"] >> nth=0');
-    await settle(page);
-    assert.equal(await page.evaluate(() => batten.engine.layers().layers.at(-1).hidden), true);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-layers-icons.png`) });
-    // A new colour keeps the old opacity, which is set beside it.
-    await page.keyboard.press('Escape');
-    await reveal(page, 'style');
-    await page.locator('#style input[type=range]').first().fill('128');
-    assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour') & 255), 128);
-    await page.locator('#setting-stroke-colour').fill('#ff0000');
-    await page.locator('#setting-stroke-colour').dispatchEvent('change');
-    assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour')), 0xff000080);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `select-${colorScheme}-style-alpha.png`) });
-    assert.equal((await state(page)).check, '');
-    await context.close();
-  });
-}
+test('buttons for the selection, layers dragged, a colour that lets through', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  const shown = () => page.locator('#actions button:visible').evaluateAll((list) => list.map((one) => one.dataset.name));
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  const at = await place(page, 592, 103.5);
+  await hand.stroke([at, at], { pointerType: 'mouse' });
+  await page.waitForSelector('#actions:not([hidden])');
+  assert.equal((await shown()).at(-1), 'delete');
+  await page.click('#actions [data-name=further]');
+  const one = await shown();
+  assert.ok(one.includes('order-front') && one.includes('curve-reverse') && !one.includes('group'), String(one));
+  await pictures(page, 'select-actions-one');
+  await page.focus('#stage');
+  await page.keyboard.press('Control+a');
+  await settle(page);
+  assert.ok((await shown()).includes('group'));
+  await pictures(page, 'select-actions');
+  assert.deepEqual(await violations(page), [], 'the row of actions');
+  await page.click('#actions [data-name="group"]');
+  await settle(page);
+  assert.equal(await page.evaluate(() => glance().selected), 1);
+  assert.ok((await shown()).includes('ungroup'));
+  await page.keyboard.press('Control+Shift+a');
+  await settle(page);
+  assert.equal(await page.isVisible('#actions'), false);
+  // Three layers; the front one is dragged to the back by its grip, then moved up again with the keyboard.
+  await reveal(page, 'layers');
+  for (let i = 0; i < 3; i++) {
+    await page.click('#layers [data-text="command.layer-add"]');
+  }
+  await settle(page);
+  const names = () => page.evaluate(() => batten.engine.layers().layers.map((layer) => layer.name.at(-1)).join(''));
+  assert.equal(await names(), '123');
+  const middle = async (locator) => {
+    const box = await locator.boundingBox();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  };
+  const grips = page.locator('#layers .grip');
+  assert.deepEqual(await violations(page), [], 'layers with grips');
+  await page.mouse.move(...await middle(grips.nth(0)));
+  await page.mouse.down();
+  await page.mouse.move(...await middle(grips.nth(2)), { steps: 4 });
+  await pictures(page, 'select-layers-drag');
+  await page.mouse.up();
+  await settle(page);
+  assert.equal(await names(), '312');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await names(), '132');
+  await page.click('#layers [aria-label^="Hide"] >> nth=0');
+  await settle(page);
+  assert.equal(await page.evaluate(() => batten.engine.layers().layers.at(-1).hidden), true);
+  await pictures(page, 'select-layers-icons');
+  // A new colour keeps the old opacity, which is set beside it.
+  await page.keyboard.press('Escape');
+  await reveal(page, 'style');
+  await page.locator('#style input[type=range]').first().fill('128');
+  assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour') & 255), 128);
+  await page.locator('#setting-stroke-colour').fill('#ff0000');
+  await page.locator('#setting-stroke-colour').dispatchEvent('change');
+  assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour')), 0xff000080);
+  await pictures(page, 'select-style-alpha');
+  assert.equal((await state(page)).check, '');
+  await context.close();
+});

@@ -42,8 +42,20 @@ function shellFiles(build) {
     .map((file) => `${build}/${file}`).concat(STAYING.slice(0, 2));
 }
 
+/** What was built already: each opening of a page asks for all. @type {Map<string, ReturnType<typeof make>>} */
+const made = new Map();
+
 /** A file as it is built: the bytes at its address, which needs no server. @param {string} build @param {string} address */
 function built(build, address) {
+  const key = `${build} ${address}`;
+  if (!made.has(key)) {
+    made.set(key, make(build, address));
+  }
+  return made.get(key);
+}
+
+/** @param {string} build @param {string} address */
+function make(build, address) {
   const [folder, ...rest] = address.split('/');
   const name = STAYING.includes(folder) ? folder : rest.join('/');
   const file = BUILT.includes(name) ? path.join(path.dirname(MODULE), name) : path.join(name === SHOWN ? ROOT : WEB, name);

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, quiet, ready, SCREENSHOTS, settle } from './page.mjs';
+import { inThemes, launch, open, quiet, ready, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -237,25 +237,23 @@ test('letters work while Hangul is typed', async () => {
   await context.close();
 });
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`Z: a click comes nearer, Alt goes away, a rectangle fills the window; ${colorScheme}`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    const zoom = () => page.evaluate(() => batten.painter.painted.zoom);
-    await type(page, 'z');
-    assert.equal(await tool(page), 'zoom');
-    const before = await zoom();
-    const cursor = () => page.evaluate(() => getComputedStyle(document.getElementById('stage')).cursor);
-    await hand.stroke([[600, 400], [600, 400]], { pointerType: 'mouse' });
-    await quiet(page);
-    assert.ok(Math.abs((await zoom()) / before - 2) < 1e-6);
-    assert.equal(await cursor(), 'zoom-in');
-    await hand.stroke([[600, 400], [600, 400]], { pointerType: 'mouse', modifiers: 1 });
-    await quiet(page);
-    assert.ok(Math.abs((await zoom()) / before - 1) < 1e-6);
-    await hand.stroke([[560, 240], [800, 420]], { during: () => shot(page, `zoom-${colorScheme}`) });
-    await quiet(page);
-    assert.ok((await zoom()) / before > 3);
-    await shot(page, `zoomed-${colorScheme}`);
-    await context.close();
-  });
-}
+test('Z: a click comes nearer, Alt goes away, a rectangle fills the window', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  const zoom = () => page.evaluate(() => batten.painter.painted.zoom);
+  await type(page, 'z');
+  assert.equal(await tool(page), 'zoom');
+  const before = await zoom();
+  const cursor = () => page.evaluate(() => getComputedStyle(document.getElementById('stage')).cursor);
+  await hand.stroke([[600, 400], [600, 400]], { pointerType: 'mouse' });
+  await quiet(page);
+  assert.ok(Math.abs((await zoom()) / before - 2) < 1e-6);
+  assert.equal(await cursor(), 'zoom-in');
+  await hand.stroke([[600, 400], [600, 400]], { pointerType: 'mouse', modifiers: 1 });
+  await quiet(page);
+  assert.ok(Math.abs((await zoom()) / before - 1) < 1e-6);
+  await hand.stroke([[560, 240], [800, 420]], { during: () => inThemes(page, (colorScheme) => shot(page, `zoom-${colorScheme}`)) });
+  await quiet(page);
+  assert.ok((await zoom()) / before > 3);
+  await inThemes(page, (colorScheme) => shot(page, `zoomed-${colorScheme}`));
+  await context.close();
+});

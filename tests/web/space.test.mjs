@@ -5,7 +5,7 @@ import { createHash } from 'node:crypto';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { densify, launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { densify, launch, open, pictures, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { fileURLToPath } from 'node:url';
 import { serve } from './server.mjs';
 
@@ -22,39 +22,37 @@ const pixels = async (page) => createHash('sha1').update(await page.evaluate(() 
   document.getElementById('still').toDataURL())).digest('hex');
 const tilt = (page) => page.evaluate(() => glance().tilt);
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a right drag tilts the page, 5 brings it home, ${colorScheme}`, async (t) => {
-    const server = await serve({ name: 'car.svg', bytes: CAR });
-    t.after(() => server.close());
-    const { page, hand } = await open(browser, server.address, { colorScheme });
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `space-${name}-${colorScheme}.png`) });
-    await page.keyboard.press('Shift+G');
-    await quiet(page);
-    const first = await state(page);
-    const before = await pixels(page);
-    const orbit = (to, during) => hand.stroke([[600, 400], to], { pointerType: 'mouse', button: 'right', during });
-    await orbit([640, 290], () => shot('orbit'));
-    assert.ok(await tilt(page) > 40);
-    await shot('tilted');
-    await orbit([560, 150]);
-    assert.ok(await tilt(page) > 100);
-    await shot('behind');
-    await page.keyboard.press('Shift+H'); // a guide
-    await settle(page);
-    const now = await state(page);
-    assert.equal(now.digest, first.digest, 'nothing is changed where it was not shown');
-    await shot('refused');
-    await page.locator('#notice button').click();
-    await quiet(page);
-    assert.equal(await tilt(page), 0);
-    assert.equal(await pixels(page), before, 'the page is as it was, to the pixel');
-    await page.keyboard.press('Shift+Z');
-    await quiet(page);
-    assert.ok(await tilt(page) > 100, 'a step back');
-    assert.equal((await state(page)).digest, first.digest);
-    assert.equal((await state(page)).check, '');
-  });
-}
+test('a right drag tilts the page, 5 brings it home', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: CAR });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address);
+  const shot = (name) => pictures(page, `space-${name}`);
+  await page.keyboard.press('Shift+G');
+  await quiet(page);
+  const first = await state(page);
+  const before = await pixels(page);
+  const orbit = (to, during) => hand.stroke([[600, 400], to], { pointerType: 'mouse', button: 'right', during });
+  await orbit([640, 290], () => shot('orbit'));
+  assert.ok(await tilt(page) > 40);
+  await shot('tilted');
+  await orbit([560, 150]);
+  assert.ok(await tilt(page) > 100);
+  await shot('behind');
+  await page.keyboard.press('Shift+H'); // a guide
+  await settle(page);
+  const now = await state(page);
+  assert.equal(now.digest, first.digest, 'nothing is changed where it was not shown');
+  await shot('refused');
+  await page.locator('#notice button').click();
+  await quiet(page);
+  assert.equal(await tilt(page), 0);
+  assert.equal(await pixels(page), before, 'the page is as it was, to the pixel');
+  await page.keyboard.press('Shift+Z');
+  await quiet(page);
+  assert.ok(await tilt(page) > 100, 'a step back');
+  assert.equal((await state(page)).digest, first.digest);
+  assert.equal((await state(page)).check, '');
+});
 
 test('the dial: a drag turns, a tap brings home, its ends are views', async (t) => {
   const server = await serve({ name: 'car.svg', bytes: CAR });
@@ -97,84 +95,80 @@ test('with reduced motion the view is home at once', async (t) => {
   assert.equal(await tilt(page), 0);
 });
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a pen draws and redraws on the tilted page, ${colorScheme}`, async (t) => {
-    const server = await serve({ name: 'car.svg', bytes: CAR });
-    t.after(() => server.close());
-    const { page, hand } = await open(browser, server.address, { colorScheme });
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `space-${name}-${colorScheme}.png`) });
-    const first = await state(page);
-    const before = await pixels(page);
-    await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
-    await hand.hover([400, 620]);
-    assert.match((await state(page)).hint, /^On the page/);
-    await shot('disc');
-    await hand.stroke([[360, 640], [460, 600], [560, 640], [700, 590]], { during: () => shot('drawing') });
-    const drawn = await state(page);
-    assert.notEqual(drawn.digest, first.digest);
-    await hand.stroke([[400, 640], [470, 560], [560, 600]], { during: () => shot('redrawing') });
-    assert.equal((await state(page)).check, '');
-    await page.keyboard.press('5');
-    await quiet(page);
-    await shot('drawn');
-    await page.keyboard.press('Shift+Z');
-    await quiet(page);
-    while ((await state(page)).digest !== first.digest) {
-      await page.keyboard.press('Control+z');
-      await settle(page);
-    }
-    await page.keyboard.press('5');
-    await quiet(page);
-    assert.equal(await pixels(page), before, 'undone, the page is as it was, to the pixel');
-  });
-}
+test('a pen draws and redraws on the tilted page', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: CAR });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address);
+  const shot = (name) => pictures(page, `space-${name}`);
+  const first = await state(page);
+  const before = await pixels(page);
+  await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
+  await hand.hover([400, 620]);
+  assert.match((await state(page)).hint, /^On the page/);
+  await shot('disc');
+  await hand.stroke([[360, 640], [460, 600], [560, 640], [700, 590]], { during: () => shot('drawing') });
+  const drawn = await state(page);
+  assert.notEqual(drawn.digest, first.digest);
+  await hand.stroke([[400, 640], [470, 560], [560, 600]], { during: () => shot('redrawing') });
+  assert.equal((await state(page)).check, '');
+  await page.keyboard.press('5');
+  await quiet(page);
+  await shot('drawn');
+  await page.keyboard.press('Shift+Z');
+  await quiet(page);
+  while ((await state(page)).digest !== first.digest) {
+    await page.keyboard.press('Control+z');
+    await settle(page);
+  }
+  await page.keyboard.press('5');
+  await quiet(page);
+  assert.equal(await pixels(page), before, 'undone, the page is as it was, to the pixel');
+});
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a line, a spline and the eraser on the tilted page, ${colorScheme}`, async (t) => {
-    const server = await serve({ name: 'car.svg', bytes: CAR });
-    t.after(() => server.close());
-    const { page, hand } = await open(browser, server.address, { colorScheme });
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `space-${name}-${colorScheme}.png`) });
-    const first = await state(page);
-    const before = await pixels(page);
-    const changed = async (since) => {
-      await quiet(page);
-      const now = await state(page);
-      assert.equal(now.check, '');
-      assert.notEqual(now.digest, since);
-      return now.digest;
-    };
-    await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
-    await page.keyboard.press('u');
-    await hand.hover([360, 640]);
-    assert.match((await state(page)).hint, /^On the page/);
-    hand.rest(1);
-    await hand.stroke([[360, 640], [520, 600]], { during: () => shot('line') });
-    let now = await changed(first.digest);
-    await page.keyboard.press('Enter');
-    await page.keyboard.press('t');
-    for (const [from, to] of [[[360, 690], [400, 660]], [[520, 700], [540, 690]], [[640, 640], [680, 650]]]) {
-      hand.rest(1);
-      await hand.stroke([from, to], { during: () => shot('tangents-turning') });
-    }
-    now = await changed(now);
-    await hand.hover([700, 690]);
-    await shot('tangents');
-    await page.keyboard.press('Enter');
-    await page.keyboard.press('e');
-    hand.rest(1);
-    await hand.stroke([[440, 560], [460, 730]], { during: () => shot('erasing') });
-    now = await changed(now);
-    await shot('erased');
-    while ((await state(page)).digest !== first.digest) {
-      await page.keyboard.press('Control+z');
-      await settle(page);
-    }
-    await page.keyboard.press('5');
+test('a line, a spline and the eraser on the tilted page', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: CAR });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address);
+  const shot = (name) => pictures(page, `space-${name}`);
+  const first = await state(page);
+  const before = await pixels(page);
+  const changed = async (since) => {
     await quiet(page);
-    assert.equal(await pixels(page), before, 'undone, the page is as it was, to the pixel');
-  });
-}
+    const now = await state(page);
+    assert.equal(now.check, '');
+    assert.notEqual(now.digest, since);
+    return now.digest;
+  };
+  await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
+  await page.keyboard.press('u');
+  await hand.hover([360, 640]);
+  assert.match((await state(page)).hint, /^On the page/);
+  hand.rest(1);
+  await hand.stroke([[360, 640], [520, 600]], { during: () => shot('line') });
+  let now = await changed(first.digest);
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('t');
+  for (const [from, to] of [[[360, 690], [400, 660]], [[520, 700], [540, 690]], [[640, 640], [680, 650]]]) {
+    hand.rest(1);
+    await hand.stroke([from, to], { during: () => shot('tangents-turning') });
+  }
+  now = await changed(now);
+  await hand.hover([700, 690]);
+  await shot('tangents');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('e');
+  hand.rest(1);
+  await hand.stroke([[440, 560], [460, 730]], { during: () => shot('erasing') });
+  now = await changed(now);
+  await shot('erased');
+  while ((await state(page)).digest !== first.digest) {
+    await page.keyboard.press('Control+z');
+    await settle(page);
+  }
+  await page.keyboard.press('5');
+  await quiet(page);
+  assert.equal(await pixels(page), before, 'undone, the page is as it was, to the pixel');
+});
 
 test('three fingers turn the view, a tap of three does not', async (t) => {
   const server = await serve({ name: 'car.svg', bytes: CAR });

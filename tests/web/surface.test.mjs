@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, pictures, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const SPACE = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples/space');
@@ -23,49 +23,47 @@ after(() => browser.close());
 
 const pen = { pointerType: 'pen' };
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a line of a sheet is lit and redrawn, ${colorScheme}`, async (t) => {
-    const server = await serve({ name: 'sheet.batten', bytes: first('sheet') });
-    t.after(() => server.close());
-    const { page, hand } = await open(browser, server.address, { colorScheme });
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `surface-${name}-${colorScheme}.png`) });
-    const told = () => page.evaluate(() => {
-      const frame = glance();
-      return { notice: frame.notice, hint: frame.hint, labels: frame.labels?.length };
-    });
-    const begun = await state(page);
-    await page.keyboard.press('b');
-    const box = await page.evaluate(() => {
-      const canvas = document.getElementById('still').getBoundingClientRect();
-      return [canvas.left, canvas.top, canvas.width, canvas.height];
-    });
-    const at = (x, y) => [box[0] + box[2] * x, box[1] + box[3] * y];
-    await hand.stroke([at(0.5, 0.45), at(0.5, 0.6)], pen);
-    await settle(page);
-    await shot('lit');
-    const along = Array.from({ length: 40 }, (_, i) => {
-      const share = i / 39;
-      return at(0.5 + 0.06 * Math.sin(Math.PI * share) ** 3, 0.3 + 0.4 * share);
-    });
-    hand.rest(2);
-    await hand.stroke(along, { ...pen, during: () => shot('drawing') });
-    await quiet(page);
-    await shot('redrawn');
-    const now = await state(page);
-    assert.notEqual(now.digest, begun.digest, JSON.stringify(await told()));
-    assert.equal(now.check, '');
-    await page.keyboard.press('Control+z');
-    await quiet(page);
-    assert.equal((await state(page)).digest, begun.digest);
-    await page.keyboard.press('Shift+Alt+ArrowUp');
-    await page.keyboard.press('Shift+Alt+ArrowLeft');
-    await settle(page);
-    await shot('tilted');
-    await page.keyboard.press('Escape');
-    await settle(page);
-    assert.equal((await state(page)).check, '');
+test('a line of a sheet is lit and redrawn', async (t) => {
+  const server = await serve({ name: 'sheet.batten', bytes: first('sheet') });
+  t.after(() => server.close());
+  const { page, hand } = await open(browser, server.address);
+  const shot = (name) => pictures(page, `surface-${name}`);
+  const told = () => page.evaluate(() => {
+    const frame = glance();
+    return { notice: frame.notice, hint: frame.hint, labels: frame.labels?.length };
   });
-}
+  const begun = await state(page);
+  await page.keyboard.press('b');
+  const box = await page.evaluate(() => {
+    const canvas = document.getElementById('still').getBoundingClientRect();
+    return [canvas.left, canvas.top, canvas.width, canvas.height];
+  });
+  const at = (x, y) => [box[0] + box[2] * x, box[1] + box[3] * y];
+  await hand.stroke([at(0.5, 0.45), at(0.5, 0.6)], pen);
+  await settle(page);
+  await shot('lit');
+  const along = Array.from({ length: 40 }, (_, i) => {
+    const share = i / 39;
+    return at(0.5 + 0.06 * Math.sin(Math.PI * share) ** 3, 0.3 + 0.4 * share);
+  });
+  hand.rest(2);
+  await hand.stroke(along, { ...pen, during: () => shot('drawing') });
+  await quiet(page);
+  await shot('redrawn');
+  const now = await state(page);
+  assert.notEqual(now.digest, begun.digest, JSON.stringify(await told()));
+  assert.equal(now.check, '');
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  assert.equal((await state(page)).digest, begun.digest);
+  await page.keyboard.press('Shift+Alt+ArrowUp');
+  await page.keyboard.press('Shift+Alt+ArrowLeft');
+  await settle(page);
+  await shot('tilted');
+  await page.keyboard.press('Escape');
+  await settle(page);
+  assert.equal((await state(page)).check, '');
+});
 
 /** A sheet over x from 60 to 360 as a surface object, and its image in x = 0. */
 const sheetAt = (id, side) => {

@@ -1,9 +1,8 @@
 // The tangents tool in the page, with a pen: points, directions, tension, values, and what remains after a reload.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
-import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { hintFor, launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { hintFor, launch, open, pictures, place, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -34,71 +33,69 @@ const around = ([x, y], degrees, radius = 44) =>
 
 const SPOTS = [[300, 560], [470, 420], [640, 560], [820, 440], [1000, 540]];
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`points, directions and tension with a pen, ${colorScheme}`, async () => {
-    const blank = await serve();
-    const { page, hand, context } = await open(browser, blank.address, { colorScheme });
-    const strings = await page.evaluate(() => batten.panel.tables.strings);
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `tangents-${colorScheme}-${name}.png`) });
-    const count = await objects(page);
-    await page.keyboard.press('t');
-    await settle(page);
-    assert.equal((await state(page)).hint, hintFor(strings['hint.place'], 'mouse'));
-    for (const spot of SPOTS.slice(0, 4)) {
-      await tap(page, hand, spot);
-    }
-    await hand.hover([960, 560]);
-    await shot('placing');
-    assert.equal((await state(page)).hint, hintFor(strings['hint.place-next']));
-    await tap(page, hand, SPOTS[4]);
-    await page.keyboard.press('Enter');
-    assert.equal(await objects(page), count + 1);
-    const plain = await newest(page);
-    assert.equal(plain.kind, 'spline');
-    assert.equal(plain.spline.points.length, 5);
-    assert.equal(plain.spline.tangents, undefined);
+test('points, directions and tension with a pen', async () => {
+  const blank = await serve();
+  const { page, hand, context } = await open(browser, blank.address);
+  const strings = await page.evaluate(() => batten.panel.tables.strings);
+  const shot = (name) => pictures(page, `tangents-${name}`);
+  const count = await objects(page);
+  await page.keyboard.press('t');
+  await settle(page);
+  assert.equal((await state(page)).hint, hintFor(strings['hint.place'], 'mouse'));
+  for (const spot of SPOTS.slice(0, 4)) {
+    await tap(page, hand, spot);
+  }
+  await hand.hover([960, 560]);
+  await shot('placing');
+  assert.equal((await state(page)).hint, hintFor(strings['hint.place-next']));
+  await tap(page, hand, SPOTS[4]);
+  await page.keyboard.press('Enter');
+  assert.equal(await objects(page), count + 1);
+  const plain = await newest(page);
+  assert.equal(plain.kind, 'spline');
+  assert.equal(plain.spline.points.length, 5);
+  assert.equal(plain.spline.tangents, undefined);
 
-    // The arrow of the middle point: dragged to the horizontal, through all directions outside the wedge.
-    await tap(page, hand, SPOTS[2]);
-    await hand.hover(around(SPOTS[2], 30));
-    await shot('chosen');
-    const turn = Array.from({ length: 12 }, (_, i) => around(SPOTS[2], 30 + 5 * i));
-    await hand.stroke(turn, { during: async () => {
-      assert.equal((await state(page)).hint, strings['hint.beyond']);
-      assert.ok((await labels(page)).includes(strings['value.beyond']));
-      await shot('beyond');
-    } });
-    await hand.stroke(Array.from({ length: 18 }, (_, i) => around(SPOTS[2], 85 - 5 * i)), { during: async () => {
-      const shown = await labels(page);
-      assert.match(shown[0], /^in \d+\.\d°\s+out \d+\.\d°$/);
-      assert.match(shown[1], /^k 0\.\d{3} \| 0\.\d{3}$/);
-      await shot('inside');
-    } });
-    const turned = await newest(page);
-    const [dx, dy] = turned.spline.tangents[2];
-    assert.ok(Math.abs(Math.atan2(dy, dx)) < 0.02, 'the direction is where the pen left it');
-    assert.equal(turned.spline.tangents[1], null);
+  // The arrow of the middle point: dragged to the horizontal, through all directions outside the wedge.
+  await tap(page, hand, SPOTS[2]);
+  await hand.hover(around(SPOTS[2], 30));
+  await shot('chosen');
+  const turn = Array.from({ length: 12 }, (_, i) => around(SPOTS[2], 30 + 5 * i));
+  await hand.stroke(turn, { during: async () => {
+    assert.equal((await state(page)).hint, strings['hint.beyond']);
+    assert.ok((await labels(page)).includes(strings['value.beyond']));
+    await shot('beyond');
+  } });
+  await hand.stroke(Array.from({ length: 18 }, (_, i) => around(SPOTS[2], 85 - 5 * i)), { during: async () => {
+    const shown = await labels(page);
+    assert.match(shown[0], /^in \d+\.\d°\s+out \d+\.\d°$/);
+    assert.match(shown[1], /^k 0\.\d{3} \| 0\.\d{3}$/);
+    await shot('inside');
+  } });
+  const turned = await newest(page);
+  const [dx, dy] = turned.spline.tangents[2];
+  assert.ok(Math.abs(Math.atan2(dy, dx)) < 0.02, 'the direction is where the pen left it');
+  assert.equal(turned.spline.tangents[1], null);
 
-    // Farther out: tension.
-    await hand.stroke([around(SPOTS[2], 0), around(SPOTS[2], 0, 124)], { during: () => shot('tension') });
-    const pulled = await newest(page);
-    assert.ok(Math.abs(pulled.spline.tension[2][0] - 2) < 0.05);
+  // Farther out: tension.
+  await hand.stroke([around(SPOTS[2], 0), around(SPOTS[2], 0, 124)], { during: () => shot('tension') });
+  const pulled = await newest(page);
+  assert.ok(Math.abs(pulled.spline.tension[2][0] - 2) < 0.05);
 
-    // A double tap resets both.
-    hand.rest(0.45);
-    await hand.stroke([SPOTS[2]]);
-    await hand.stroke([SPOTS[2]]);
-    assert.equal((await newest(page)).spline.tangents, undefined);
-    assert.equal((await state(page)).check, '');
+  // A double tap resets both.
+  hand.rest(0.45);
+  await hand.stroke([SPOTS[2]]);
+  await hand.stroke([SPOTS[2]]);
+  assert.equal((await newest(page)).spline.tangents, undefined);
+  assert.equal((await state(page)).check, '');
 
-    // The journal replays to the same document.
-    const { digest } = await state(page);
-    assert.ok(await page.evaluate(() => batten.engine.replay(batten.engine.journal.slice())));
-    assert.equal((await state(page)).digest, digest);
-    await context.close();
-    blank.close();
-  });
-}
+  // The journal replays to the same document.
+  const { digest } = await state(page);
+  assert.ok(await page.evaluate(() => batten.engine.replay(batten.engine.journal.slice())));
+  assert.equal((await state(page)).digest, digest);
+  await context.close();
+  blank.close();
+});
 
 test('closing, moving, inserting, deleting, and a stroke that frees the curve', async () => {
   const blank = await serve();

@@ -1,9 +1,8 @@
 // Pictures to trace: dropped, pasted and opened; preserved by saving and after a crash; shown behind the drawing.
 import assert from 'node:assert/strict';
-import path from 'node:path';
 import { after, before, test } from 'node:test';
 import zlib from 'node:zlib';
-import { expectFaults, inked, launch, open, reveal, said, SCREENSHOTS, settle, state } from './page.mjs';
+import { expectFaults, inked, launch, open, pictures, reveal, said, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -63,122 +62,116 @@ const middle = async (page) => {
   return [box.x + box.width / 2, box.y + box.height / 2];
 };
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a dropped picture is shown, moved, saved and brought back, ${colorScheme}`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    await give(page, 'drop', 'image/png', twoHalves(400, 200));
-    await shownPictures(page, 1);
-    await settle(page);
-    const [x, y] = await middle(page);
-    const left = await colourAt(page, x - 100, y);
-    const right = await colourAt(page, x + 100, y);
-    assert.ok(left[0] > 240 && left[2] < 10 && left[3] > 120 && left[3] < 136, String(left)); // half transparent
-    assert.ok(right[2] > 240 && right[0] < 10, String(right));
-    assert.equal((await colourAt(page, x - 210, y))[3], 0);
-    assert.match((await state(page)).notice, /Picture placed/);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-placed.png`) });
-    await hand.stroke([[x, y], [x + 120, y + 60]], { pointerType: 'mouse' });
-    assert.ok((await colourAt(page, x + 20, y + 60))[0] > 240);
-    assert.equal((await colourAt(page, x - 150, y))[3], 0);
-    // Draws over it.
-    await page.keyboard.press('n');
-    await hand.stroke([[x - 200, y], [x, y - 80], [x + 200, y]]);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-drawn.png`) });
-    const { digest, check } = await state(page);
-    assert.equal(check, '');
-    // Saved in both formats and opened again, it is the same.
-    const digests = await page.evaluate(async () => {
-      const all = [];
-      for (const native of [true, false]) {
-        await batten.files.open(batten.engine.save(native), native ? 'a.batten' : 'a.svg');
-        all.push(batten.engine.digest());
-      }
-      return all;
-    });
-    assert.deepEqual(digests, [digest, digests[1]]);
-    await settle(page);
-    assert.ok((await colourAt(page, ...(await middle(page))))[3] > 0 || await inked(page, 'still') > 1000);
-    await context.close();
-  });
-}
-
-for (const colorScheme of ['light', 'dark']) {
-  test(`scaled by two points, faded, locked, ${colorScheme}`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    await give(page, 'drop', 'image/png', twoHalves(400, 200));
-    await shownPictures(page, 1);
-    const [x, y] = await middle(page);
-    await reveal(page, 'layers');
-    await page.waitForSelector('#pictures'); // fetched when it is first opened
-    await page.click('#pictures [data-text="command.tool-span"]');
-    await page.keyboard.press('Escape');
-    await settle(page);
-    for (const at of [[x - 200, y], [x + 200, y]]) {
-      await hand.stroke([at, at], { pointerType: 'mouse' });
+test('a dropped picture is shown, moved, saved and brought back', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  await give(page, 'drop', 'image/png', twoHalves(400, 200));
+  await shownPictures(page, 1);
+  await settle(page);
+  const [x, y] = await middle(page);
+  const left = await colourAt(page, x - 100, y);
+  const right = await colourAt(page, x + 100, y);
+  assert.ok(left[0] > 240 && left[2] < 10 && left[3] > 120 && left[3] < 136, String(left)); // half transparent
+  assert.ok(right[2] > 240 && right[0] < 10, String(right));
+  assert.equal((await colourAt(page, x - 210, y))[3], 0);
+  assert.match((await state(page)).notice, /Picture placed/);
+  await pictures(page, 'tracing-placed');
+  await hand.stroke([[x, y], [x + 120, y + 60]], { pointerType: 'mouse' });
+  assert.ok((await colourAt(page, x + 20, y + 60))[0] > 240);
+  assert.equal((await colourAt(page, x - 150, y))[3], 0);
+  // Draws over it.
+  await page.keyboard.press('n');
+  await hand.stroke([[x - 200, y], [x, y - 80], [x + 200, y]]);
+  await pictures(page, 'tracing-drawn');
+  const { digest, check } = await state(page);
+  assert.equal(check, '');
+  // Saved in both formats and opened again, it is the same.
+  const digests = await page.evaluate(async () => {
+    const all = [];
+    for (const native of [true, false]) {
+      await batten.files.open(batten.engine.save(native), native ? 'a.batten' : 'a.svg');
+      all.push(batten.engine.digest());
     }
-    await page.waitForSelector('#setting-picture-span:focus');
-    await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-span.png`) });
-    await page.keyboard.type('800');
-    await page.keyboard.press('Enter');
-    await settle(page);
-    const matrix = await page.evaluate(() =>
-      JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects[0].matrix);
-    assert.ok(Math.abs(matrix[0] - 2) < 1e-9, String(matrix));
-    await page.fill('#setting-picture-opacity', '1');
-    await page.press('#setting-picture-opacity', 'Enter');
-    await page.click('#pictures [data-text="command.picture-lock"]');
-    await page.keyboard.press('Escape');
-    await settle(page);
-    assert.equal((await colourAt(page, x + 100, y + 50))[3], 255);
-    await page.focus('#stage');
-    await page.keyboard.press('v');
-    await hand.stroke([[x, y + 50], [x, y + 50]], { pointerType: 'mouse' });
-    assert.equal(await page.evaluate(() => glance().selected), 0);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-locked.png`) });
-    assert.equal((await state(page)).check, '');
-    await context.close();
+    return all;
   });
-}
+  assert.deepEqual(digests, [digest, digests[1]]);
+  await settle(page);
+  assert.ok((await colourAt(page, ...(await middle(page))))[3] > 0 || await inked(page, 'still') > 1000);
+  await context.close();
+});
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`pasted by the keyboard, scaled by two points in millimetres, ${colorScheme}`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-    await page.evaluate(async (data) => {
-      const blob = new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], { type: 'image/png' });
-      await navigator.clipboard.write([new ClipboardItem({ 'image/png': blob })]);
-    }, twoHalves(400, 200));
-    await page.focus('#stage');
-    await page.keyboard.press('Control+v');
-    await shownPictures(page, 1);
-    await settle(page);
-    assert.match((await state(page)).notice, /Picture placed/);
-    const [x, y] = await middle(page);
-    assert.ok((await colourAt(page, x - 100, y))[0] > 240);
-    await page.evaluate(() => batten.engine.set('unit', 1));
-    await reveal(page, 'layers');
-    await page.click('#pictures [data-text="command.tool-span"]');
-    await page.keyboard.press('Escape');
-    for (const at of [[x - 150, y], [x + 150, y]]) {
-      await hand.stroke([at, at], { pointerType: 'mouse' });
-    }
-    await page.waitForSelector('#setting-picture-span:focus');
-    const label = () => page.evaluate(() => glance().labels.map(({ text }) => text).join());
-    const span = (300 / await page.evaluate(() => batten.painter.painted.zoom)) * (25.4 / 96);
-    assert.equal(await label(), `${Number(span.toFixed(3))} mm`);
-    assert.equal(await said(page, '#setting-picture-span'), await label());
-    await page.keyboard.type('120');
-    await page.keyboard.press('Enter');
-    await settle(page);
-    assert.equal(await label(), '120 mm');
-    assert.equal(await page.textContent('#values'), '120 mm'); // for screen readers
-    const { matrix } = await page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects[0]);
-    assert.ok(Math.abs(matrix[0] - (120 * 96 / 25.4) / 300) < 1e-9, String(matrix));
-    await page.screenshot({ path: path.join(SCREENSHOTS, `tracing-${colorScheme}-millimetres.png`) });
-    assert.equal((await state(page)).check, '');
-    await context.close();
-  });
-}
+test('scaled by two points, faded, locked', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  await give(page, 'drop', 'image/png', twoHalves(400, 200));
+  await shownPictures(page, 1);
+  const [x, y] = await middle(page);
+  await reveal(page, 'layers');
+  await page.waitForSelector('#pictures'); // fetched when it is first opened
+  await page.click('#pictures [data-text="command.tool-span"]');
+  await page.keyboard.press('Escape');
+  await settle(page);
+  for (const at of [[x - 200, y], [x + 200, y]]) {
+    await hand.stroke([at, at], { pointerType: 'mouse' });
+  }
+  await page.waitForSelector('#setting-picture-span:focus');
+  await pictures(page, 'tracing-span');
+  await page.keyboard.type('800');
+  await page.keyboard.press('Enter');
+  await settle(page);
+  const matrix = await page.evaluate(() =>
+    JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects[0].matrix);
+  assert.ok(Math.abs(matrix[0] - 2) < 1e-9, String(matrix));
+  await page.fill('#setting-picture-opacity', '1');
+  await page.press('#setting-picture-opacity', 'Enter');
+  await page.click('#pictures [data-text="command.picture-lock"]');
+  await page.keyboard.press('Escape');
+  await settle(page);
+  assert.equal((await colourAt(page, x + 100, y + 50))[3], 255);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  await hand.stroke([[x, y + 50], [x, y + 50]], { pointerType: 'mouse' });
+  assert.equal(await page.evaluate(() => glance().selected), 0);
+  await pictures(page, 'tracing-locked');
+  assert.equal((await state(page)).check, '');
+  await context.close();
+});
+
+test('pasted by the keyboard, scaled by two points in millimetres', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.evaluate(async (data) => {
+    const blob = new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], { type: 'image/png' });
+    await navigator.clipboard.write([new ClipboardItem({ 'image/png': blob })]);
+  }, twoHalves(400, 200));
+  await page.focus('#stage');
+  await page.keyboard.press('Control+v');
+  await shownPictures(page, 1);
+  await settle(page);
+  assert.match((await state(page)).notice, /Picture placed/);
+  const [x, y] = await middle(page);
+  assert.ok((await colourAt(page, x - 100, y))[0] > 240);
+  await page.evaluate(() => batten.engine.set('unit', 1));
+  await reveal(page, 'layers');
+  await page.click('#pictures [data-text="command.tool-span"]');
+  await page.keyboard.press('Escape');
+  for (const at of [[x - 150, y], [x + 150, y]]) {
+    await hand.stroke([at, at], { pointerType: 'mouse' });
+  }
+  await page.waitForSelector('#setting-picture-span:focus');
+  const label = () => page.evaluate(() => glance().labels.map(({ text }) => text).join());
+  const span = (300 / await page.evaluate(() => batten.painter.painted.zoom)) * (25.4 / 96);
+  assert.equal(await label(), `${Number(span.toFixed(3))} mm`);
+  assert.equal(await said(page, '#setting-picture-span'), await label());
+  await page.keyboard.type('120');
+  await page.keyboard.press('Enter');
+  await settle(page);
+  assert.equal(await label(), '120 mm');
+  assert.equal(await page.textContent('#values'), '120 mm'); // for screen readers
+  const { matrix } = await page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects[0]);
+  assert.ok(Math.abs(matrix[0] - (120 * 96 / 25.4) / 300) < 1e-9, String(matrix));
+  await pictures(page, 'tracing-millimetres');
+  assert.equal((await state(page)).check, '');
+  await context.close();
+});
 
 test('a crash of the module brings the picture back from the journal', async () => {
   expectFaults(/RuntimeError: test/);

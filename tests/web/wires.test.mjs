@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, launch, open, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, launch, open, pictures, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const SIDE = 20; // fine enough not to be refined when it is bound
@@ -27,63 +27,61 @@ before(async () => {
 });
 after(() => browser.close());
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a sheet is bound to a wire and follows it, ${colorScheme}`, async (t) => {
-    const server = await serve({ name: 'bound.batten', bytes });
-    t.after(() => server.close());
-    const { page, context, hand } = await open(browser, server.address, { colorScheme });
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `wires-${name}-${colorScheme}.png`) });
-    const button = (name) => page.locator('#actions button', { has: page.locator(`use[href$="icon-${name}"]`) });
-    const fresh = await state(page);
-    await page.focus('#stage');
-    await page.keyboard.press('v');
-    await page.keyboard.press('Control+a');
-    await quiet(page);
-    await shot('offered');
-    await button('wire-bind').click();
-    await quiet(page);
-    const bound = await state(page);
-    assert.notEqual(bound.digest, fresh.digest);
-    assert.match(bound.notice, /^Bound: [1-9]\d* points follow the wire/);
-    assert.equal(await button('wire-revert').count(), 1);
-    await shot('bound');
-    await page.keyboard.press('ArrowRight'); // the wire is selected: it is moved, and what it leads with it
-    await quiet(page);
-    const moved = await state(page);
-    assert.notEqual(moved.digest, bound.digest);
-    assert.equal(moved.check, '');
-    await page.keyboard.press('Control+z');
-    await quiet(page);
-    assert.equal((await state(page)).digest, bound.digest);
-    await page.keyboard.press('n'); // redrawn with a pen: the sheet is shown where it will be, with numbers
-    const line = bezier(...COLUMN, 40).slice(6, 35);
-    const over = await Promise.all(line.map(([x, y], i) => place(page, x + 60 * Math.sin((Math.PI * i) / 28) ** 2, y)));
-    let during;
-    await hand.stroke(over, { pointerType: 'pen', during: async () => {
-      during = await state(page);
-      await shot('redrawing');
-    } });
-    await quiet(page);
-    assert.match(during.hint, /\d+ points move, by up to [\d.]+ px/);
-    const redrawn = await state(page);
-    assert.notEqual(redrawn.digest, bound.digest);
-    await page.keyboard.press('Control+z');
-    await quiet(page);
-    assert.equal((await state(page)).digest, bound.digest);
-    await page.keyboard.press('v');
-    for (let i = 0; i < 4; i++) await page.keyboard.press('Shift+Alt+ArrowUp');
-    await page.keyboard.press('Shift+Alt+ArrowLeft');
-    await quiet(page);
-    await shot('tilted');
-    await button('wire-revert').click();
-    await quiet(page);
-    const freed = await state(page);
-    assert.equal(freed.digest, fresh.digest);
-    assert.equal(freed.check, '');
-    await shot('freed');
-    await context.close();
-  });
-}
+test('a sheet is bound to a wire and follows it', async (t) => {
+  const server = await serve({ name: 'bound.batten', bytes });
+  t.after(() => server.close());
+  const { page, context, hand } = await open(browser, server.address);
+  const shot = (name) => pictures(page, `wires-${name}`);
+  const button = (name) => page.locator('#actions button', { has: page.locator(`use[href$="icon-${name}"]`) });
+  const fresh = await state(page);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  await page.keyboard.press('Control+a');
+  await quiet(page);
+  await shot('offered');
+  await button('wire-bind').click();
+  await quiet(page);
+  const bound = await state(page);
+  assert.notEqual(bound.digest, fresh.digest);
+  assert.match(bound.notice, /^Bound: [1-9]\d* points follow the wire/);
+  assert.equal(await button('wire-revert').count(), 1);
+  await shot('bound');
+  await page.keyboard.press('ArrowRight'); // the wire is selected: it is moved, and what it leads with it
+  await quiet(page);
+  const moved = await state(page);
+  assert.notEqual(moved.digest, bound.digest);
+  assert.equal(moved.check, '');
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  assert.equal((await state(page)).digest, bound.digest);
+  await page.keyboard.press('n'); // redrawn with a pen: the sheet is shown where it will be, with numbers
+  const line = bezier(...COLUMN, 40).slice(6, 35);
+  const over = await Promise.all(line.map(([x, y], i) => place(page, x + 60 * Math.sin((Math.PI * i) / 28) ** 2, y)));
+  let during;
+  await hand.stroke(over, { pointerType: 'pen', during: async () => {
+    during = await state(page);
+    await shot('redrawing');
+  } });
+  await quiet(page);
+  assert.match(during.hint, /\d+ points move, by up to [\d.]+ px/);
+  const redrawn = await state(page);
+  assert.notEqual(redrawn.digest, bound.digest);
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  assert.equal((await state(page)).digest, bound.digest);
+  await page.keyboard.press('v');
+  for (let i = 0; i < 4; i++) await page.keyboard.press('Shift+Alt+ArrowUp');
+  await page.keyboard.press('Shift+Alt+ArrowLeft');
+  await quiet(page);
+  await shot('tilted');
+  await button('wire-revert').click();
+  await quiet(page);
+  const freed = await state(page);
+  assert.equal(freed.digest, fresh.digest);
+  assert.equal(freed.check, '');
+  await shot('freed');
+  await context.close();
+});
 
 const saved = (page) => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects);
 const wire = async (page) => (await saved(page)).find((one) => one.bound)?.bound.wires[0];
@@ -91,80 +89,78 @@ const wire = async (page) => (await saved(page)).find((one) => one.bound)?.bound
 const aside = (page) => Promise.all(bezier(...COLUMN, 40).slice(6, 35)
   .map(([x, y], i) => place(page, x + 60 * Math.sin((Math.PI * i) / 28) ** 2, y)));
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`with touch alone, ${colorScheme}`, async (t) => {
-    const server = await serve({ name: 'bound.batten', bytes });
-    t.after(() => server.close());
-    const { page, context, hand } = await open(browser, server.address, { colorScheme, hasTouch: true });
-    const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `wires-touch-${name}-${colorScheme}.png`) });
-    const button = (name) => page.locator('#actions button', { has: page.locator(`use[href$="icon-${name}"]`) });
-    const tool = (name) => page.locator(`#rail [data-tool="${name}"], #rail button[data-name="tool-${name}"]`).first();
-    const swipe = async (way, during) => {
-      hand.rest(2);
-      await hand.fingers(way.map((one) => [one]), { lift: false });
-      await during?.();
-      await hand.fingers([]);
-      await quiet(page);
-    };
-    const between = (a, b, count = 20) => Array.from({ length: count + 1 }, (_, i) => a.map((from, k) => from + ((b[k] - from) * i) / count));
-    const undo = async () => {
-      hand.rest(2);
-      await hand.tap(2, [900, 560]);
-      await quiet(page);
-    };
-    const fresh = await state(page);
-    await tool('select').tap();
+test('with touch alone', async (t) => {
+  const server = await serve({ name: 'bound.batten', bytes });
+  t.after(() => server.close());
+  const { page, context, hand } = await open(browser, server.address, { hasTouch: true });
+  const shot = (name) => pictures(page, `wires-touch-${name}`);
+  const button = (name) => page.locator('#actions button', { has: page.locator(`use[href$="icon-${name}"]`) });
+  const tool = (name) => page.locator(`#rail [data-tool="${name}"], #rail button[data-name="tool-${name}"]`).first();
+  const swipe = async (way, during) => {
+    hand.rest(2);
+    await hand.fingers(way.map((one) => [one]), { lift: false });
+    await during?.();
+    await hand.fingers([]);
     await quiet(page);
-    await swipe(between(await place(page, 150, 90), await place(page, 800, 620)));
-    await button('wire-bind').tap();
+  };
+  const between = (a, b, count = 20) => Array.from({ length: count + 1 }, (_, i) => a.map((from, k) => from + ((b[k] - from) * i) / count));
+  const undo = async () => {
+    hand.rest(2);
+    await hand.tap(2, [900, 560]);
     await quiet(page);
-    const bound = await state(page);
-    assert.match(bound.notice, /^Bound: [1-9]\d* points follow the wire/);
-    // The wall of the tube, beside the stop at three quarters: 30 px further away.
-    const { radius } = await wire(page);
-    const [at, beyond] = bezier(...COLUMN, 1000).slice(750, 752);
-    const [dx, dy] = [beyond[0] - at[0], beyond[1] - at[1]];
-    const out = [dy / Math.hypot(dx, dy), -dx / Math.hypot(dx, dy)];
-    const wall = (more) => place(page, at[0] + (radius + more) * out[0], at[1] + (radius + more) * out[1]);
-    await swipe(between(await wall(0), await wall(-40)), () => shot('radius'));
-    const narrower = await wire(page);
-    assert.ok(narrower.radius.values.some((value) => Math.abs(value - radius) < 1e-9));
-    assert.ok(narrower.radius.values.some((value) => Math.abs(value - radius + 40) < 8));
-    const narrow = await state(page);
-    await tool('sketch').tap();
-    await quiet(page);
-    let during;
-    await swipe(await aside(page), async () => {
-      during = await state(page);
-      await shot('redrawing');
-    });
-    assert.match(during.hint, /\d+ points move, by up to [\d.]+ px/);
-    const redrawn = await state(page);
-    assert.notEqual(redrawn.digest, narrow.digest);
-    await tool('select').tap();
-    const on = await place(page, 440 + 30, 300);
-    await swipe([on, on]);
-    const others = () => button('wire-bake').isVisible();
-    for (let i = 0; i < 4 && !await others(); i++) await swipe([on, on]); // what lies below
-    await button('wire-bake').tap();
-    await quiet(page);
-    assert.equal(await wire(page), undefined);
-    assert.match((await state(page)).notice, /^Unbound; it keeps its shape/);
-    await shot('baked');
-    await undo();
-    assert.equal((await state(page)).digest, redrawn.digest);
-    await button('wire-revert').tap();
-    await quiet(page);
-    assert.equal(await wire(page), undefined);
-    await shot('reverted');
-    for (let i = 0; i < 3; i++) await undo();
-    assert.equal((await state(page)).digest, bound.digest);
-    await undo();
-    assert.equal((await state(page)).digest, fresh.digest);
-    assert.equal((await state(page)).check, '');
-    await context.close();
+  };
+  const fresh = await state(page);
+  await tool('select').tap();
+  await quiet(page);
+  await swipe(between(await place(page, 150, 90), await place(page, 800, 620)));
+  await button('wire-bind').tap();
+  await quiet(page);
+  const bound = await state(page);
+  assert.match(bound.notice, /^Bound: [1-9]\d* points follow the wire/);
+  // The wall of the tube, beside the stop at three quarters: 30 px further away.
+  const { radius } = await wire(page);
+  const [at, beyond] = bezier(...COLUMN, 1000).slice(750, 752);
+  const [dx, dy] = [beyond[0] - at[0], beyond[1] - at[1]];
+  const out = [dy / Math.hypot(dx, dy), -dx / Math.hypot(dx, dy)];
+  const wall = (more) => place(page, at[0] + (radius + more) * out[0], at[1] + (radius + more) * out[1]);
+  await swipe(between(await wall(0), await wall(-40)), () => shot('radius'));
+  const narrower = await wire(page);
+  assert.ok(narrower.radius.values.some((value) => Math.abs(value - radius) < 1e-9));
+  assert.ok(narrower.radius.values.some((value) => Math.abs(value - radius + 40) < 8));
+  const narrow = await state(page);
+  await tool('sketch').tap();
+  await quiet(page);
+  let during;
+  await swipe(await aside(page), async () => {
+    during = await state(page);
+    await shot('redrawing');
   });
-}
+  assert.match(during.hint, /\d+ points move, by up to [\d.]+ px/);
+  const redrawn = await state(page);
+  assert.notEqual(redrawn.digest, narrow.digest);
+  await tool('select').tap();
+  const on = await place(page, 440 + 30, 300);
+  await swipe([on, on]);
+  const others = () => button('wire-bake').isVisible();
+  for (let i = 0; i < 4 && !await others(); i++) await swipe([on, on]); // what lies below
+  await button('wire-bake').tap();
+  await quiet(page);
+  assert.equal(await wire(page), undefined);
+  assert.match((await state(page)).notice, /^Unbound; it keeps its shape/);
+  await shot('baked');
+  await undo();
+  assert.equal((await state(page)).digest, redrawn.digest);
+  await button('wire-revert').tap();
+  await quiet(page);
+  assert.equal(await wire(page), undefined);
+  await shot('reverted');
+  for (let i = 0; i < 3; i++) await undo();
+  assert.equal((await state(page)).digest, bound.digest);
+  await undo();
+  assert.equal((await state(page)).digest, fresh.digest);
+  assert.equal((await state(page)).check, '');
+  await context.close();
+});
 
 test('by keys alone', async (t) => {
   const server = await serve({ name: 'bound.batten', bytes });

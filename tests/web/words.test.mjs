@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { bezier, expectFaults, launch, open, place, quiet, ready, reveal, SCREENSHOTS, settle } from './page.mjs';
+import { bezier, expectFaults, inThemes, launch, open, place, quiet, ready, reveal, SCREENSHOTS, settle } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -43,33 +43,33 @@ const foreign = (page) => page.evaluate((names) => {
     && !names.includes(text));
 }, NAMES);
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`Korean, ${colorScheme}: all of it, from the browser's wish`, async () => {
-    const { page, hand, context } = await open(browser, server.address, { locale: 'ko-KR', colorScheme });
-    assert.deepEqual(await page.evaluate(() => [document.documentElement.lang, document.documentElement.dir]), ['ko', 'ltr']);
-    await hand.hover(await place(page, 592, 103.5));
-    assert.deepEqual(await foreign(page), []);
-    await page.evaluate(AXE);
-    for (const sheet of ['style', 'layers', 'settings', 'menu']) {
-      await reveal(page, sheet);
-      await settle(page);
-      assert.deepEqual(await foreign(page), [], sheet);
+test(`Korean: all of it, from the browser's wish`, async () => {
+  const { page, hand, context } = await open(browser, server.address, { locale: 'ko-KR' });
+  assert.deepEqual(await page.evaluate(() => [document.documentElement.lang, document.documentElement.dir]), ['ko', 'ltr']);
+  await hand.hover(await place(page, 592, 103.5));
+  assert.deepEqual(await foreign(page), []);
+  await page.evaluate(AXE);
+  for (const sheet of ['style', 'layers', 'settings', 'menu']) {
+    await reveal(page, sheet);
+    await settle(page);
+    assert.deepEqual(await foreign(page), [], sheet);
+    await inThemes(page, async (colorScheme) => {
       const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }));
       assert.deepEqual(violations.map(({ id }) => id), [], sheet);
       await shot(page, `korean-${colorScheme}-${sheet}`);
-      await page.keyboard.press('Escape');
-    }
-    const stroke = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
-    await hand.stroke(await Promise.all(stroke.map(([x, y]) => place(page, x, y))));
-    await page.keyboard.press('Control+z');
-    await page.keyboard.press('Control+z');
-    await settle(page);
-    assert.deepEqual(await foreign(page), []);
-    assert.match(await page.textContent('#notice-text'), /취소할 것이 없습니다/);
-    await shot(page, `korean-${colorScheme}`);
-    await context.close();
-  });
-}
+    });
+    await page.keyboard.press('Escape');
+  }
+  const stroke = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
+  await hand.stroke(await Promise.all(stroke.map(([x, y]) => place(page, x, y))));
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  assert.deepEqual(await foreign(page), []);
+  assert.match(await page.textContent('#notice-text'), /취소할 것이 없습니다/);
+  await inThemes(page, (colorScheme) => shot(page, `korean-${colorScheme}`));
+  await context.close();
+});
 
 test('the language is chosen in the settings, at once, and stays chosen', async () => {
   const { page, context } = await open(browser, server.address);
