@@ -24,5 +24,6 @@ export const BROWSER = {
   headless: true,
   args: ['--disable-gpu', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
     '--disable-component-update', '--disable-sync', '--font-render-hinting=none',
+    '--js-flags=--wasm-enforce-bounds-checks', // else an access out of the module's memory ends the page, which has no handler of such
     `--disable-features=${OFF.join()}`],
 };
