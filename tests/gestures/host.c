@@ -307,7 +307,8 @@ static void report(void) {
         if (i) putchar(',');
         put_text(refused[i]);
     }
-    printf("],\"said\":");
+    const char *readings = bat_editor_readings(editor);
+    printf("],\"readings\":%s,\"said\":", readings && *readings ? readings : "null");
     put_text(bat_editor_said(editor));
     printf(",\"check\":");
     put_text(bat_editor_check(editor));

@@ -98,15 +98,19 @@ def script(g, folder):
     return "\n".join(lines) + "\n"
 
 
-def play(host, g, folder):
+def ask(host, text):
     try:
-        p = subprocess.run([host], input=script(g, folder), capture_output=True, text=True, timeout=30)
+        p = subprocess.run([host], input=text, capture_output=True, text=True, timeout=30)
     except subprocess.TimeoutExpired:
         return {"fault": "took over 30 s"}
     try:
         return json.loads(p.stdout)
     except ValueError:
         return {"fault": f"the host ended with {p.returncode}: {p.stderr[-200:]}"}
+
+
+def play(host, g, folder):
+    return ask(host, script(g, folder))
 
 
 # ---- geometry ----

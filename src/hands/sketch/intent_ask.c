@@ -13,7 +13,8 @@ static bool hopeless(const bat_intent *intent, double sum) {
 
 /* What the line's box tells: the least that its evidence can add up to, and whether the line may lie within reach. */
 static void bound(const bat_intent *intent, bat_intent_near *near, double reach) {
-    const double most = INTENT_REACH_MOST * (intent->chosen ? INTENT_CHOSEN : 1), scale = 1 / (most * most);
+    const double most = bat_intent_reach_most(intent, intent->size) * (intent->chosen ? INTENT_CHOSEN : 1),
+                 scale = 1 / (most * most);
     double least = INFINITY;
     near->bound = 0;
     for (int i = 0; i < intent->places; i++) {

@@ -37,10 +37,19 @@ static void going_on(const bat_intent *intent, int i, int side, double way[2]) {
     if (side) way[0] = -way[0], way[1] = -way[1];
 }
 
-/* The first place that may lie within INTENT_FAR of the line. */
+/* How far from a line all evidence is against it. */
+static double far_off(const bat_intent *intent) {
+    return INTENT_FAR * bat_intent_reach_most(intent, intent->size);
+}
+
+static double beside(const bat_intent *intent) {
+    return INTENT_BESIDE * bat_intent_reach_most(intent, intent->size);
+}
+
+/* The first place that may lie less than that from the line. */
 static int first_beside(const bat_intent *intent, const bat_intent_near *near, int side) {
     const double *box = near->box, centre[2] = {0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3])};
-    const double within = INTENT_FAR + bat_hypot(box[2] - centre[0], box[3] - centre[1]);
+    const double within = far_off(intent) + bat_hypot(box[2] - centre[0], box[3] - centre[1]);
     const int last = intent->places - 1;
     return side ? last - bat_runs_last(&intent->runs, last, centre, within * within)
                 : bat_runs_next(&intent->runs, 0, centre, within * within);
@@ -49,13 +58,14 @@ static int first_beside(const bat_intent *intent, const bat_intent_near *near, i
 /* Whether half of the stroke up to place k, as far as it lies beside the line, lies on it. */
 static bool on_line(const bat_intent *intent, const bat_intent_near *near, int k, int side) {
     const double on = fmax(intent->on * bat_intent_fine(intent, near), bat_intent_astray(intent, near));
-    double in = 0, beside = 0;
+    const double parallel = beside(intent);
+    double in = 0, along = 0;
     for (int i = first_beside(intent, near, side); i <= k; i++) {
         const double ds = intent->ds[bat_intent_mirror(intent, i, side)];
-        if (intent->d[i] < INTENT_BESIDE) beside += ds;
+        if (intent->d[i] < parallel) along += ds;
         if (intent->d[i] <= on) in += ds;
     }
-    return in >= 0.5 * beside;
+    return in >= 0.5 * along;
 }
 
 /* Runs along the curve up to place k at the end: feet are looked for from the end back, on so much of the curve as
@@ -68,8 +78,9 @@ static double run_along(bat_intent *intent, const bat_intent_near *near, int end
     double ran = 0, sum = 0;
     const double way = fabs(intent->a[bat_intent_mirror(intent, k, side)] -
                             intent->a[bat_intent_mirror(intent, 0, side)]);
-    const double low = end ? length - way - INTENT_REACH_MOST : 0,
-                 high = end ? length : way + INTENT_REACH_MOST;
+    const double most = bat_intent_reach_most(intent, intent->size), far = far_off(intent),
+                 parallel = beside(intent);
+    const double low = end ? length - way - most : 0, high = end ? length : way + most;
     bat_polyline_at(line, foot.s, foot.x);
     const double *p = intent->p + 2 * (size_t)bat_intent_mirror(intent, k, side);
     foot.d = bat_hypot(p[0] - foot.x[0], p[1] - foot.x[1]);
@@ -80,10 +91,10 @@ static double run_along(bat_intent *intent, const bat_intent_near *near, int end
         bool settled;
         foot = bat_intent_foot(near, intent->p + 2 * (size_t)m, &foot, intent->step, low, high);
         foot.c = 0;
-        if (foot.d < INTENT_FAR)
+        if (foot.d < far)
             foot.c = bat_intent_cosine(intent, line, intent->a[m], &foot, &settled) *
                      ((side == 0) == (end == 1) ? 1 : -1);
-        if (foot.d < INTENT_BESIDE) ran += foot.c * intent->ds[m];
+        if (foot.d < parallel) ran += foot.c * intent->ds[m];
         intent->d[i] = foot.d, intent->c[i] = foot.c;
     }
     if (!(ran > ran_least * bat_intent_fine(intent, near)) || !on_line(intent, near, k, side))
@@ -94,7 +105,7 @@ static double run_along(bat_intent *intent, const bat_intent_near *near, int end
         sum += (i < since ? INTENT_FREE : bat_intent_e(&kept, 1, reach)) *
                intent->ds[bat_intent_mirror(intent, i, side)];
     }
-    *off = since > 0 ? INTENT_FAR : foot.d;
+    *off = since > 0 ? far : foot.d;
     return sum;
 }
 

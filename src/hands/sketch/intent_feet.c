@@ -178,8 +178,9 @@ bat_status bat_intent_feet(bat_intent *intent, bat_intent_near *near) {
     }
     if (firm > near->done) near->done = firm;
     bat_foot *foot = near->track[near->best].foot;
+    const double far = INTENT_FAR * bat_intent_reach_most(intent, intent->size);
     for (int i = 0; i < n; i++)
-        if (!foot[i].settled && foot[i].d < INTENT_FAR)
+        if (!foot[i].settled && foot[i].d < far)
             foot[i].c = bat_intent_cosine(intent, &near->line, intent->a[i], &foot[i], &foot[i].settled);
     return BAT_OK;
 }

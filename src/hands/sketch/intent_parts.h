@@ -6,11 +6,13 @@
 #include "hands/sketch/runs.h"
 #include "base/real.h"
 
-/* View pixels; the reasons are in docs/math/intent.md. Where the stroke or the line is smaller than INTENT_FULL,
- * REACH0, ON, AT_END and PASSING are so many times smaller, too: bat_intent_fine. */
+/* View pixels; the reasons are in docs/math/intent.md. Where the smaller of stroke and line is smaller than INTENT_FULL or
+ * larger than INTENT_LARGE, REACH0, ON, AT_END, PASSING and JOINT are so many times smaller or larger, too:
+ * bat_intent_coarse. */
 #define INTENT_FULL 80.0
+#define INTENT_LARGE 320.0
 #define INTENT_REACH0 6.0
-#define INTENT_REACH_MOST 36.0
+#define INTENT_REACH_MOST 0.16 /* of the smaller of both; three times that where it is selected */
 #define INTENT_GROW 0.15
 #define INTENT_SPACING 0.75
 #define INTENT_FREE 3.0
@@ -19,10 +21,10 @@
 #define INTENT_JOINT 3.0
 #define INTENT_MARGIN 0.9
 #define INTENT_PASSING 13.5 /* how far from an end a stroke may pass it */
-#define INTENT_BESIDE 43.0  /* nearer than this counts as run in parallel */
+#define INTENT_BESIDE 1.2   /* times the most reach: nearer than this counts as run in parallel */
 #define INTENT_CHOSEN 1.5   /* times the reach, of curves that are selected */
 #define INTENT_FAR                                                                                           \
-    93.6 /* from there on the evidence is full: over INTENT_CHOSEN INTENT_REACH_MOST sqrt(INTENT_FREE) */
+    2.6 /* the same: from there on the evidence is full, over INTENT_CHOSEN sqrt(INTENT_FREE) */
 
 /* ---- a polyline with lengths ---- */
 
@@ -135,13 +137,21 @@ double bat_intent_cosine(const bat_intent *intent, const bat_polyline *line, dou
                          bool *settled);
 
 /* intent_reach.c: how far off still counts, and what a stretch beside a line costs. */
-/* How much more finely than a large stroke over a large line something so small is drawn; 1 at most. */
+/* How many times as coarse as a middling stroke something of this size is drawn. */
+static inline double bat_intent_coarse(double size) {
+    return size < INTENT_FULL ? size / INTENT_FULL : size > INTENT_LARGE ? size / INTENT_LARGE : 1;
+}
+/* The same of a stroke over a line: the smaller of both counts; but what is chosen is meant, however small. */
 double bat_intent_fine(const bat_intent *intent, const bat_intent_near *near);
 static inline double bat_intent_size(const bat_intent_near *near) {
     return bat_hypot(near->box[2] - near->box[0], near->box[3] - near->box[1]);
 }
 /* How far a stroke that follows the line may stray from it. */
 double bat_intent_astray(const bat_intent *intent, const bat_intent_near *near);
+/* The most reach of a stroke over a line of this size. */
+static inline double bat_intent_reach_most(const bat_intent *intent, double size) {
+    return INTENT_REACH_MOST * (size < intent->size ? size : intent->size) * (intent->chosen ? 3 : 1);
+}
 double bat_intent_reach(const bat_intent *intent, const bat_intent_near *near, double ran);
 /* Of a stroke that runs all along a large line. */
 double bat_intent_reach_whole(const bat_intent *intent);

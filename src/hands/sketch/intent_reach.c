@@ -7,27 +7,28 @@
 
 enum { PROBES = 5, NEIGHBOURS = 64 };             /* so many lines beside one tell how far apart they lie */
 static const double parallel = 0.906307787036650; /* cosine of 25 degrees */
-static const double neighbour_most = 60, twin = 1.5;
+static const double neighbour_most = 60, twin = 1.5; /* px; the first grows with large strokes */
 static const double as_long = 0.8; /* of the line: a stroke beside so much of it is rather a second one */
 static const double touches = 0.1; /* of the smaller of stroke and line: so near they touch */
 
 static const double astray = 0.05; /* of the smaller of both: so far off is a careless stroke over a line */
 
 double bat_intent_fine(const bat_intent *intent, const bat_intent_near *near) {
-    if (intent->chosen) return 1;
-    return fmin(1, fmin(intent->size, bat_intent_size(near)) / INTENT_FULL);
+    const double coarse = bat_intent_coarse(fmin(intent->size, bat_intent_size(near)));
+    return intent->chosen ? fmax(1, coarse) : coarse;
 }
 
-static double reach(const bat_intent *intent, double reach0, double ran) {
-    return fmin(INTENT_REACH_MOST, reach0 + INTENT_GROW * fabs(ran)) * (intent->chosen ? INTENT_CHOSEN : 1);
+static double reach(const bat_intent *intent, double size, double reach0, double ran) {
+    return fmin(bat_intent_reach_most(intent, size), reach0 + INTENT_GROW * fabs(ran)) *
+           (intent->chosen ? INTENT_CHOSEN : 1);
 }
 
 double bat_intent_reach(const bat_intent *intent, const bat_intent_near *near, double ran) {
-    return reach(intent, intent->reach0 * bat_intent_fine(intent, near), ran);
+    return reach(intent, bat_intent_size(near), intent->reach0 * bat_intent_fine(intent, near), ran);
 }
 
 double bat_intent_reach_whole(const bat_intent *intent) {
-    return reach(intent, intent->reach0 * fmin(1, intent->size / INTENT_FULL), intent->length);
+    return reach(intent, intent->size, intent->reach0 * bat_intent_coarse(intent->size), intent->length);
 }
 
 double bat_intent_e(const bat_foot *foot, double sense, double reach) {
@@ -49,9 +50,9 @@ double bat_intent_leave(const bat_intent *intent, const bat_foot *foot, int side
     const double a = intent->hook + (side ? intent->length : 0);
     const double *p = intent->p + (side ? 2 * (size_t)(intent->places - 1) : 0);
     double u[2];
-    bat_intent_heading(intent, a, fmin(10, intent->length / 3), u);
+    bat_intent_heading(intent, a, fmin(10 * fmax(1, bat_intent_coarse(intent->size)), intent->length / 3), u);
     const double sine = ((p[0] - foot->x[0]) * u[0] + (p[1] - foot->x[1]) * u[1]) / foot->d * (side ? 1 : -1);
-    return 2 * fmin(foot->d, INTENT_REACH_MOST) * fmax(0, sine);
+    return 2 * fmin(foot->d, bat_intent_reach_most(intent, intent->size)) * fmax(0, sine);
 }
 
 /* Distance from p to the part of a line that runs along `way`, or `most`. */
@@ -73,11 +74,12 @@ static double parallel_distance(const bat_polyline *line, const double p[2], con
 /* How far the next line lies that runs along this one, where the stroke is. */
 static double spacing(const bat_intent *intent, int index) {
     const bat_intent_near *near = &intent->line[index];
+    const double most = neighbour_most * fmax(1, bat_intent_coarse(intent->size));
     double found[PROBES];
     for (int k = 0; k < PROBES; k++) {
         const int i = (int)((intent->places - 1) * (0.1 + 0.2 * k) + 0.5);
         const bat_foot *foot = &near->track[near->best].foot[i];
-        double way[2], least = neighbour_most + 1;
+        double way[2], least = most + 1;
         bat_polyline_chord(&near->line, foot->s, 5, way);
         const double size = bat_hypot(way[0], way[1]);
         way[0] /= size > 0 ? size : 1, way[1] /= size > 0 ? size : 1;
@@ -90,7 +92,7 @@ static double spacing(const bat_intent *intent, int index) {
         for (; at > 0 && found[at - 1] > least; at--) found[at] = found[at - 1];
         found[at] = least;
     }
-    return found[PROBES - 2] > neighbour_most ? INFINITY : found[PROBES - 2];
+    return found[PROBES - 2] > most ? INFINITY : found[PROBES - 2];
 }
 
 /* Share of a line that the stroke lies beside, its hooks included. */
@@ -125,9 +127,10 @@ static double total(const bat_intent *intent, const bat_intent_near *near, doubl
 void bat_intent_evidence(bat_intent *intent, int index) {
     bat_intent_near *near = &intent->line[index];
     const bat_foot *foot = near->track[near->best].foot;
+    const double parallel_most = INTENT_BESIDE * bat_intent_reach_most(intent, intent->size);
     near->ran = 0, near->least = INFINITY;
     for (int i = 0; i < intent->places; i++) {
-        if (foot[i].d < INTENT_BESIDE) near->ran += foot[i].c * intent->ds[i];
+        if (foot[i].d < parallel_most) near->ran += foot[i].c * intent->ds[i];
         near->least = fmin(near->least, foot[i].d);
     }
     double reach = bat_intent_reach(intent, near, near->ran);
@@ -152,15 +155,16 @@ bool bat_intent_open(bat_intent *intent, int index, int end) {
     if (near->among[end] == intent->line_count) return near->open[end];
     const double *x = near->line.x + (end ? 2 * (size_t)(near->line.count - 1) : 0);
     const double *other = near->line.x + (end ? 0 : 2 * (size_t)(near->line.count - 1));
-    bool open = bat_hypot(x[0] - other[0], x[1] - other[1]) > INTENT_JOINT;
+    const double joint = INTENT_JOINT * fmax(1, bat_intent_coarse(bat_intent_size(near)));
+    bool open = bat_hypot(x[0] - other[0], x[1] - other[1]) > joint;
     for (int j = 0; j < intent->line_count && open; j++) {
         const bat_polyline *line = &intent->line[j].line;
-        if (j == index || bat_box_distance2(intent->line[j].box, x) > INTENT_JOINT * INTENT_JOINT) continue;
+        if (j == index || bat_box_distance2(intent->line[j].box, x) > joint * joint) continue;
         for (int i = 0; i + 1 < line->count && open; i++) {
             const double *a = line->x + 2 * (size_t)i, v[2] = {a[2] - a[0], a[3] - a[1]};
             const double w = v[0] * v[0] + v[1] * v[1], r[2] = {x[0] - a[0], x[1] - a[1]};
             const double t = w > 0 ? fmin(fmax((r[0] * v[0] + r[1] * v[1]) / w, 0), 1) : 0;
-            open = bat_hypot(r[0] - t * v[0], r[1] - t * v[1]) > INTENT_JOINT;
+            open = bat_hypot(r[0] - t * v[0], r[1] - t * v[1]) > joint;
         }
     }
     near->open[end] = open;

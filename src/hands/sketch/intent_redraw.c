@@ -33,7 +33,7 @@ static double tip_off(const bat_intent *intent, const bat_intent_near *near, int
 
 static bool between(const bat_intent *intent, const bat_intent_near *near) {
     const double fine = bat_intent_fine(intent, near),
-                 on = intent->on * fine + 0.5 * intent->hook * (1 - fine);
+                 on = intent->on * fine + 0.5 * intent->hook * fmax(0, 1 - fine);
     return tip_off(intent, near, 0) <= on && tip_off(intent, near, 1) <= on;
 }
 

@@ -10,12 +10,14 @@
 #include <string.h>
 
 enum { CHAIN_MOST = 12, STATES = 2 * CHAIN_MOST, STAY = 255 };
-static const double step_price = 3, part_least = 10, part_share = 0.08, cut_reach = 24;
+static const double step_price = 3, part_least = 10, part_share = 0.08,
+                    cut_reach = 24; /* px; for large strokes more */
 
 /* Curves that touch one another near the stroke. State: curve and sense, 2 i + against. */
 typedef struct chain {
     int count, line[CHAIN_MOST];
     double end[CHAIN_MOST][2][2]; /* points */
+    double coarse;                /* how many times as large as most; 1 at least */
     double reach, least;          /* of a part: length */
 } chain;
 
@@ -27,7 +29,7 @@ typedef struct cell {
 
 static bool touches(const chain *c, int i, int j, int ei, int ej) {
     return bat_hypot(c->end[i][ei][0] - c->end[j][ej][0], c->end[i][ei][1] - c->end[j][ej][1]) <=
-           INTENT_JOINT;
+           c->coarse * INTENT_JOINT;
 }
 
 static bool touches_any(const chain *c, int i) {
@@ -61,8 +63,9 @@ static void take(const bat_intent *intent, chain *c, int line) {
 
 static bat_status gather(bat_intent *intent, chain *c) {
     c->count = 0;
+    c->coarse = fmax(1, bat_intent_coarse(intent->size));
     c->reach = bat_intent_reach_whole(intent);
-    c->least = fmax(part_least, part_share * intent->length);
+    c->least = fmax(part_least * bat_intent_coarse(intent->size), part_share * intent->length);
     for (int i = 0; i < intent->line_count; i++) {
         const bat_intent_near *near = &intent->line[i];
         if (!near->meant || near->line.closed) continue;
@@ -121,7 +124,7 @@ static double cut_at(const bat_intent *intent, const chain *c, int to, int place
     int at = place;
     for (int i = 1; i + 1 < intent->places; i++) {
         const double *p = intent->p + 2 * (size_t)i, d = bat_hypot(p[0] - j[0], p[1] - j[1]);
-        if (fabs(intent->a[i] - intent->a[place]) <= cut_reach && d < best) best = d, at = i;
+        if (fabs(intent->a[i] - intent->a[place]) <= c->coarse * cut_reach && d < best) best = d, at = i;
     }
     return intent->a[at];
 }

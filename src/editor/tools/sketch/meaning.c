@@ -17,7 +17,10 @@
 #include <string.h>
 
 static const double STRIDE = 16; /* px between two looks for curves */
-static const double BESIDE = 64; /* px from the stroke within which a curve can matter */
+static const double BESIDE = 64,
+                    BESIDE_SHARE =
+                        0.2; /* px from the stroke, or share of its size, within which a curve can matter */
+static const double MORE = 1.5; /* times as far as before is looked when a stroke has grown */
 
 /* Whether entry i, walked through in order, is chosen, by itself or with a group it is in. end: 0 at first. */
 static bool chosen(const bat_context *c, int i, int *end) {
@@ -43,6 +46,8 @@ bat_status bat_meaning_begin(bat_context *c, bat_meaning *m, bat_device device) 
     bat_seen_sync(c);
     bat_meaning_end(m);
     m->restricts = restricts(c);
+    m->within = BESIDE;
+    m->box[0] = m->box[1] = INFINITY, m->box[2] = m->box[3] = -INFINITY;
     return bat_intent_create(device == BAT_DEVICE_TOUCH, m->restricts, &m->intent);
 }
 
@@ -177,10 +182,24 @@ static void keep_allowed(const bat_context *c, bat_meaning *m) {
     if (way != AS_DRAWN) m->count = kept;
 }
 
+/* A stroke that has grown is looked at anew, for lines farther off. */
+static void widen(bat_meaning *m, const bat_samples *samples) {
+    for (size_t i = m->fed; i < samples->count; i++)
+        for (int k = 0; k < 2; k++) {
+            const double x = samples->pixels[2 * i + (size_t)k];
+            m->box[k] = fmin(m->box[k], x), m->box[2 + k] = fmax(m->box[2 + k], x);
+        }
+    const double needed = BESIDE_SHARE * bat_hypot(m->box[2] - m->box[0], m->box[3] - m->box[1]);
+    if (!(needed > m->within)) return;
+    while (needed > m->within) m->within *= MORE;
+    m->asked = 0;
+}
+
 bat_status bat_meaning_look(bat_context *c, bat_meaning *m, const bat_stage *stage,
                             const bat_samples *samples, bool whole) {
     if (!m->intent || !samples->count) return BAT_STATE;
-    const double within = (BESIDE + STRIDE) * bat_stage_pixel(stage);
+    widen(m, samples);
+    const double within = (m->within + STRIDE) * bat_stage_pixel(stage);
     bat_seen_sync(c);
     bat_status status = bat_intent_add(m->intent, samples->count - m->fed, samples->pixels + 2 * m->fed);
     if (status == BAT_OK) m->fed = samples->count;

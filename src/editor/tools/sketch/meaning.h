@@ -20,6 +20,8 @@ typedef struct bat_meaning {
     size_t fed, asked;  /* samples given to the intent; samples at which nearby curves were looked for */
     bool restricts;     /* only the selection may change */
     double last[2];     /* pixel where curves were last looked for */
+    double box[4];      /* of the stroke's pixels */
+    double within;      /* px from the stroke within which curves were looked for */
     int curve_count, curve_room;
     bat_meaning_curve *curves; /* in the intent's numbering */
     int *found;                /* 2 * curve_room: hash table of their indices; -1: empty */
