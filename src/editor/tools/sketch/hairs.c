@@ -8,9 +8,9 @@
 #include <stdlib.h>
 
 static const double SOON = 2000; /* ms between two of them */
-/* px that one of them lies from the line at most, or the share of the smaller of both; with much scatter SPREAD
- * scatters, up to LOOSE times that. */
-static const double NEAR = 10, NEAR_SHARE = 0.05, SPREAD = 3, LOOSE = 2;
+/* px that one of them lies from the line at most, more where all of it is over LARGE px, or the share of the smaller of both;
+ * with much scatter SPREAD scatters, up to LOOSE times that. */
+static const double NEAR = 10, LARGE = 640, NEAR_SHARE = 0.05, SPREAD = 3, LOOSE = 2;
 static const double ENDS = 1.0 / 6; /* of its length at both, that may lie farther */
 /* The share of its length that has to run along those before, within this angle; with less it goes on where they
  * ended. */
@@ -183,7 +183,7 @@ bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_ed
         strokes[i] = bat_samples_stroke(&h->strokes[i], 0);
     }
     strokes[h->count] = bat_samples_stroke(&edit->samples, 0);
-    const double near = fmin(NEAR * pixel, NEAR_SHARE * size);
+    const double near = fmin(NEAR * fmax(pixel, size / LARGE), NEAR_SHARE * size);
     if (share_along(h, &t, LOOSE * near) < ALONG) return BAT_STATE;
     bat_status status = bat_converge((size_t)h->count + 1, strokes, fine(size, pixel), &line);
     if (status != BAT_OK) return status;
