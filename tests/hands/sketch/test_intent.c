@@ -177,6 +177,22 @@ static void small_things_are_alike(void **state) {
     }
 }
 
+/* What is large is read by its size, too: twice, four and eight times as large it means the same. */
+static void large_things_are_alike(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        bat_intent_reading first;
+        for (double share = 4; share <= 32; share *= 2) {
+            const double map[6] = {share, 0, 0, 0, share, 0};
+            bat_intent_reading best;
+            assert_int_equal(read_at(&cases[i].scene, map, 1, &best), BAT_OK);
+            if (share == 4) first = best;
+            if (best.kind != first.kind)
+                fail_msg("case %d at %g: kind %d, not %d", (int)i, share, (int)best.kind, (int)first.kind);
+        }
+    }
+}
+
 /* A curve of no length that a stroke passes over is no part of any reading. */
 static void dots_mean_nothing(void **state) {
     (void)state;
@@ -347,6 +363,7 @@ int main(void) {
         cmocka_unit_test(known_relations),
         cmocka_unit_test(bold_redraws),
         cmocka_unit_test(small_things_are_alike),
+        cmocka_unit_test(large_things_are_alike),
         cmocka_unit_test(asked_any_time),
         cmocka_unit_test(moved_turned_mirrored),
         cmocka_unit_test(parts_of_several),
