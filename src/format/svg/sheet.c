@@ -294,7 +294,8 @@ static int compare_starts(const void *a, const void *b) {
 /* A class named twice is one run. */
 static void each_once(runs *r) {
     size_t kept = 0;
-    if (r->count > 1) qsort(r->starts, r->count, sizeof *r->starts, compare_starts);
+    if (r->count > 1)
+        qsort(r->starts, r->count, sizeof *r->starts, compare_starts); /* no ties but of equals */
     for (size_t i = 0; i < r->count; i++)
         if (kept == 0 || r->starts[i] != r->starts[kept - 1]) r->starts[kept++] = r->starts[i];
     r->count = kept;
