@@ -26,10 +26,8 @@ static int output_format(const cli_arguments *arguments, const bat_format **out,
     if (*out) return EXIT_DONE;
     if (strcmp(name, "-") == 0) return fail_usage(arguments->command, "for standard output, --to is needed");
     bat_formats_words(".", false, words);
-    return fail_usage(
-        arguments->command,
-        "%s: expected a name that ends in .pdf, .eps, .stl, .3mf, .glb, .gltf, .ply, .usda, .step, .iges, %s",
-        name, words);
+    return fail_usage(arguments->command,
+                      "%s: expected a name that ends in .pdf, .eps, .usda, .step, .iges, %s", name, words);
 }
 
 /* Lines of a template: "\\n" between them. */
@@ -217,11 +215,11 @@ static int fail_cap(const cli_arguments *arguments) {
                       OPTION_TRIANGLES);
 }
 
-/* A drawing as a model: the name says so, or for .obj an option, and --to names no other format. */
+/* A drawing as a model: --to or the name says so, and for .obj an option, too. */
 static const bat_model_format *model_wanted(const cli_arguments *arguments) {
-    const bat_model_format *format = arguments_value(arguments, "--to")
-                                         ? NULL
-                                         : bat_model_format_called(arguments->operands[1]);
+    const char *to = arguments_value(arguments, "--to");
+    const bat_model_format *format = to ? bat_model_format_named(to)
+                                        : bat_model_format_called(arguments->operands[1]);
     if (!format ||
         !(arguments_value(arguments, OPTION_TRIANGLES) ? format->divide != NULL : format->of_drawings))
         return NULL;

@@ -4,6 +4,7 @@
 #include "editor/session/session.h"
 #include "format/export.h"
 #include "format/formats.h"
+#include "format/models.h"
 
 #include <string.h>
 
@@ -14,6 +15,8 @@ bat_status bat_editor_export(const bat_editor *editor, const char *format, bat_e
     bat_status status = bat_editor_excerpt(editor, part, &document);
     if (status != BAT_OK) return status;
     const bat_format *found = bat_format_named(format);
+    const bat_model_format *space = bat_model_format_named(format);
+    if (space && space->of_drawings) found = NULL;
     if (strcmp(format, "plain") == 0)
         status = bat_svg_write(document, false, bytes, size);
     else if (found)

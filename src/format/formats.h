@@ -4,7 +4,7 @@
 
 #include "document/format.h"
 
-enum { BAT_FORMATS_WORDS = 128 };
+enum { BAT_FORMATS_WORDS = 192 };
 
 /* By the extension of a file name ("a.svg"), in upper or lower case; NULL: no format has it. */
 const bat_format *bat_format_called(const char *file);

@@ -14,6 +14,10 @@ static const double UPRIGHT = 1e-6; /* radians that a plane at right angles may 
 static const double WAYS[2][2][9] = {{{1, 0, 0, 0, 0, 1, 0, -1, 0}, {1, 0, 0, 0, -1, 0, 0, 0, -1}},
                                      {{1, 0, 0, 0, -1, 0, 0, 0, -1}, {1, 0, 0, 0, 0, -1, 0, 1, 0}}};
 
+void bat_room_way(const bat_room *room, double way[9]) {
+    memcpy(way, WAYS[room->stand == BAT_STAND_FLOOR][room->up_is_y], 9 * sizeof *way);
+}
+
 typedef struct gathering {
     bat_model *model;
     double matrix[12];
@@ -101,11 +105,12 @@ bat_stand bat_stand_of(const bat_document *document) {
 bat_status bat_model_of_drawing(const bat_document *document, const bat_room *room, bat_model *out,
                                 int *flat) {
     const double scale = bat_document_scale(document) / room->unit;
-    const double *way = WAYS[room->stand == BAT_STAND_FLOOR][room->up_is_y];
+    double way[9];
     const int count = bat_document_count(document);
     gathering g = {.model = out};
     *out = (bat_model){.mesh = NULL};
     *flat = 0;
+    bat_room_way(room, way);
     for (int i = 0; i < 9; i++) g.matrix[4 * (i / 3) + i % 3] = scale * way[i];
     out->surfaces = calloc((size_t)count + 1, sizeof *out->surfaces);
     bat_status status = out->surfaces ? BAT_OK : BAT_MEMORY;

@@ -16,6 +16,8 @@ typedef struct bat_room {
     double unit;  /* millimetres */
     bool up_is_y; /* else up is z */
 } bat_room;
+/* Three rows: where x, y and z of the room come from on the page. A rotation by right angles. */
+void bat_room_way(const bat_room *room, double way[9]);
 /*
  * What is seen of a drawing in space: surfaces, meshes (as one) and curves, in the room's unit and the room's up; closed
  * surfaces with their normals outward. flat: the curves that lie on the page, which are left out. BAT_COUNT: nothing is in

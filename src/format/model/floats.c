@@ -30,3 +30,16 @@ void bat_text_float(bat_text *text, double number) {
 void bat_text_patch(bat_text *text, size_t at, uint32_t word) {
     if (!text->failed) split(word, text->data + at);
 }
+
+uint32_t bat_word_at(const char *bytes) {
+    uint32_t word = 0;
+    for (int k = 0; k < 4; k++) word |= (uint32_t)(unsigned char)bytes[k] << 8 * k;
+    return word;
+}
+
+double bat_float_at(const char *bytes) {
+    const uint32_t word = bat_word_at(bytes);
+    float number;
+    memcpy(&number, &word, sizeof number);
+    return (double)number;
+}

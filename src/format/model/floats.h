@@ -12,4 +12,8 @@ void bat_text_float(bat_text *text, double number);
 /* Puts a word over what was written at that place. */
 void bat_text_patch(bat_text *text, size_t at, uint32_t word);
 
+/* Read back; 4 bytes each. */
+uint32_t bat_word_at(const char *bytes);
+double bat_float_at(const char *bytes);
+
 #endif

@@ -2,9 +2,13 @@
 #ifndef BATTEN_FORMAT_STL_H
 #define BATTEN_FORMAT_STL_H
 
-#include "format/model/model.h"
+#include "format/model/faces.h"
 
 /* As bat_stl_write, of parts that are there already. */
 bat_status bat_stl_put_parts(const bat_parts *parts, char **bytes, size_t *size);
+/* The triangles of a file, each with corners of its own. */
+bat_status bat_stl_parse(const char *bytes, size_t size, bat_faces *out, bat_problem *problem);
+/* Whether the size is as the number of triangles says, or it is no text. */
+bool bat_stl_is_binary(const char *bytes, size_t size);
 
 #endif
