@@ -1,8 +1,8 @@
 """Meshes of other programs open as what they are: STL, PLY, glTF and 3MF, made here by hand, by Batten's own writers and by assimp."""
 
+import base64
 import json
 import math
-import pathlib
 import shutil
 import struct
 import subprocess
@@ -209,9 +209,158 @@ class Ply(Meshes):
         self.is_wedge(self.meshes("rows.ply", rows)[0])
 
 
+def gltf(places, faces=None, index="H", mode=4, nodes=None, more=None, part=None, form="f", normalized=False, gap=0):
+    """The JSON of a mesh and its numbers: interleaved with `gap` bytes, with indices of a type or (faces None) without."""
+    body = b"".join(struct.pack(f"<3{form}", *p) + b"\xff" * gap for p in places)
+    wide, kinds = struct.calcsize(f"<3{form}") + gap, {"b": 5120, "B": 5121, "h": 5122, "H": 5123, "I": 5125, "f": 5126}
+    primitive = {"attributes": {"POSITION": 0}, "mode": mode, **(part or {})}
+    scene = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": nodes or [{"mesh": 0}],
+             "meshes": [{"name": "wedge", "primitives": [primitive]}],
+             "accessors": [{"bufferView": 0, "byteOffset": 0, "componentType": kinds[form], "count": len(places), "type": "VEC3",
+                            "normalized": normalized}],
+             "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": len(body), "byteStride": wide}], "buffers": [{}]}
+    if faces is not None:
+        corners = [i for face in faces for i in face]
+        body += b"\0" * (-len(body) % 4)
+        scene["bufferViews"].append({"buffer": 0, "byteOffset": len(body), "byteLength": len(corners) * struct.calcsize(index)})
+        scene["accessors"].append({"bufferView": 1, "componentType": kinds[index], "count": len(corners), "type": "SCALAR"})
+        primitive["indices"] = 1
+        body += struct.pack(f"<{len(corners)}{index}", *corners)
+    scene["buffers"][0]["byteLength"] = len(body)
+    return {**scene, **(more or {})}, body
+
+
+def glb(scene, body):
+    text = json.dumps(scene).encode()
+    text += b" " * (-len(text) % 4)
+    body += b"\0" * (-len(body) % 4)
+    return struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(body), len(text), 0x4E4F534A) + text + \
+        struct.pack("<II", len(body), 0x004E4942) + body
+
+
+def as_text(scene, body, kind="application/octet-stream"):
+    uri = f"data:{kind};base64," + base64.b64encode(body).decode()
+    return json.dumps({**scene, "buffers": [{**scene["buffers"][0], "uri": uri}]})
+
+
+METRES = [tuple(n / 1000 for n in p) for p in PLACES]
+THOUSAND = {"scale": [0.001, 0.001, 0.001]}
+
+
+class Gltf(Meshes):
+    def is_upright(self, mesh, places=PLACES):
+        self.is_wedge(mesh, of_y_up, places, 1e-5)
+
+    def test_every_form(self):
+        """Indices of every type and none, numbers apart and interleaved, binary and as text; metres."""
+        loose = [METRES[i] for face in FACES for i in face]
+        for scene in (*(gltf(METRES, FACES, index, gap=gap) for index in "BHI" for gap in (0, 8)), gltf(loose),
+                      gltf(loose, [range(12)])):
+            for name, data in (("a.glb", glb(*scene)), ("a.gltf", as_text(*scene)), ("unnamed", glb(*scene)),
+                               ("unnamed", as_text(*scene, "application/gltf-buffer"))):
+                [mesh] = self.meshes(name, data)
+                self.is_upright(mesh)
+                self.assertEqual(mesh["name"], "wedge")
+        short = [[round(2 * n) for n in p] for p in PLACES if p[2] != 33.25] + [[2, 4, 66]]  # whole numbers, as quantized
+        half = [{"mesh": 0, "name": "node", "scale": [0.0005] * 3}]
+        [mesh] = self.meshes("b.glb", glb(*gltf(short, FACES, form="h", nodes=half)))
+        self.assertEqual(mesh["name"], "node")
+        self.is_upright(mesh, [[n / 2 for n in p] for p in short])
+        full = [[0, 0, 0], [127, 0, 0], [0, 127, 0], [0, 0, 127]]
+        [mesh] = self.meshes("c.glb", glb(*gltf(full, FACES, form="b", normalized=True)))
+        self.is_upright(mesh, [[1000 * n / 127 for n in p] for p in full])
+
+    def test_strips_and_fans(self):
+        """A strip and a fan have all their triangles on one side."""
+        places = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 2, 0)]
+        for mode, order in ((5, (0, 1, 2, 3, 4)), (6, (1, 3, 4, 2, 0))):
+            for scene in (gltf([places[i] for i in order], mode=mode), gltf(places, [order], mode=mode)):
+                [mesh] = self.meshes("a.glb", glb(*scene))
+                self.assertEqual(len(mesh["faces"]), 3)
+                for face in mesh["faces"]:
+                    a, b, c = (mesh["vertices"][i] for i in face)
+                    self.assertLess((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), 0)  # y is turned round
+
+    def test_nodes(self):
+        """Placed by a matrix, moved, turned and scaled, in each other, mirrored: as large and as outward as they are."""
+        half = math.sqrt(0.5)
+        nodes = [{"children": [1, 2], "translation": [5, 0, 0], "scale": [2, 2, 2]},
+                 {"name": "turned", "mesh": 0, "rotation": [0, 0, half, half], "translation": [0, 1, 0]},
+                 {"name": "mirrored", "mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 3, 1]}]
+        turned, mirrored = self.meshes("a.glb", glb(*gltf(METRES, FACES, nodes=nodes)))
+        self.assertEqual((turned["name"], mirrored["name"]), ("turned", "mirrored"))
+        self.is_wedge(turned, of_y_up, [(5000 - 2 * y, 2000 + 2 * x, 2 * z) for x, y, z in PLACES], 1e-4)
+        self.is_wedge(mirrored, of_y_up, [(5000 - 2 * x, 2 * y, 6000 + 2 * z) for x, y, z in PLACES], 1e-4)
+        scene, body = gltf(METRES, FACES, nodes=nodes)
+        del scene["scenes"], scene["scene"]
+        self.assertEqual(len(self.meshes("roots.glb", glb(scene, body))), 2)
+        # In a row of 3,000 nodes, each in the one before.
+        deep = [{"children": [i + 1], "translation": [0.001, 0, 0]} for i in range(3000)] + [{"mesh": 0}]
+        [mesh] = self.meshes("deep.glb", glb(*gltf(METRES, FACES, nodes=deep)))
+        self.is_wedge(mesh, of_y_up, [(x + 3000, y, z) for x, y, z in PLACES], 1e-3)
+
+    def test_left_out(self):
+        scene, body = gltf(METRES, FACES, more={"cameras": [{}], "animations": [{}]})
+        scene["meshes"][0]["primitives"].append({"attributes": {"POSITION": 0}, "mode": 1})
+        scene["nodes"][0]["skin"] = 0
+        result = self.run_program("convert", self.file("a.glb", glb(scene, body)), "a.batten")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(b"4 ", result.stderr)
+        [cloud] = self.meshes("cloud.glb", glb(*gltf(METRES, mode=0)))
+        self.assertEqual((len(cloud["vertices"]), cloud["faces"]), (4, []))
+
+    def test_refused(self):
+        scene, body = gltf(METRES, FACES)
+        whole = glb(scene, body)
+
+        def other(path, value, data=body):
+            """With something else in its place."""
+            changed = json.loads(json.dumps(scene))
+            at = changed
+            for step in path[:-1]:
+                at = at[step]
+            at[path[-1]] = value
+            return glb(changed, data)
+
+        self.says("a.glb", whole[:-1], "expected", "found")
+        self.says("a.glb", whole[:16], "beginning")
+        self.says("a.glb", whole[:4] + b"\1" + whole[5:], "another version")
+        self.says("a.glb", other(["asset", "version"], "1.0"), "another or none")
+        self.says("a.glb", whole[:12] + b"\xff\xff\xff\xff" + whole[16:], "expected")
+        self.says("a.gltf", json.dumps(scene), "buffers[0]", ".glb")
+        self.says("a.gltf", json.dumps({**scene, "buffers": [{"uri": "a.bin", "byteLength": 72}]}), "buffers[0]", ".glb")
+        self.says("a.gltf", as_text(scene, body).replace("base64,", "base64,#"), "buffers[0]", "base 64")
+        for accessor in (0, 1):
+            for count in (1 << 31, 1e15, 100):
+                self.says("a.glb", other(["accessors", accessor, "count"], count), f"accessors[{accessor}]")
+            self.says("a.glb", other(["accessors", accessor, "count"], -1), f"accessors[{accessor}]")
+            self.says("a.glb", other(["accessors", accessor, "byteOffset"], 70), f"accessors[{accessor}]")
+            self.says("a.glb", other(["accessors", accessor, "componentType"], 5124), f"accessors[{accessor}]")
+            self.says("a.glb", other(["accessors", accessor, "type"], "VEC2"), f"accessors[{accessor}]")
+            self.says("a.glb", other(["accessors", accessor, "bufferView"], 9), f"accessors[{accessor}]")
+            self.says("a.glb", other(["accessors", accessor, "sparse"], {}), f"accessors[{accessor}]", "sparse")
+        self.says("a.glb", other(["bufferViews", 1, "byteOffset"], 1000), "buffers[0]")
+        self.says("a.glb", other(["bufferViews", 0, "byteStride"], 0), "bufferViews[0]")
+        self.says("a.glb", other(["meshes", 0, "primitives", 0, "indices"], 2), "meshes[0]")
+        self.says("a.glb", other(["meshes", 0, "primitives", 0, "mode"], 7), "meshes[0]")
+        self.says("a.glb", other(["meshes", 0, "primitives"], []), "found none")
+        self.says("a.glb", other(["nodes", 0, "mesh"], 1), "nodes[0]")
+        self.says("a.glb", other(["nodes", 0, "matrix"], [1] * 15), "nodes[0]", "16")
+        self.says("a.glb", other(["nodes", 0, "scale"], [1e300] * 3), "finite")
+        self.says("a.glb", other(["nodes", 0, "children"], [0]), "nodes[0]", "in itself")
+        self.says("a.glb", other(["nodes"], [{"children": [1]}, {"children": [2]}, {"children": [1]}]), "nodes[1]", "in itself")
+        self.says("a.glb", other(["nodes"], [{"children": [7]}]), "nodes")
+        self.says("a.glb", other(["scene"], 1), "scene")
+        self.says("a.glb", other(["extensionsRequired"], ["KHR_draco_mesh_compression"]), "KHR_draco_mesh_compression")
+        self.says("a.glb", glb(*gltf(METRES, [(0, 1, 4)])), "meshes[0]", "number of a vertex")
+        self.says("a.glb", glb(*gltf([(math.nan, 0, 0), *METRES[1:]], FACES)), "finite")
+        # A mesh of 3,000 triangles shown by 100,000 nodes: refused before it takes all memory.
+        nodes = [{"children": list(range(1, 100001))}] + [{"mesh": 0}] * 100000
+        self.says("a.glb", glb(*gltf(METRES, FACES * 750, nodes=nodes)), "for a file of this size")
+
+
 class Others(Meshes):
-    ENDINGS = ("stl", "ply")
-    Y_UP = ("glb", "gltf")
+    ENDINGS = ("stl", "ply", "glb", "gltf")
 
     def there_and_back(self, ending):
         """Batten's mesh to a file and back: in its place, in millimetres, whatever the drawing's unit was."""
@@ -251,10 +400,11 @@ class Others(Meshes):
     @unittest.skipUnless(shutil.which("assimp"), "assimp-utils")
     def test_files_of_assimp(self):
         source = self.file("a.stl", binary_stl(PLACES, FACES))
-        for form, ending in (("stl", "stl"), ("stlb", "stl"), ("ply", "ply"), ("plyb", "ply")):
+        for form, ending in (("stl", "stl"), ("stlb", "stl"), ("ply", "ply"), ("plyb", "ply"), ("glb2", "glb")):
             out = self.folder / f"assimp_{form}.{ending}"
             subprocess.run(["assimp", "export", source, str(out), f"-f{form}"], stdout=subprocess.DEVNULL, check=True)
-            self.is_wedge(self.meshes(out)[0], within=1e-4)
+            places = [[1000 * n for n in p] for p in PLACES] if ending == "glb" else PLACES  # it takes no unit for another
+            self.is_wedge(self.meshes(out)[0], of_y_up if ending == "glb" else of_z_up, places, 1e-2 if ending == "glb" else 1e-4)
 
 
 if __name__ == "__main__":
