@@ -1,12 +1,15 @@
 """Meshes of other programs open as what they are: STL, PLY, glTF and 3MF, made here by hand, by Batten's own writers and by assimp."""
 
 import base64
+import io
 import json
 import math
+import random
 import shutil
 import struct
 import subprocess
 import unittest
+import zipfile
 
 from program import ProgramTest
 
@@ -359,8 +362,154 @@ class Gltf(Meshes):
         self.says("a.glb", glb(*gltf(METRES, FACES * 750, nodes=nodes)), "for a file of this size")
 
 
+CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+MODEL = "3D/3dmodel.model"
+
+
+def mesh_of(places, faces, prefix=""):
+    return f"<{prefix}mesh><{prefix}vertices>" + "".join(f"<{prefix}vertex x='{x!r}' y=\"{y!r}\"\n z = '{z!r}' />" for x, y, z in places) + \
+        f"</{prefix}vertices><{prefix}triangles>" + "".join(f'<{prefix}triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in faces) + \
+        f"</{prefix}triangles></{prefix}mesh>"
+
+
+def model(resources, build, unit=' unit="millimeter"', prefix=""):
+    name = f"xmlns:{prefix[:-1]}" if prefix else "xmlns"
+    return f"""<?xml version="1.0" encoding="UTF-8"?>
+<!-- a > b --><{prefix}model{unit} {name}="{CORE}" xmlns:p="urn:p"><{prefix}metadata name="Title">&lt;{prefix}object&gt;</{prefix}metadata>
+<{prefix}resources>{resources}</{prefix}resources><{prefix}build>{build}</{prefix}build></{prefix}model>"""
+
+
+def package(text, method=zipfile.ZIP_DEFLATED, files=(), level=None, name=MODEL, relation=True):
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", method, compresslevel=level) as archive:
+        archive.writestr("[Content_Types].xml", "<Types/>")
+        if relation:
+            archive.writestr("_rels/.rels", f"""<Relationships><Relationship Id="r" Target="/{name}"
+                Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>""")
+        archive.writestr(name, text)
+        for other, content in files:
+            archive.writestr(other, content)
+    return out.getvalue()
+
+
+WEDGE = f'<object id="1" name="a &amp; b" type="model">{mesh_of(PLACES, FACES)}</object>'
+ITEM = '<item objectid="1"/>'
+
+
+class ThreeMf(Meshes):
+    def test_every_form(self):
+        """Stored and deflated at every level, in every unit, with and without a relation, prefixed, of other names."""
+        for method, level in ((zipfile.ZIP_STORED, None), *((zipfile.ZIP_DEFLATED, n) for n in range(10))):
+            [mesh] = self.meshes("a.3mf", package(model(WEDGE, ITEM), method, level=level))
+            self.is_wedge(mesh)
+            self.assertEqual(mesh["name"], "a & b")
+        self.is_wedge(self.meshes("unnamed", package(model(WEDGE, ITEM)))[0])
+        self.is_wedge(self.meshes("a.3mf", package(model(WEDGE, ITEM), name="other/Part.Model"))[0])
+        self.is_wedge(self.meshes("a.3mf", package(model(WEDGE, ITEM), relation=False, name="3d/3DModel.MODEL"))[0])
+        x = model(f'<x:object id="1">{mesh_of(PLACES, FACES, "x:")}</x:object><object id="1"/>', '<x:item objectid="1"/>', prefix="x:")
+        self.is_wedge(self.meshes("a.3mf", package(x))[0])
+        for unit, scale in (("", 1), ("micron", 1e-3), ("millimeter", 1), ("centimeter", 10), ("inch", 25.4), ("foot", 304.8), ("meter", 1000)):
+            [mesh] = self.meshes("a.3mf", package(model(WEDGE, ITEM, f' unit="{unit}"' if unit else "")))
+            self.is_wedge(mesh, of_z_up, [[scale * n for n in p] for p in PLACES], 1e-9 * scale)
+
+    def test_items_and_components(self):
+        """An object of two components, one of them mirrored, in two items, moved and turned."""
+        resources = WEDGE + '<object id="9" name="both"><components><component objectid="1"/>' \
+            '<component objectid="1" transform="-1 0 0 0 1 0 0 0 1 -5 0 0"/></components></object>'
+        build = '<item objectid="9" transform="0 2 0 -2 0 0 0 0 2 100 0 7.5"/><item objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 50"/>'
+        both, one = self.meshes("a.3mf", package(model(resources, build)))
+        self.assertEqual((both["name"], len(both["faces"]), open_edges(both)), ("both", 8, 0))
+        self.assertLess(abs(volume(both) / (2 * 8 * VOLUME) - 1), 1e-9)
+        for sign in (1, -1):
+            for x, y, z in PLACES:
+                x = x if sign == 1 else -x - 5
+                self.assertLess(min(math.dist(of_z_up((100 - 2 * y, 2 * x, 2 * z + 7.5)), v) for v in both["vertices"]), 1e-9)
+        self.is_wedge(one, of_z_up, [(x, y, z + 50) for x, y, z in PLACES], 1e-9)
+        # What another file of the archive describes.
+        parts = '<object id="2"><components><component p:path="/3D/Objects/one.model" objectid="1"/></components></object>'
+        [mesh] = self.meshes("b.3mf", package(model(parts, '<item objectid="2"/>'), files=[("3D/Objects/one.model", model(WEDGE, ""))]))
+        self.is_wedge(mesh)
+
+    def test_inflated_as_zlib_deflates(self):
+        """Noise, runs and far repeats of text, behind the model as a comment: what comes out is checked by its sum."""
+        source = random.Random(5)
+        for kind in ("noise", "runs", "far"):
+            for level in (1, 6, 9):
+                if kind == "noise":
+                    text = "".join(chr(source.randrange(32, 127)) for _ in range(70000)).replace("-", "_")
+                elif kind == "runs":
+                    text = "".join(chr(source.randrange(65, 91)) * source.randrange(1, 300) for _ in range(900))
+                else:
+                    block = "".join(chr(source.randrange(65, 91)) for _ in range(32000))
+                    text = (block + "x") * 5
+                self.is_wedge(self.meshes("a.3mf", package(model(WEDGE, ITEM) + f"<!--{text}-->", level=level))[0])
+
+    def test_long_fields(self):
+        """Sizes in the fields of 64 bits, as some programs always write them."""
+        data = package(model(WEDGE, ITEM))
+        end = data.rindex(b"PK\5\6")
+        count, size, at = struct.unpack_from("<HII", data, end + 10)
+        entries, place, body = b"", at, data[:at]
+        for _ in range(count):
+            head = list(struct.unpack_from("<4s6H3I5H2I", data, place))
+            name = data[place + 46:place + 46 + head[10]]
+            extra = struct.pack("<HHQQQ", 1, 24, head[9], head[8], head[16])
+            place += 46 + sum(head[10:13])
+            head[8] = head[9] = head[16] = 0xFFFFFFFF
+            head[11], head[12] = len(extra), 0
+            entries += struct.pack("<4s6H3I5H2I", *head) + name + extra
+        record = struct.pack("<4sQHHIIQQQQ", b"PK\6\6", 44, 45, 45, 0, 0, count, count, len(entries), at)
+        locator = struct.pack("<4sIQI", b"PK\6\7", 0, at + len(entries), 1)
+        close = struct.pack("<4sHHHHIIH", b"PK\5\6", 0, 0, 0xFFFF, 0xFFFF, 0xFFFFFFFF, 0xFFFFFFFF, 0)
+        self.is_wedge(self.meshes("a.3mf", body + entries + record + locator + close)[0])
+
+    def test_left_out(self):
+        lattice = WEDGE.replace("</mesh>", '<b:beamlattice xmlns:b="urn:b"><b:vertex x="9"/></b:beamlattice></mesh>')
+        result = self.run_program("convert", self.file("a.3mf", package(model(lattice, ITEM))), "a.batten")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(b"1 ", result.stderr)
+
+    def test_refused(self):
+        whole = package(model(WEDGE, ITEM))
+        for cut in (0, 10, len(whole) // 2, len(whole) - 30, len(whole) - 1):
+            self.says("a.3mf", whole[:cut], "ZIP")
+        at = whole.index(MODEL.encode()) + len(MODEL) + 40
+        self.says("a.3mf", whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:], MODEL, "damaged")
+        self.says("a.3mf", package("no xml"), "XML")
+        self.says("a.3mf", package("<svg/>"), "expected a model")
+        self.says("a.3mf", package(model(WEDGE, ITEM), name="else.xml", relation=False), MODEL)
+        self.says("a.3mf", package(model(WEDGE, "")), "build", "found none")
+        self.says("a.3mf", package(model(WEDGE, '<item objectid="2"/>')), "object 2", "none such")
+        self.says("a.3mf", package(model(WEDGE, '<item objectid="one"/>')), "build", "objectid")
+        self.says("a.3mf", package(model(WEDGE + WEDGE, ITEM)), "object 1", "twice")
+        self.says("a.3mf", package(model(WEDGE, '<item objectid="1" transform="1 0 0"/>')), "12 numbers")
+        self.says("a.3mf", package(model(WEDGE, '<item objectid="1" transform="1e300 0 0 0 1 0 0 0 1 0 0 0"/>')), "finite")
+        self.says("a.3mf", package(model(WEDGE, '<item objectid="1" p:path="/no.model"/>')), "path")
+        self.says("a.3mf", package(model(WEDGE, ITEM, ' unit="cubit"')), "unit")
+        for was, now in (("11", "nan"), ("11", "1e999"), ("11", ""), ("11", "1 1")):
+            self.says("a.3mf", package(model(WEDGE.replace(f"'{was}'", f"'{now}'"), ITEM)), "object 1", "vertex")
+        for number in ("4", "-1", "0.5", "4294967296"):
+            self.says("a.3mf", package(model(WEDGE.replace('v3="1"', f'v3="{number}"'), ITEM)), "object 1", "triangle")
+
+        def chain(count, last):
+            return WEDGE + "".join(f'<object id="{i}"><components><component objectid="{i + 1 if i < count + 1 else last}"/>'
+                                   '<component objectid="1"/></components></object>' for i in range(2, count + 2))
+        self.says("a.3mf", package(model(chain(5, 2), '<item objectid="2"/>')), "object 2", "circle")
+        self.says("a.3mf", package(model(chain(70, 1), '<item objectid="2"/>')), "64 deep")
+        doubled = WEDGE + "".join(f'<object id="{i}"><components>' + f'<component objectid="{i - 1}"/>' * 2 + "</components></object>"
+                                  for i in range(2, 60))
+        self.says("a.3mf", package(model(doubled, '<item objectid="59"/>')), "for a file of this size")
+        # A bomb, and one that says that it is none.
+        bomb = package(model(WEDGE, ITEM) + " " * 100000000)
+        self.assertLess(len(bomb), 200000)
+        self.says("a.3mf", bomb, MODEL, "unpacks to too much")
+        size = struct.pack("<I", len(model(WEDGE, ITEM)) + 100000000)
+        self.assertEqual(bomb.count(size), 2)
+        self.says("a.3mf", bomb.replace(size, struct.pack("<I", 60000)), MODEL, "damaged")
+
+
 class Others(Meshes):
-    ENDINGS = ("stl", "ply", "glb", "gltf")
+    ENDINGS = ("stl", "ply", "glb", "gltf", "3mf")
 
     def there_and_back(self, ending):
         """Batten's mesh to a file and back: in its place, in millimetres, whatever the drawing's unit was."""
@@ -400,7 +549,7 @@ class Others(Meshes):
     @unittest.skipUnless(shutil.which("assimp"), "assimp-utils")
     def test_files_of_assimp(self):
         source = self.file("a.stl", binary_stl(PLACES, FACES))
-        for form, ending in (("stl", "stl"), ("stlb", "stl"), ("ply", "ply"), ("plyb", "ply"), ("glb2", "glb")):
+        for form, ending in (("stl", "stl"), ("stlb", "stl"), ("ply", "ply"), ("plyb", "ply"), ("glb2", "glb"), ("3mf", "3mf")):
             out = self.folder / f"assimp_{form}.{ending}"
             subprocess.run(["assimp", "export", source, str(out), f"-f{form}"], stdout=subprocess.DEVNULL, check=True)
             places = [[1000 * n for n in p] for p in PLACES] if ending == "glb" else PLACES  # it takes no unit for another

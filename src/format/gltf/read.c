@@ -2,6 +2,7 @@
  * of materials and pictures nothing is read. */
 #include "format/gltf/gltf.h"
 #include "format/gltf/source.h"
+#include "format/model/pose.h"
 
 #include <batten/mesh.h>
 
@@ -12,8 +13,6 @@
 #include <string.h>
 
 enum { POINTS, LINES_LAST = 3, TRIANGLES, STRIP, FAN };
-/* Vertices and corners that a file may give by showing a mesh more than once: so many, and so many for each of its bytes. */
-enum { FEWEST = 1 << 16, EACH = 1000, MOST = 1 << 23 };
 
 typedef struct placed {
     size_t node;
@@ -87,22 +86,6 @@ static bat_status read_matrix(const reader *r, size_t node, double out[12]) {
     return BAT_OK;
 }
 
-static void multiply(const double a[12], const double b[12], double out[12]) {
-    double made[12];
-    for (int i = 0; i < 12; i++) {
-        const int row = i / 4 * 4, column = i % 4;
-        made[i] = a[row] * b[column] + a[row + 1] * b[4 + column] + a[row + 2] * b[8 + column];
-        if (column == 3) made[i] += a[row + 3];
-    }
-    memcpy(out, made, sizeof made);
-}
-
-static bool is_mirrored(const double m[12]) {
-    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
-               m[2] * (m[4] * m[9] - m[5] * m[8]) <
-           0;
-}
-
 /* ---- a primitive ---- */
 
 /* What is read of one: places, and the vertices in the order in which they are used. */
@@ -122,8 +105,7 @@ static bat_status add_vertex(reader *r, const primitive *p, const double m[12], 
     if (*vertex < 0) {
         const double *at = p->places + 3 * (size_t)index;
         double moved[3];
-        for (int k = 0; k < 3; k++)
-            moved[k] = m[4 * k] * at[0] + m[4 * k + 1] * at[1] + m[4 * k + 2] * at[2] + m[4 * k + 3];
+        bat_pose_apply(m, at, moved);
         *vertex = (int)r->faces.vertex_count;
         const bat_status status = bat_faces_add_vertex(&r->faces, moved);
         if (status != BAT_OK)
@@ -149,7 +131,7 @@ static void corners_of(uint64_t mode, size_t t, bool mirrored, size_t out[3]) {
 
 static bat_status add_all(reader *r, const primitive *p, const double m[12]) {
     const size_t count = p->corners ? p->corner_count : p->place_count;
-    const bool mirrored = is_mirrored(m);
+    const bool mirrored = bat_pose_mirrors(m);
     bat_status status = BAT_OK;
     if (p->mode == POINTS) {
         int vertex;
@@ -281,7 +263,6 @@ static bat_status wait_for_roots(reader *r, const double matrix[12]) {
 }
 
 static bat_status read_nodes(reader *r) {
-    static const double unit[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     const bat_json *json = &r->source.json;
     const size_t count = r->source.count[BAT_GLTF_NODES];
     size_t scene = 0;
@@ -294,14 +275,14 @@ static bat_status read_nodes(reader *r) {
                                "expected a scene that there is, found none such");
     bat_status status = r->source.count[BAT_GLTF_SCENES]
                             ? wait(r, bat_json_member(json, r->source.nodes[BAT_GLTF_SCENES][scene], "nodes"),
-                                   unit)
-                            : wait_for_roots(r, unit);
+                                   bat_pose_none)
+                            : wait_for_roots(r, bat_pose_none);
     while (status == BAT_OK && r->depth > 0) {
         const placed at = r->waiting[--r->depth];
         double own[12], all[12];
         status = read_matrix(r, at.node, own);
         if (status != BAT_OK) break;
-        multiply(at.matrix, own, all);
+        bat_pose_multiply(at.matrix, own, all);
         status = read_mesh(r, at.node, all);
         if (status == BAT_OK)
             status = wait(r, bat_json_member(json, r->source.nodes[BAT_GLTF_NODES][at.node], "children"),
@@ -315,8 +296,7 @@ bat_status bat_gltf_parse(const char *bytes, size_t size, bat_document *out, int
     reader r = {.out = out, .left_out = left_out};
     bat_status status = bat_gltf_open(bytes, size, &r.source, problem);
     if (status != BAT_OK) return status;
-    r.left = FEWEST + EACH * (uint64_t)size;
-    if (r.left > MOST) r.left = MOST > size ? MOST : size;
+    r.left = bat_faces_bound(size);
     leave_out(&r, bat_json_count(&r.source.json, bat_json_member(&r.source.json, 1, "cameras")));
     leave_out(&r, bat_json_count(&r.source.json, bat_json_member(&r.source.json, 1, "animations")));
     status = read_nodes(&r);

@@ -10,24 +10,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for `more` elements behind `count`. */
-static bool grow(void **list, size_t *room, size_t count, size_t more, size_t size) {
-    if (more <= *room - count) return true;
-    size_t wanted = *room ? 2 * *room : 64;
+void *bat_grown(void *list, size_t *room, size_t count, size_t more, size_t size) {
+    if (list && more <= *room - count) return list;
+    size_t wanted = *room ? 2 * *room : 16;
     while (wanted - count < more) wanted *= 2;
-    void *larger = realloc(*list, wanted * size);
-    if (!larger) return false;
-    *list = larger;
-    *room = wanted;
-    return true;
+    void *larger = realloc(list, wanted * size);
+    if (larger) *room = wanted;
+    return larger;
 }
 
 bat_status bat_faces_add_vertex(bat_faces *faces, const double at[3]) {
     for (int k = 0; k < 3; k++)
         if (!(fabs(at[k]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     if (faces->vertex_count == BAT_VERTICES_MAX) return BAT_COUNT;
-    if (!grow((void **)&faces->vertices, &faces->vertex_room, faces->vertex_count, 1, 3 * sizeof(double)))
-        return BAT_MEMORY;
+    double *vertices = bat_grown(faces->vertices, &faces->vertex_room, faces->vertex_count, 1,
+                                 3 * sizeof *vertices);
+    if (!vertices) return BAT_MEMORY;
+    faces->vertices = vertices;
     memcpy(faces->vertices + 3 * faces->vertex_count++, at, 3 * sizeof *at);
     return BAT_OK;
 }
@@ -36,9 +35,11 @@ bat_status bat_faces_add(bat_faces *faces, const int *corners, size_t count) {
     if (count < 3) return BAT_OK;
     if (faces->face_count == BAT_VERTICES_MAX || count > BAT_CORNERS_MAX - faces->corner_count)
         return BAT_COUNT;
-    if (!grow((void **)&faces->sizes, &faces->face_room, faces->face_count, 1, sizeof(int)) ||
-        !grow((void **)&faces->corners, &faces->corner_room, faces->corner_count, count, sizeof(int)))
-        return BAT_MEMORY;
+    int *sizes = bat_grown(faces->sizes, &faces->face_room, faces->face_count, 1, sizeof *sizes);
+    if (sizes) faces->sizes = sizes;
+    int *all = bat_grown(faces->corners, &faces->corner_room, faces->corner_count, count, sizeof *all);
+    if (all) faces->corners = all;
+    if (!sizes || !all) return BAT_MEMORY;
     faces->sizes[faces->face_count++] = (int)count;
     memcpy(faces->corners + faces->corner_count, corners, count * sizeof *corners);
     faces->corner_count += count;
@@ -135,6 +136,12 @@ bat_status bat_faces_insert(const bat_faces *faces, const bat_room *room, const 
 }
 
 void bat_faces_empty(bat_faces *faces) { faces->vertex_count = faces->face_count = faces->corner_count = 0; }
+
+uint64_t bat_faces_bound(size_t size) {
+    enum { FEWEST = 1 << 16, EACH = 1000, MOST = 1 << 23 };
+    const uint64_t bound = FEWEST + EACH * (uint64_t)size;
+    return bound < MOST ? bound : MOST > size ? MOST : size;
+}
 
 void bat_faces_clear(bat_faces *faces) {
     free(faces->vertices);

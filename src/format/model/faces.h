@@ -6,6 +6,9 @@
 #include "format/model/drawn.h"
 #include "format/model/model.h"
 
+/* The list with room for `more` elements behind `count`, or NULL: no memory; the list is then as it was. */
+void *bat_grown(void *list, size_t *room, size_t count, size_t more, size_t size);
+
 typedef struct bat_faces {
     size_t vertex_count, face_count, corner_count;
     double *vertices;
@@ -29,6 +32,8 @@ bat_status bat_faces_drawing(bat_document **out);
 /* Takes all out, and keeps the room for more. */
 void bat_faces_empty(bat_faces *faces);
 void bat_faces_clear(bat_faces *faces);
+/* How many vertices and corners a file of that size, in bytes, may give by showing things more than once. */
+uint64_t bat_faces_bound(size_t size);
 
 /* What of a drawing is in space, as a file of triangles within 1e-4 of the size; problem says why there is none. */
 bat_status bat_faces_write(const bat_document *document, double unit, bool up_is_y, bat_parts_writer *writer,

@@ -7,8 +7,8 @@
 enum { FILE_AT = 0x04034B50, ENTRY_AT = 0x02014B50, END_AT = 0x06054B50 };
 enum { VERSION = 20, FIRST_DAY = 0x21 }; /* 2.0; 1980-01-01 */
 
-/* CRC-32 as of IEEE 802.3, four bits at a time. */
-static uint32_t check_of(const char *bytes, size_t size) {
+/* Four bits at a time. */
+uint32_t bat_zip_check(const char *bytes, size_t size) {
     static const uint32_t table[16] = {0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC, 0x76DC4190, 0x6B6B51F4,
                                        0x4DB26158, 0x5005713C, 0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C,
                                        0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
@@ -41,7 +41,7 @@ static void put_head(bat_zip *zip, int i) {
 void bat_zip_add(bat_zip *zip, const char *name, const char *bytes, size_t size) {
     const int i = zip->count++;
     zip->file[i].name = name;
-    zip->file[i].check = check_of(bytes, size);
+    zip->file[i].check = bat_zip_check(bytes, size);
     zip->file[i].size = (uint32_t)size;
     zip->file[i].at = (uint32_t)zip->bytes.size;
     bat_text_word(&zip->bytes, FILE_AT);

@@ -20,4 +20,7 @@ void bat_zip_add(bat_zip *zip, const char *name, const char *bytes, size_t size)
 /* Hands the archive over, or frees it. BAT_TOLERANCE: beyond the 4 GB that it can hold. */
 bat_status bat_zip_finish(bat_zip *zip, char **bytes, size_t *size);
 
+/* CRC-32 as of IEEE 802.3. */
+uint32_t bat_zip_check(const char *bytes, size_t size);
+
 #endif

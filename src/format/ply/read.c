@@ -53,7 +53,7 @@ typedef struct reader {
 static bat_status wrong(const reader *r, bat_status status, const char *message) {
     static const char *const names[] = {"row", "vertex", "face"};
     char place[48];
-    snprintf(place, sizeof place, "%s %llu", names[r->element->role], (unsigned long long)r->row + 1);
+    snprintf(place, sizeof place, "%s %zu", names[r->element->role], (size_t)r->row + 1);
     return bat_problem_set(r->problem, status, place, message);
 }
 

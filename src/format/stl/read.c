@@ -10,7 +10,30 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { HEADER = 84, TRIANGLE = 50, NORMAL = 12, CORNER = 12, WORD_ROOM = 12 };
+enum { HEADER = 84, TRIANGLE = 50, NORMAL = 12, CORNER = 12, WORD_ROOM = 12, LOOK = 4096 };
+
+static bool is_word_within(const char *text, size_t size, const char *word) {
+    const size_t length = strlen(word);
+    for (size_t i = 0; i + length <= size; i++) {
+        size_t k = 0;
+        while (k < length && (text[i + k] | 32) == word[k]) k++;
+        if (k == length) return true;
+    }
+    return false;
+}
+
+bool bat_stl_is_text(const char *text, size_t size) {
+    const size_t at = bat_format_start(text, size), left = size - at;
+    if (left < 5 || !is_word_within(text + at, 5, "solid")) return false;
+    const size_t look = left < LOOK ? left : LOOK;
+    return is_word_within(text + at, look, "facet") || is_word_within(text + at, look, "endsolid");
+}
+
+bool bat_stl_is_whole(const char *bytes, size_t size) {
+    if (size < HEADER) return false;
+    const size_t count = bat_word_at(bytes + HEADER - 4);
+    return count > 0 && count == (size - HEADER) / TRIANGLE && (size - HEADER) % TRIANGLE == 0;
+}
 
 static bat_status add_triangle(bat_faces *faces, const double corners[9]) {
     bat_status status = BAT_OK;
@@ -140,6 +163,6 @@ static bat_status parse_text(const char *text, size_t size, bat_faces *out, bat_
 }
 
 bat_status bat_stl_parse(const char *bytes, size_t size, bat_faces *out, bat_problem *problem) {
-    return bat_stl_is_binary(bytes, size) || size == 0 ? parse_binary(bytes, size, out, problem)
-                                                       : parse_text(bytes, size, out, problem);
+    const bool text = !bat_stl_is_whole(bytes, size) && (size < HEADER || bat_stl_is_text(bytes, size));
+    return text && size > 0 ? parse_text(bytes, size, out, problem) : parse_binary(bytes, size, out, problem);
 }

@@ -8,7 +8,9 @@
 bat_status bat_stl_put_parts(const bat_parts *parts, char **bytes, size_t *size);
 /* The triangles of a file, each with corners of its own. */
 bat_status bat_stl_parse(const char *bytes, size_t size, bat_faces *out, bat_problem *problem);
-/* Whether the size is as the number of triangles says, or it is no text. */
-bool bat_stl_is_binary(const char *bytes, size_t size);
+/* Whether it is text: it begins with "solid", and goes on with a facet or ends at once. */
+bool bat_stl_is_text(const char *bytes, size_t size);
+/* Whether it is binary, with triangles, and as long as their number says. */
+bool bat_stl_is_whole(const char *bytes, size_t size);
 
 #endif

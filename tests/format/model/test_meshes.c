@@ -15,7 +15,7 @@
 #include <batten/document.h>
 #include <batten/mesh.h>
 
-static const char *const names[] = {"stl", "ply", "glb", "gltf"};
+static const char *const names[] = {"stl", "ply", "glb", "gltf", "3mf"};
 enum { NAMES = sizeof names / sizeof *names };
 static const double places[12] = {1, 2, 3, 11, 2, 3, 1, 22.5, 3, 1, 2, 33.25};
 static const int sizes[4] = {3, 3, 3, 3}, corners[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
