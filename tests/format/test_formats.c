@@ -18,6 +18,8 @@ static const char *const good[][2] = {
     {"csv", "x,y\n0,0\n1,1\n"},
     {"geojson", "{\"type\":\"LineString\",\"coordinates\":[[0,0],[1,1]]}"},
     {"dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n"},
+    {"stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+            "endfacet\nendsolid a\n"},
     {"obj", "v 0 0 0\nv 1 0 0\ncstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n"},
 };
 enum { GOOD = sizeof good / sizeof *good };

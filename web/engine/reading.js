@@ -36,8 +36,8 @@ export const isQuickText = (text) => text.length <= QUICK && !REPEATS.test(text)
 /** @param {Uint8Array} bytes */
 export const isQuick = (bytes) => bytes.length <= QUICK && !isPacked(bytes) && isQuickText(decodeXml(bytes));
 
-/** What only the whole module reads: Batten's own data, and what is rare in small drawings. */
-const MORE = /^\s*\{|\bxmlns:batten=|<(\w+Gradient|style|text|image|symbol)\b|\btransform=/;
+/** What only the whole module reads: what is no XML, Batten's own data, and what is rare in small drawings. */
+const MORE = /^\s*[^<\s]|\bxmlns:batten=|<(\w+Gradient|style|text|image|symbol)\b|\btransform=/;
 
 /** Whether the module's first part is enough to open it. @param {Uint8Array} bytes @param {string} name */
 export const isPlain = (bytes, name) => !isNative(name) && isQuick(bytes) && !MORE.test(decodeXml(bytes));

@@ -217,7 +217,8 @@ static int by_id(const void *a, const void *b) {
 static bat_status sort_objects(reader *r) {
     bat_threemf_part *p = r->out;
     if (p->object_count > 1)
-        qsort(p->objects, p->object_count, sizeof *p->objects, by_id); /* ties are refused */
+        qsort(p->objects, p->object_count, sizeof *p->objects,
+              by_id); /* no ties but those that are refused */
     for (size_t i = 1; i < p->object_count; i++)
         if (p->objects[i].id == p->objects[i - 1].id) {
             r->object = &p->objects[i];
