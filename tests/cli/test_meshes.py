@@ -1,4 +1,4 @@
-"""Meshes of other programs open as what they are: STL, PLY, glTF and 3MF, made here by hand, by Batten's own writers and by assimp."""
+"""label: slow. Meshes of other programs open as what they are: STL, PLY, glTF and 3MF, made here by hand, by Batten's own writers and by assimp."""
 
 import base64
 import io
@@ -356,6 +356,8 @@ class Gltf(Meshes):
         self.says("a.glb", other(["scene"], 1), "scene")
         self.says("a.glb", other(["extensionsRequired"], ["KHR_draco_mesh_compression"]), "KHR_draco_mesh_compression")
         self.says("a.glb", glb(*gltf(METRES, [(0, 1, 4)])), "meshes[0]", "number of a vertex")
+        self.says("a.glb", glb(*gltf(METRES, [(0, 1, -2)], "h")), "meshes[0]", "number of a vertex")
+        self.says("a.glb", glb(*gltf(METRES, [(0, 1, 1.5)], "f")), "meshes[0]", "number of a vertex")
         self.says("a.glb", glb(*gltf([(math.nan, 0, 0), *METRES[1:]], FACES)), "finite")
         # A mesh of 3,000 triangles shown by 100,000 nodes: refused before it takes all memory.
         nodes = [{"children": list(range(1, 100001))}] + [{"mesh": 0}] * 100000

@@ -98,7 +98,7 @@ typedef struct primitive {
 
 static bat_status add_vertex(reader *r, const primitive *p, const double m[12], size_t corner, int *out) {
     const double index = p->corners ? p->corners[corner] : (double)corner;
-    if (!(index < (double)p->place_count))
+    if (!(index >= 0 && index < (double)p->place_count && index == floor(index)))
         return bat_gltf_wrong(&r->source, BAT_GLTF_MESHES, p->mesh, BAT_PARAMETER,
                               "indices: expected the number of a vertex, found none such");
     int *vertex = &p->vertex[(size_t)index];

@@ -216,9 +216,8 @@ static int by_id(const void *a, const void *b) {
 
 static bat_status sort_objects(reader *r) {
     bat_threemf_part *p = r->out;
-    if (p->object_count > 1)
-        qsort(p->objects, p->object_count, sizeof *p->objects,
-              by_id); /* no ties but those that are refused */
+    bat_threemf_object *list = p->objects;
+    if (list) qsort(list, p->object_count, sizeof *list, by_id); /* no ties but those refused */
     for (size_t i = 1; i < p->object_count; i++)
         if (p->objects[i].id == p->objects[i - 1].id) {
             r->object = &p->objects[i];
