@@ -539,7 +539,7 @@ class Others(Meshes):
             self.there_and_back(ending)
 
     def test_by_the_name_of_the_format(self):
-        """--to STL is what a name that ends in .stl is; and render, info and edit open what is read."""
+        """--to STL is what a name that ends in .stl is; and info and render open what is read."""
         first = self.file("a.stl", binary_stl(PLACES, FACES))
         for ending in self.ENDINGS:
             self.done("convert", first, f"b.{ending}")
