@@ -105,8 +105,10 @@ bat_status bat_faces_drawing(bat_document **out) {
 }
 
 static bat_status insert(const bat_polymesh *mesh, const char *name, bat_document *document) {
-    const bat_style style = bat_style_defaults();
+    bat_style style = bat_style_defaults();
     bat_object *object = NULL;
+    const double size = bat_polymesh_size(mesh);
+    if (size > 1e-9 && size < 1e9) style.width = size / 1000; /* small meshes would be all lines */
     if (!bat_utf8_valid(name, strlen(name))) name = "";
     bat_status status = bat_object_create_mesh(bat_document_new_id(document), name, &style, mesh, &object);
     if (status == BAT_OK) status = bat_document_insert(document, bat_document_count(document), object);
