@@ -9,10 +9,12 @@
 #include <stdlib.h>
 
 enum { FEET_MAX = 32, DEPTH_MAX = 60 };
+static const double SAME = 1e-6; /* of a stretch: so near two places of it are one */
 
 typedef struct place {
     double u, v;
     bool a_ends; /* u is an end of a span; otherwise v is */
+    bool turns;  /* one of the curves turns back there */
 } place;
 
 typedef struct places {
@@ -27,7 +29,7 @@ static bat_status put(places *to, double u, double v, bool a_ends) {
         if (!more) return BAT_MEMORY;
         to->all = more, to->room = room;
     }
-    to->all[to->count++] = (place){u, v, a_ends};
+    to->all[to->count++] = (place){u, v, a_ends, false};
     return BAT_OK;
 }
 
@@ -92,31 +94,29 @@ static bat_status feet_on(const ground *on, const bat_segment *s, const double *
     return status;
 }
 
-/* Notes where the ends of the spans of one curve lie on the other. */
-static bat_status ends_on(const ground *on, const bat_encounter_side *own, bool turned, places *to) {
-    bat_status status = BAT_OK;
-    for (int i = 0; i <= own->count && status == BAT_OK; i++) {
-        const bool last = i == own->count;
-        const bat_segment *s = own->all + (last ? i - 1 : i);
-        const double u = last ? s->to : s->from, *point = last ? s->b + s->degree * s->size : s->b;
-        const bat_strip *strips = on->spans->strips;
-        for (int k = first_strip(on->spans, point[0] - on->gap - on->spans->widest);
-             k < on->spans->count && strips[k].low <= point[0] + on->gap && status == BAT_OK; k++)
-            if (is_beside(strips[k].segment, point, on->gap))
-                status = feet_on(on, strips[k].segment, point, u, turned, to);
+/* ---- where a curve turns back ---- */
+
+/* Where a piece turns back that is hardly more than a point: where it goes neither way along the change of its direction. Near
+ * there it goes as the square of the parameter, so a place within the gap may be far from it in the parameter. */
+static double turn_of(const bat_segment *s) {
+    const int m = s->size, n = s->degree - 1;
+    double way[3], low = 0, high = 1, at[BAT_DEGREE_MAX];
+    for (int c = 0; c < m; c++) way[c] = (s->b[(n + 1) * m + c] - s->b[n * m + c]) - (s->b[m + c] - s->b[c]);
+    for (int i = 0; i < 60; i++) {
+        const double t = 0.5 * low + 0.5 * high;
+        for (int k = 0; k <= n; k++) {
+            at[k] = 0;
+            for (int c = 0; c < m; c++) at[k] += (s->b[(k + 1) * m + c] - s->b[k * m + c]) * way[c];
+        }
+        for (int j = n; j > 0; j--)
+            for (int k = 0; k < j; k++) at[k] += t * (at[k + 1] - at[k]);
+        if (at[0] < 0)
+            low = t;
+        else
+            high = t;
     }
-    return status;
+    return s->from + (s->to - s->from) * (0.5 * low + 0.5 * high);
 }
-
-/* Both ways. */
-static bat_status all_ends(const bat_encounter *m, const bat_encounter_side *a, const bat_encounter_side *b,
-                           places *at) {
-    const ground on_a = ground_of(m->a, a, m->gap), on_b = ground_of(m->b, b, m->gap);
-    const bat_status status = ends_on(&on_b, a, false, at);
-    return status == BAT_OK ? ends_on(&on_a, b, true, at) : status;
-}
-
-/* ---- a curve that runs over itself ---- */
 
 /* Where a piece turns back on the spot: halved until no more is left than a point. */
 static bat_status put_folds(const bat_segment *s, double gap, int depth, places *to) {
@@ -126,16 +126,65 @@ static bat_status put_folds(const bat_segment *s, double gap, int depth, places 
     if (half < 0.49 * BAT_PI) return BAT_OK;
     bat_segment_halve(s, &left, &right);
     const double middle = left.to;
-    if (depth == DEPTH_MAX || bat_segment_reach(s) <= 0.25 * gap || !(s->from < middle && middle < s->to))
-        return put(to, middle, middle, true);
+    if (depth == DEPTH_MAX || bat_segment_reach(s) <= 0.25 * gap || !(s->from < middle && middle < s->to)) {
+        const double turn = turn_of(s);
+        return put(to, turn, turn, true);
+    }
     double other[3], wide;
     bat_segment_cone(&left, axis, &half), bat_segment_cone(&right, other, &wide);
-    bat_status status = axis[0] * other[0] + axis[1] * other[1] + (s->size == 3 ? axis[2] * other[2] : 0) < 0
-                            ? put(to, middle, middle, true)
-                            : BAT_OK;
+    const bool between = half < 0.49 * BAT_PI && wide < 0.49 * BAT_PI; /* it turns at most where they meet */
+    if (between && axis[0] * other[0] + axis[1] * other[1] + (s->size == 3 ? axis[2] * other[2] : 0) < 0)
+        return put(to, middle, middle, true);
+    bat_status status = BAT_OK;
     if (status == BAT_OK) status = put_folds(&left, gap, depth + 1, to);
     return status == BAT_OK ? put_folds(&right, gap, depth + 1, to) : status;
 }
+
+/* ---- the ends of what may be an overlap ---- */
+
+/* Notes where a place of one curve lies on the other. */
+static bat_status place_on(const ground *on, const double *point, double u, bool turned, places *to) {
+    bat_status status = BAT_OK;
+    const bat_strip *strips = on->spans->strips;
+    for (int k = first_strip(on->spans, point[0] - on->gap - on->spans->widest);
+         k < on->spans->count && strips[k].low <= point[0] + on->gap && status == BAT_OK; k++)
+        if (is_beside(strips[k].segment, point, on->gap))
+            status = feet_on(on, strips[k].segment, point, u, turned, to);
+    return status;
+}
+
+/* Notes where the ends of the spans of one curve, and the places where it turns back, lie on the other. */
+static bat_status ends_on(const ground *on, const ground *own, bool turned, places *to) {
+    const bat_encounter_side *spans = own->spans;
+    places folds = {0};
+    bat_status status = BAT_OK;
+    for (int i = 0; i < spans->count && status == BAT_OK; i++) {
+        const bat_segment *s = spans->all + i;
+        status = place_on(on, s->b, s->from, turned, to);
+        if (status == BAT_OK) status = put_folds(s, on->gap, 0, &folds);
+        if (status == BAT_OK && i == spans->count - 1)
+            status = place_on(on, s->b + s->degree * s->size, s->to, turned, to);
+    }
+    const size_t plain = to->count;
+    for (size_t i = 0; i < folds.count && status == BAT_OK; i++) {
+        double point[3];
+        bat_curve_eval(own->curve, folds.all[i].u, 0, point);
+        status = place_on(on, point, folds.all[i].u, turned, to);
+    }
+    for (size_t i = plain; i < to->count; i++) to->all[i].turns = true;
+    free(folds.all);
+    return status;
+}
+
+/* Both ways. */
+static bat_status all_ends(const bat_encounter *m, const bat_encounter_side *a, const bat_encounter_side *b,
+                           places *at) {
+    const ground on_a = ground_of(m->a, a, m->gap), on_b = ground_of(m->b, b, m->gap);
+    const bat_status status = ends_on(&on_b, &on_a, false, at);
+    return status == BAT_OK ? ends_on(&on_a, &on_b, true, at) : status;
+}
+
+/* ---- a curve that runs over itself ---- */
 
 /* Each overlap once, with u before v. What is one place of the curve is an end of an overlap where the curve turns back, as it
  * may at every end of a span. */
@@ -179,6 +228,7 @@ static void unite(const bat_encounter *m, places *at) {
                 y->u = x.u;
             else if (y->a_ends && !x.a_ends)
                 y->v = x.v;
+            y->turns = y->turns || x.turns;
             break;
         }
         if (j == 0 || x.u - at->all[j - 1].u > reach) at->all[kept++] = x;
@@ -211,18 +261,21 @@ static bool together(const bat_encounter *m, place x, place y, int tries) {
     bat_curve_eval(m->a, x.u, 0, first);
     for (int i = 1; i <= tries; i++) {
         const double share = (double)i / (tries + 1);
-        bat_curve_eval(m->a, x.u + (y.u - x.u) * share, 0, point);
+        const double u = x.u + (y.u - x.u) * share;
+        bat_curve_eval(m->a, u, 0, point);
         const double v = bat_curve_project_near(m->b, point, x.v + (y.v - x.v) * share, 20);
         bat_curve_eval(m->b, v, 0, foot);
         if (!(between(point, foot, size) <= m->gap) || v < low || v > high) return false;
+        if (m->a == m->b && fabs(v - u) <= SAME * fabs(y.u - x.u)) return false; /* the stretch is itself */
         run = fmax(run, between(point, first, size));
     }
     return run > 4 * m->gap;
 }
 
 static bat_status keep(bat_encounter *m, place x, place y) {
-    if (m->overlap_count) { /* it goes on where the last one ends */
-        bat_overlap *last = m->overlaps + m->overlap_count - 1;
+    for (size_t i = m->overlap_count; i > 0 && i + 2 > m->overlap_count;
+         i--) { /* it goes on where one of the last two ends */
+        bat_overlap *last = m->overlaps + i - 1;
         if (last->u[1] == x.u && last->v[1] == x.v && (y.v > x.v) == (last->v[1] > last->v[0])) {
             last->u[1] = y.u, last->v[1] = y.v;
             return BAT_OK;
@@ -252,14 +305,17 @@ bat_status bat_encounter_overlaps(bat_encounter *m, const bat_encounter_side *a,
     for (size_t i = 0; i < at.count && status == BAT_OK; i++) {
         const place x = at.all[i];
         const bat_segment *s = segment_at(a, x.u);
-        /* the next place of the same two spans: further ones lie behind it */
-        for (size_t j = i + 1; j < at.count && at.all[j].u <= s->to; j++) {
+        bool found[2] = {false, false}; /* from where one turns back the other one is followed both ways */
+        /* the next place of the same two spans: further ones that way lie behind it */
+        for (size_t j = i + 1; j < at.count && at.all[j].u <= s->to && status == BAT_OK; j++) {
             const place y = at.all[j];
-            if (y.u <= x.u || y.v == x.v || (itself && x.u == x.v && y.u == y.v)) continue;
+            if (y.u <= x.u || y.v == x.v || found[y.v > x.v] || (itself && x.u == x.v && y.u == y.v))
+                continue;
             const bat_segment *t = segment_at(b, 0.5 * x.v + 0.5 * y.v);
             if (fmin(x.v, y.v) < t->from || fmax(x.v, y.v) > t->to || !together(m, x, y, tries)) continue;
+            found[y.v > x.v] = true;
             status = keep(m, x, y);
-            break;
+            if (!x.turns || (found[0] && found[1])) break;
         }
     }
     free(at.all);

@@ -416,6 +416,44 @@ static void seams_lie_in_overlaps(void **state) {
         }
 }
 
+/* Along a line, back over itself twice: x has the derivative 9 - 54 t + 57 t^2, so it turns where 19 t^2 - 18 t + 3 is 0. The line
+ * holds it three times, and each way of it another one, at any size and angle. */
+static void folds_lie_in_overlaps(void **state) {
+    (void)state;
+    const double root = sqrt(96), turn[] = {0, (18 - root) / 38, (18 + root) / 38, 1}, far[] = {0, 3, -3, 1};
+    for (int round = 0; round < 36; round++) {
+        const double size = (const double[]){1e-6, 1, 1e6}[round % 3],
+                     way[] = {cos(0.7 * round), sin(0.7 * round)};
+        double points[8], ends[4];
+        for (int k = 0; k < 8; k++) points[k] = size * far[k / 2] * way[k % 2];
+        for (int k = 0; k < 4; k++) ends[k] = size * (k < 2 ? -10 : 10) * way[k % 2];
+        bat_curve *fold = bezier(3, points), *line = bezier(1, ends);
+        bat_meeting meeting;
+        assert_int_equal(bat_curve_intersect(fold, line, 1e-9 * size, &meeting), BAT_OK);
+        assert_int_equal(meeting.overlap_count, 3);
+        assert_int_equal(meeting.count, 0);
+        for (int i = 0; i < 6; i++)
+            assert_true(fabs(meeting.overlaps[i / 2].u[i % 2] - turn[(i + 1) / 2]) <= 1e-6);
+        bat_meeting_free(&meeting);
+        assert_int_equal(bat_curve_self_intersect(fold, 1e-9 * size, &meeting), BAT_OK);
+        assert_int_equal(meeting.count, 0);
+        assert_true(meeting.overlap_count > 0);
+        for (size_t i = 0; i < meeting.overlap_count; i++) {
+            const bat_overlap o = meeting.overlaps[i];
+            for (int k = 0; k <= 20; k++) { /* the same x at both, but not the same place */
+                double x[2], y[2];
+                bat_curve_eval(fold, o.u[0] + (o.u[1] - o.u[0]) * k / 20, 0, x);
+                const double v = bat_curve_project_near(fold, x, o.v[0] + (o.v[1] - o.v[0]) * k / 20, 20);
+                bat_curve_eval(fold, v, 0, y);
+                assert_true(distance_of(x, y, 2) <= 1e-7 * size);
+            }
+            assert_true(o.u[0] < o.u[1] && fabs(o.u[0] + o.u[1] - o.v[0] - o.v[1]) > 1e-3);
+        }
+        bat_meeting_free(&meeting);
+        bat_curve_free(fold), bat_curve_free(line);
+    }
+}
+
 /* ---- a curve that meets itself ---- */
 
 static void loops_have_closed_forms(void **state) {
@@ -573,6 +611,7 @@ int main(void) {
         cmocka_unit_test(space_curves_meet_where_they_were_made_to),
         cmocka_unit_test(overlaps_are_found),
         cmocka_unit_test(seams_lie_in_overlaps),
+        cmocka_unit_test(folds_lie_in_overlaps),
         cmocka_unit_test(loops_have_closed_forms),
         cmocka_unit_test(curves_run_over_themselves),
         cmocka_unit_test(own_crossings_are_those_of_fine_polylines),
