@@ -96,7 +96,7 @@ static void line_near(const shown *s, double angle, double gap, double tolerance
     const size_t least = gap > 0.99 * tolerance ? 0 : gap < -1.01 * tolerance ? 2 : 1;
     const size_t most = gap > 1.01 * tolerance ? 0 : gap > 1e-14 ? 1 : 2;
     if (count < least || count > most)
-        print_error("angle %g gap %g tolerance %g scale %g\n", angle, gap, tolerance, s->scale);
+        printf("angle %g gap %g tolerance %g scale %g\n", angle, gap, tolerance, s->scale);
     assert_in_range(count, least, most);
     bat_curve_free(round), bat_curve_free(line);
 }
