@@ -515,7 +515,7 @@ class Saving(EditTest):
             self.assertIn("stays as it is", said)
             self.assertIn(beside.name, said)
             self.assertIn("edit that", self.refused(1, "edit", path, "--no-open"))
-        self.assertIn("found none", self.refused(1, "edit", self.file("x.glb", "glTF"), "--no-open"))
+        self.assertIn("expected a whole GLB file", self.refused(1, "edit", self.file("x.glb", "glTF"), "--no-open"))
 
     def test_what_saving_over_it_loses(self):
         """Of a file that is not kept as it is, one line names all that would be lost, with one number."""

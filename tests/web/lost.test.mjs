@@ -122,6 +122,7 @@ for (const share of [0.4, 0.8, 0.995]) {
     const next = await another(context);
     assert.ok(await curves(next.page) >= Math.floor(share * STROKES) - 1);
     await says(next.page, /Not all that was kept/);
+    await next.page.evaluate(() => batten.keeper.settled());
     assert.deepEqual(await list(next.page), ['drawing.svg', 'drawing.svg aside'].slice(await curves(next.page) ? 0 : 1));
     await context.close();
   });

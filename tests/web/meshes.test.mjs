@@ -3,10 +3,11 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { launch, open, SCREENSHOTS, settle } from './page.mjs';
 import { serve } from './server.mjs';
 
-const SEEDS = path.join(import.meta.dirname, '../../fuzz/corpus/shells');
+const SEEDS = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../fuzz/corpus/shells');
 
 let browser;
 let server;

@@ -289,6 +289,7 @@ export class Drawings {
     this.notices.over(...OF_DRAWING);
     this.away = '';
     this.files.unsaved = false;
+    this.files.edited = false; // the frame that tells comes later, and a file may come before it
     this.files.name = name;
     this.files.given = false;
     this.files.bind(null);

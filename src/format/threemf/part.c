@@ -217,10 +217,11 @@ static int by_id(const void *a, const void *b) {
 static bat_status sort_objects(reader *r) {
     bat_threemf_part *p = r->out;
     bat_threemf_object *list = p->objects;
-    if (list) qsort(list, p->object_count, sizeof *list, by_id); /* no ties but those refused */
+    if (!list) return BAT_OK;
+    qsort(list, p->object_count, sizeof *list, by_id); /* no ties but those refused */
     for (size_t i = 1; i < p->object_count; i++)
-        if (p->objects[i].id == p->objects[i - 1].id) {
-            r->object = &p->objects[i];
+        if (list[i].id == list[i - 1].id) {
+            r->object = &list[i];
             return wrong(r, BAT_SYNTAX, "expected an id of its own, found it twice");
         }
     return BAT_OK;
