@@ -348,7 +348,7 @@ bat_status bat_svg_candidates_find(const bat_svg_sheet *sheet, const bat_svg_tre
     for (size_t i = 0; !r.failed && i < r.count; i++)
         for (uint32_t k = r.starts[i]; k < sheet->keys[r.starts[i]].end; k++)
             out->rules[out->count++] = sheet->keys[k].rule;
-    sort(out->rules, out->count);
+    if (out->count > 1) sort(out->rules, out->count);
     free(r.starts);
     return r.failed ? BAT_MEMORY : BAT_OK;
 }
