@@ -10,7 +10,7 @@ mkdir -p "$copy"
 (cd "$root" && git ls-files -z -c -o --exclude-standard | tar -c --null -T - --ignore-failed-read 2> "$copy.left_out") |
     tar -x -C "$copy"
 
-CFLAGS="$(dpkg-buildflags --get CFLAGS) $(dpkg-buildflags --get CPPFLAGS) -fstack-clash-protection -fcf-protection"
+CFLAGS="$(dpkg-buildflags --get CFLAGS) $(dpkg-buildflags --get CPPFLAGS) -fstack-clash-protection -fcf-protection -g0"
 LDFLAGS="$(dpkg-buildflags --get LDFLAGS) -Wl,-z,now"
 export CFLAGS LDFLAGS
 cmake -G Ninja -S "$copy" -B "$build" --log-level=WARNING -DCMAKE_BUILD_TYPE=None -DBATTEN_WERROR=ON > "$copy.log" &&

@@ -29,7 +29,7 @@ FLAGS = ["-std=c17", f"-I{ROOT}/include", f"-I{ROOT}/src", f"-I{given.made}", f"
 LIBRARIES = subprocess.run(["pkg-config", "--cflags", "cairo", "expat", "libmicrohttpd"], capture_output=True, text=True,
                            check=True).stdout.split()
 # A function is left after so many states (the analyzer's own limit is 225,000).
-FEWER = [part for text in ("-analyzer-config", "max-nodes=20000") for part in ("-Xclang", text)]
+FEWER = [part for text in ("-analyzer-config", "max-nodes=8000") for part in ("-Xclang", text)]
 LIMITS = [] if given.deep else FEWER
 WASM = ["--target=wasm32-wasi", "-nostdlibinc", "-isystem", "/usr/include/wasm32-wasi"]
 
