@@ -135,8 +135,7 @@ static bat_status put_folds(const bat_segment *s, double gap, int depth, places 
     const bool between = half < 0.49 * BAT_PI && wide < 0.49 * BAT_PI; /* it turns at most where they meet */
     if (between && axis[0] * other[0] + axis[1] * other[1] + (s->size == 3 ? axis[2] * other[2] : 0) < 0)
         return put(to, middle, middle, true);
-    bat_status status = BAT_OK;
-    if (status == BAT_OK) status = put_folds(&left, gap, depth + 1, to);
+    const bat_status status = put_folds(&left, gap, depth + 1, to);
     return status == BAT_OK ? put_folds(&right, gap, depth + 1, to) : status;
 }
 

@@ -1,8 +1,6 @@
 /* glTF 2.0 as a format of drawings, binary and as text: a mesh for each node that has one. Metres, up is y. */
 #include "format/gltf/gltf.h"
 
-#include "text/json.h"
-
 static int sniff(const char *text, size_t size) {
     return bat_gltf_is_binary(text, size) || bat_gltf_is_text(text, size) ? 100 : 0;
 }
@@ -10,16 +8,8 @@ static int sniff_binary(const char *text, size_t size) { return bat_gltf_is_bina
 
 static bat_status read(const bat_reading *how, const char *text, size_t size, bat_document **out,
                        bat_svg_report *report, bat_problem *problem) {
-    bat_document *document = NULL;
     (void)how;
-    bat_status status = bat_faces_drawing(&document);
-    if (status != BAT_OK) return bat_problem_set(problem, status, "", bat_status_message(status));
-    status = bat_gltf_parse(text, size, document, &report->lost.count[BAT_LOSS_UNKNOWN], problem);
-    if (status == BAT_OK)
-        *out = document;
-    else
-        bat_document_free(document);
-    return status;
+    return bat_faces_read(bat_gltf_parse, text, size, out, &report->lost.count[BAT_LOSS_UNKNOWN], problem);
 }
 
 static bat_status write_binary(const bat_document *document, char **out, size_t *size, bat_problem *problem) {

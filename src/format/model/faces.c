@@ -93,10 +93,15 @@ bat_status bat_faces_weld(bat_faces *faces) {
     return status;
 }
 
-bat_status bat_faces_drawing(bat_document **out) {
+bat_status bat_faces_read(bat_faces_reader *reader, const char *bytes, size_t size, bat_document **out,
+                          int *left_out, bat_problem *problem) {
     bat_document *document = NULL;
     bat_status status = bat_document_create(&document);
     if (status == BAT_OK) status = bat_document_set_scale(document, 1, BAT_UNIT_MM);
+    if (status != BAT_OK)
+        bat_problem_set(problem, status, "", bat_status_message(status));
+    else
+        status = reader(bytes, size, document, left_out, problem);
     if (status == BAT_OK)
         *out = document;
     else

@@ -27,8 +27,12 @@ bat_status bat_faces_weld(bat_faces *faces);
  * bat_polymesh_create. name: what is no UTF-8 is no name. */
 bat_status bat_faces_insert(const bat_faces *faces, const bat_room *room, const char *name,
                             bat_document *document);
-/* A drawing of which one unit is a millimetre. */
-bat_status bat_faces_drawing(bat_document **out);
+/* Puts what a file holds on top of a drawing; *left_out: what is not read of it. The problem says what is wrong. */
+typedef bat_status bat_faces_reader(const char *bytes, size_t size, bat_document *document, int *left_out,
+                                    bat_problem *problem);
+/* A drawing of which one unit is a millimetre, with what the reader finds. */
+bat_status bat_faces_read(bat_faces_reader *reader, const char *bytes, size_t size, bat_document **out,
+                          int *left_out, bat_problem *problem);
 /* Takes all out, and keeps the room for more. */
 void bat_faces_empty(bat_faces *faces);
 void bat_faces_clear(bat_faces *faces);

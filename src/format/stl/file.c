@@ -14,17 +14,15 @@ static int sniff(const char *text, size_t size) {
     return size >= HEADER && memcmp(text, "solid ", 6) == 0 ? PERHAPS : 0;
 }
 
-static bat_status read(const bat_reading *how, const char *text, size_t size, bat_document **out,
-                       bat_svg_report *report, bat_problem *problem) {
+static bat_status parse(const char *text, size_t size, bat_document *document, int *left_out,
+                        bat_problem *problem) {
     static const bat_room room = {BAT_STAND_WALL, 1, false};
     bat_faces faces = {.vertices = NULL};
-    bat_document *document = NULL;
-    (void)how, (void)report;
+    (void)left_out;
     bat_status status = bat_stl_parse(text, size, &faces, problem);
     if (status == BAT_OK) {
         status = bat_faces_weld(&faces);
         if (status == BAT_OK && faces.face_count == 0) status = BAT_COUNT;
-        if (status == BAT_OK) status = bat_faces_drawing(&document);
         if (status == BAT_OK) status = bat_faces_insert(&faces, &room, "", document);
         if (status != BAT_OK)
             bat_problem_set(problem, status, "",
@@ -32,11 +30,13 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
                                                 : bat_status_message(status));
     }
     bat_faces_clear(&faces);
-    if (status == BAT_OK)
-        *out = document;
-    else
-        bat_document_free(document);
     return status;
+}
+
+static bat_status read(const bat_reading *how, const char *text, size_t size, bat_document **out,
+                       bat_svg_report *report, bat_problem *problem) {
+    (void)how;
+    return bat_faces_read(parse, text, size, out, &report->lost.count[BAT_LOSS_UNKNOWN], problem);
 }
 
 static bat_status write(const bat_document *document, char **out, size_t *size, bat_problem *problem) {

@@ -1,8 +1,6 @@
 /* 3MF as a format of drawings: a mesh for each item of the build. Up is z. */
 #include "format/threemf/threemf.h"
 
-#include "text/json.h"
-
 #include <string.h>
 
 static int sniff(const char *text, size_t size) {
@@ -12,16 +10,8 @@ static int sniff(const char *text, size_t size) {
 
 static bat_status read(const bat_reading *how, const char *text, size_t size, bat_document **out,
                        bat_svg_report *report, bat_problem *problem) {
-    bat_document *document = NULL;
     (void)how;
-    bat_status status = bat_faces_drawing(&document);
-    if (status != BAT_OK) return bat_problem_set(problem, status, "", bat_status_message(status));
-    status = bat_threemf_parse(text, size, document, &report->lost.count[BAT_LOSS_UNKNOWN], problem);
-    if (status == BAT_OK)
-        *out = document;
-    else
-        bat_document_free(document);
-    return status;
+    return bat_faces_read(bat_threemf_parse, text, size, out, &report->lost.count[BAT_LOSS_UNKNOWN], problem);
 }
 
 static bat_status write(const bat_document *document, char **out, size_t *size, bat_problem *problem) {
