@@ -2,9 +2,19 @@
 #include "base/lanes.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { MOST = BAT_DEGREE_MAX + 1 };
+
+bool bat_cells_hold(bat_cells *cells, int wanted) {
+    if (wanted <= cells->room) return true;
+    const int room = wanted < 4 ? 8 : 2 * wanted;
+    bat_cell *at = realloc(cells->at, (size_t)room * sizeof *at);
+    if (!at) return false;
+    *cells = (bat_cells){at, room};
+    return true;
+}
 
 /* Converts the points of one span of an axis to a Bézier segment, in place; they lie `stride` points apart. */
 static void to_bezier(const bat_curve *axis, int span, double *points, int stride) {

@@ -15,6 +15,14 @@ typedef struct bat_cell {
     int halvings;
 } bat_cell;
 
+/* Cells that wait, the last of them first; few wait at once, though many are halved. */
+typedef struct bat_cells {
+    bat_cell *at;
+    int room;
+} bat_cells;
+
+/* Makes room for a number of cells and keeps those that are there; false without memory. */
+bool bat_cells_hold(bat_cells *cells, int wanted);
 /* The control points of a span of the surface, of which the span is an average, as the net of a cell. */
 void bat_cell_gather(const bat_surface *surface, const int span[2], double *net);
 /* The Bézier points of a span of an axis as sums of its p + 1 control points: (p + 1)^2 shares, row by row. */

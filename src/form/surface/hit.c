@@ -26,6 +26,7 @@ typedef struct search {
     bat_surface_point *hits;
     size_t count, room;
     bool failed;
+    bat_cells waiting;
 } search;
 
 /* ---- The hits ---- */
@@ -224,14 +225,19 @@ static int across(const search *s, const bat_cell *cell) {
     return cell->high[direction] - cell->low[direction] > smallest * smallest ? direction : 1 - direction;
 }
 
-static void search_span(search *s, const bat_surface_finder *finder, bat_cell *stack) {
+static void search_span(search *s, const bat_surface_finder *finder) {
     int top = 0, cells = 0;
-    bat_cell_gather(s->seen, s->span, stack->net); /* cheaper than the cell, and tells most of what misses */
-    if (!may_hit(s, stack->net)) return;
-    bat_finder_share(finder, s->span, stack->net);
-    stack->low[0] = stack->low[1] = 0, stack->high[0] = stack->high[1] = 1, stack->halvings = 0;
+    bat_cell *whole = s->waiting.at;
+    bat_cell_gather(s->seen, s->span, whole->net); /* cheaper than the cell, and tells most of what misses */
+    if (!may_hit(s, whole->net)) return;
+    bat_finder_share(finder, s->span, whole->net);
+    whole->low[0] = whole->low[1] = 0, whole->high[0] = whole->high[1] = 1, whole->halvings = 0;
     while (top >= 0 && cells++ < CELLS_MAX && !s->failed) {
-        bat_cell *cell = stack + top--;
+        if (!bat_cells_hold(&s->waiting, top + 2)) {
+            s->failed = true;
+            return;
+        }
+        bat_cell *cell = s->waiting.at + top--;
         double x[2];
         if (!may_hit(s, cell->net)) continue;
         if (is_one_to_one(s, cell->net) && newton(s, cell, x)) {
@@ -270,22 +276,21 @@ static bool may_meet(const ray *r, const bat_box *box) {
     return first <= last;
 }
 
-static void search_block(search *s, const bat_surface_finder *f, const ray *r, int i, int block,
-                         bat_cell *stack) {
+static void search_block(search *s, const bat_surface_finder *f, const ray *r, int i, int block) {
     const int end = (block + 1) * BAT_FINDER_BLOCK;
     for (int j = block * BAT_FINDER_BLOCK; j < end && j < f->spans[1] && !s->failed; j++) {
         if (!may_meet(r, &f->span[i * f->spans[1] + j]) || !bat_finder_span(f, i, j, s->span)) continue;
         bat_finder_see(f, s->span, r->from, r->axes, s->seen);
-        search_span(s, f, stack);
+        search_span(s, f);
     }
 }
 
 /* Row by row, so that spans come in the order of their knots. */
-static void search_all(search *s, const bat_surface_finder *f, const ray *r, bat_cell *stack) {
+static void search_all(search *s, const bat_surface_finder *f, const ray *r) {
     for (int i = 0; i < f->spans[0]; i++)
         for (int block = 0; block < f->blocks[1] && !s->failed; block++)
             if (may_meet(r, &f->block[i / BAT_FINDER_BLOCK * f->blocks[1] + block]))
-                search_block(s, f, r, i, block, stack);
+                search_block(s, f, r, i, block);
 }
 
 static bool is_finite(const double x[3]) { return isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]); }
@@ -312,21 +317,21 @@ bat_status bat_surface_finder_hits(const bat_surface_finder *finder, const doubl
     bat_surface *seen;
     bat_status status = bat_finder_seen(finder, &seen);
     if (status != BAT_OK) return status;
-    bat_cell *stack = malloc((BAT_CELL_HALVINGS + 2) * sizeof *stack);
     search s = {.surface = surface, .seen = seen, .behind = -1e-10 * surface->size};
     const double reach = reach_of(&finder->whole, origin);
     s.rounding = 4e-15 * reach;
     const ray r = {origin, axes, 1e-13 * reach, s.behind - 1e-13 * reach};
     for (int d = 0; d < 2; d++) s.degree[d] = surface->axis[d].degree;
-    if (stack) search_all(&s, finder, &r, stack);
-    if (!stack || s.failed) {
+    s.failed = !bat_cells_hold(&s.waiting, 1);
+    search_all(&s, finder, &r);
+    if (s.failed) {
         status = BAT_MEMORY;
     } else {
         for (size_t i = 0; i < s.count && i < room; i++) out[i] = s.hits[i];
         *count = s.count;
     }
     free(s.hits);
-    free(stack);
+    free(s.waiting.at);
     bat_surface_free(seen);
     return status;
 }

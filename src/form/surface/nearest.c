@@ -27,6 +27,7 @@ typedef struct search {
     double weight[2][MOST],
         share[2][2 * MOST]; /* binomials of the degree; reciprocals of those of twice it */
     int cells;
+    bat_cells waiting;
 } search;
 
 /* ---- Descent ---- */
@@ -148,18 +149,21 @@ static int longer(const search *s, const double *net) {
     return way[0] < way[1];
 }
 
-static void search_span(search *s, bat_cell *stack) {
+/* Whether there was memory. */
+static bool search_span(search *s) {
     int top = 0;
-    bat_cell_of(s->seen, s->span, stack);
+    bat_cell_of(s->seen, s->span, s->waiting.at);
     descend(s, s->span, bat_span_parameter(s->seen, 0, s->span[0], 0.5),
             bat_span_parameter(s->seen, 1, s->span[1], 0.5));
     while (top >= 0 && s->cells++ < CELLS_MAX) {
-        bat_cell *cell = stack + top--;
+        if (!bat_cells_hold(&s->waiting, top + 2)) return false;
+        bat_cell *cell = s->waiting.at + top--;
         try_corners(s, cell);
         if (cell->halvings == HALVINGS || !(bound_of(s, cell->net) < s->best.f)) continue;
         bat_cell_halve(s->degree, longer(s, cell->net), cell, cell + 1);
         top += 2;
     }
+    return true;
 }
 
 /* ---- All spans, those with the nearest boxes first ---- */
@@ -206,18 +210,22 @@ static size_t collect(const bat_surface_finder *f, const double point[3], patch 
     return kept;
 }
 
-static bat_status search_all(search *s, const bat_surface_finder *f, const double point[3], bat_cell *stack) {
+static bat_status search_all(search *s, const bat_surface_finder *f, const double point[3]) {
     patch *patches = malloc((size_t)f->spans[0] * (size_t)f->spans[1] * sizeof *patches);
-    if (!patches) return BAT_MEMORY;
+    bool held = patches && bat_cells_hold(&s->waiting, 1);
+    if (!held) {
+        free(patches);
+        return BAT_MEMORY;
+    }
     const size_t count = collect(f, point, patches);
     qsort(patches, count, sizeof *patches, by_bound); /* no ties */
-    for (size_t i = 0; i < count && patches[i].bound < s->best.f; i++) {
+    for (size_t i = 0; i < count && held && patches[i].bound < s->best.f; i++) {
         memcpy(s->span, patches[i].span, sizeof s->span);
         bat_finder_see(f, s->span, point, NULL, s->seen);
-        search_span(s, stack);
+        held = search_span(s);
     }
     free(patches);
-    return BAT_OK;
+    return held ? BAT_OK : BAT_MEMORY;
 }
 
 bat_status bat_surface_finder_nearest(const bat_surface_finder *finder, const double point[3],
@@ -235,15 +243,14 @@ bat_status bat_surface_finder_nearest(const bat_surface_finder *finder, const do
         for (int i = 0; i <= p; i++) s.weight[d][i] = binomial(p, i);
         for (int i = 0; i <= 2 * p; i++) s.share[d][i] = 1 / binomial(2 * p, i);
     }
-    bat_cell *stack = malloc((BAT_CELL_HALVINGS + 2) * sizeof *stack);
-    status = stack ? search_all(&s, finder, point, stack) : BAT_MEMORY;
+    status = search_all(&s, finder, point);
     if (status == BAT_OK) {
         bat_surface_eval_spans(surface, s.best_span, s.best.x[0], s.best.x[1], 0, out->point);
         out->u = bat_curve_reduce(&surface->axis[0], s.best.x[0]),
         out->v = bat_curve_reduce(&surface->axis[1], s.best.x[1]);
         out->distance = bat_distance(out->point, point, 3);
     }
-    free(stack);
+    free(s.waiting.at);
     bat_surface_free(seen);
     return status;
 }
