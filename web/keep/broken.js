@@ -1,4 +1,4 @@
-// What is said when a call into the engine broke off, and the ways out that are offered.
+// What is said when a call into the engine broke off or the browser keeps no more steps, and the ways out that are offered.
 
 import { counted, word } from '../page/words.js';
 
@@ -29,4 +29,19 @@ export function tellBroken(drawings, outcome, error) {
   } else {
     notices.ask('trap', word('shell.trapped'), [journal]);
   }
+}
+
+/**
+ * The browser has stopped keeping steps, or keeps them again.
+ * @param {import('./drawings.js').Drawings} drawings @param {import('./keep.js').Fault | ''} fault
+ */
+export function tellUnkept({ files, notices, wake }, fault) {
+  notices.over('unkept');
+  if (!fault) {
+    return;
+  }
+  const copy = { label: word('shell.copy', files.name), run: () => void files.download() };
+  const save = { label: word('shell.save-now', files.name), run: () => void files.save() };
+  notices.ask('unkept', word(`shell.${fault}`, files.name), files.bound ? [save, copy] : [copy]);
+  wake();
 }

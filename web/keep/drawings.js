@@ -4,10 +4,9 @@
 import { want } from '../page/build.js';
 import { keep as remember, kept } from '../page/kept.js';
 import { word } from '../page/words.js';
-import { tellBroken } from './broken.js';
+import { tellBroken, tellUnkept } from './broken.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
-/** @typedef {import('./keep.js').Fault} Fault */
 /** @typedef {import('./keep.js').Kept} Kept */
 /** @typedef {import('./keep.js').Listed} Listed */
 
@@ -48,7 +47,7 @@ export class Drawings {
     /** The file has all of it, unless something was drawn meanwhile. */
     this.justSaved = false;
     engine.onrecovery = (all, error) => this.#recovered(all, error);
-    keeper.onfault = (fault) => this.#notKept(fault);
+    keeper.onfault = (fault) => tellUnkept(this, fault);
     keeper.onfirst = () => void this.#askToStay();
     files.onopen = () => this.arrived();
     files.onsaved = () => {
@@ -384,18 +383,6 @@ export class Drawings {
       this.settings.restore();
     }
     tellBroken(this, outcome, error);
-    this.wake();
-  }
-
-  /** The browser has stopped keeping steps, or keeps them again. @param {Fault | ''} fault */
-  #notKept(fault) {
-    this.notices.over('unkept');
-    if (!fault) {
-      return;
-    }
-    const copy = { label: this.#text('copy'), run: () => void this.files.download() };
-    const save = { label: this.#text('save-now'), run: () => void this.files.save() };
-    this.notices.ask('unkept', this.#text(fault), this.files.bound ? [save, copy] : [copy]);
     this.wake();
   }
 }
