@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { expectFaults, inThemes, launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const PICTURE = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==', 'base64');
@@ -27,36 +27,35 @@ async function empty(options) {
   return { ...opened, server };
 }
 
-for (const [name, viewport] of [['wide', { width: 1280, height: 800 }], ['phone', { width: 390, height: 844 }]]) {
-  for (const colorScheme of ['light', 'dark']) {
-    test(`the first run, ${name}, ${colorScheme}`, async () => {
-      const touch = name === 'phone';
-      const server = await serve();
-      const context = await browser.newContext({ viewport, colorScheme, hasTouch: touch, isMobile: touch });
-      await context.addInitScript(() => { // nobody has been here; the second page of the same browser has
-        if (/^http/.test(location.protocol) && !localStorage.getItem('been')) {
-          localStorage.removeItem('batten-hands');
-          localStorage.setItem('been', 'here');
-        }
-      });
-      const page = await context.newPage();
-      await page.goto(server.address);
-      await page.waitForSelector('.hands');
-      await page.waitForSelector('.start');
-      const inked = (index) => page.evaluate((at) => [...document.querySelectorAll('.hands figure')[at].querySelectorAll('canvas')]
-        .map((canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.filter((v) => v > 0).length), index);
-      await page.waitForFunction(() => document.querySelectorAll('.moving i.down').length > 0);
-      await page.waitForTimeout(700);
-      await page.screenshot({ path: path.join(SCREENSHOTS, `start-${name}-${colorScheme}-drawing.png`) });
-      // The last hand has drawn something where nothing was.
-      await page.waitForFunction(() => {
-        const [canvas] = document.querySelectorAll('.hands figure:nth-child(3) canvas');
-        return canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0) &&
-          !document.querySelector('.moving i.down');
-      });
-      for (const index of [0, 1, 2]) {
-        assert.ok((await inked(index))[0] > 100, `picture ${index}`);
+for (const [name, viewport, begun] of [['wide', { width: 1280, height: 800 }, 'dark'], ['phone', { width: 390, height: 844 }, 'light']]) {
+  test(`the first run, ${name}, from ${begun} on`, async () => {
+    const touch = name === 'phone';
+    const server = await serve();
+    const context = await browser.newContext({ viewport, colorScheme: begun, hasTouch: touch, isMobile: touch });
+    await context.addInitScript(() => { // nobody has been here; the second page of the same browser has
+      if (/^http/.test(location.protocol) && !localStorage.getItem('been')) {
+        localStorage.removeItem('batten-hands');
+        localStorage.setItem('been', 'here');
       }
+    });
+    const page = await context.newPage();
+    await page.goto(server.address);
+    await page.waitForSelector('.hands');
+    await page.waitForSelector('.start');
+    const inked = (index) => page.evaluate((at) => [...document.querySelectorAll('.hands figure')[at].querySelectorAll('canvas')]
+      .map((canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.filter((v) => v > 0).length), index);
+    await page.waitForFunction(() => document.querySelectorAll('.moving i.down').length > 0);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `start-${name}-${begun}-drawing.png`) });
+    // The last hand has drawn something where nothing was.
+    await page.waitForFunction(() => {
+      const [canvas] = document.querySelectorAll('.hands figure:nth-child(3) canvas');
+      return canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0) &&
+        !document.querySelector('.moving i.down');
+    });
+    for (const index of [0, 1, 2]) {
+      assert.ok((await inked(index))[0] > 100, `picture ${index}`);
+    }
+    await inThemes(page, async (colorScheme) => {
       await page.screenshot({ path: path.join(SCREENSHOTS, `start-${name}-${colorScheme}.png`) });
       // Nothing is cut off, and the card covers none of the buttons.
       const boxes = await page.evaluate(() => ['.hands', '.start'].map((one) => document.querySelector(one).getBoundingClientRect().toJSON()));
@@ -64,24 +63,36 @@ for (const [name, viewport] of [['wide', { width: 1280, height: 800 }], ['phone'
         assert.ok(box.left >= 0 && box.right <= viewport.width && box.top >= 0 && box.bottom <= viewport.height, JSON.stringify(box));
       }
       assert.ok(boxes[0].bottom <= boxes[1].top);
-      await page.click('.hands-close');
-      assert.equal(await page.locator('.hands').count(), 0);
-      await page.reload();
-      await page.waitForSelector('.start');
-      await quiet(page);
-      assert.equal(await page.locator('.hands').count(), 0, 'dismissed for good');
-      await context.close();
     });
-  }
+    await page.click('.hands-close');
+    assert.equal(await page.locator('.hands').count(), 0);
+    await page.reload();
+    await page.waitForSelector('.start');
+    await quiet(page);
+    assert.equal(await page.locator('.hands').count(), 0, 'dismissed for good');
+    await context.close();
+  });
 }
 
-test('with reduced motion the hands show what they have done', async () => {
+test('the hands come in a browser that is never idle, count as seen only then, and with reduced motion show what they have done', async () => {
   const server = await serve();
   const context = await browser.newContext({ reducedMotion: 'reduce' });
-  await context.addInitScript(() => /^http/.test(location.protocol) && localStorage.removeItem('batten-hands'));
+  await context.addInitScript(() => {
+    globalThis.requestIdleCallback = (run, { timeout } = {}) => timeout && setTimeout(run, timeout);
+    if (/^http/.test(location.protocol)) {
+      localStorage.removeItem('batten-hands');
+    }
+  });
   const page = await context.newPage();
+  expectFaults(/sheets\/hands\.js/, /status of 404/);
+  server.without = /^sheets\/hands\.js$/;
   await page.goto(server.address);
+  await page.waitForSelector('[data-about=missing]');
+  assert.equal(await page.evaluate(() => localStorage.getItem('batten-hands')), null, 'nothing has been seen');
+  server.without = /^$/;
+  await page.reload();
   await page.waitForSelector('.hands');
+  assert.equal(await page.evaluate(() => localStorage.getItem('batten-hands')), 'seen');
   await quiet(page);
   assert.equal(await page.evaluate(() => document.querySelectorAll('.moving i.down').length), 0);
   const ink = await page.evaluate(() => {

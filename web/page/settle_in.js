@@ -2,6 +2,7 @@
 
 import { want } from './build.js';
 
+const BUSY = 1000; // milliseconds that a browser may be busy before the rest of the page comes all the same
 const UNTOUCHED = 3000; // milliseconds without input before the list for screen readers is loaded
 
 /** What an empty page offers is fetched with the first one. @param {import('../main.js').Shell} shell */
@@ -22,7 +23,8 @@ function greet(shell) {
 /** @param {import('../main.js').Shell} shell */
 export async function settleIn(shell) {
   // Safari has no requestIdleCallback.
-  (globalThis.requestIdleCallback ?? setTimeout)(async () => {
+  const soon = globalThis.requestIdleCallback ?? ((/** @type {() => void} */ run) => setTimeout(run));
+  soon(async () => {
     const dressed = import('./face.js').then(({ dressWords }) => dressWords(), () => {}); // without it nothing is missed
     if (await shell.whole.complete()) {
       if (!shell.panel.dock.box.hidden) {
@@ -36,7 +38,7 @@ export async function settleIn(shell) {
         greet(shell);
       }
     }
-  });
+  }, { timeout: BUSY });
   // Explanations and rarely used code are fetched at the first sign of a user.
   const seen = new AbortController();
   for (const event of ['pointermove', 'pointerdown', 'keydown', 'focusin']) {

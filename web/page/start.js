@@ -38,6 +38,7 @@ export class Start {
     this.steps = shell.engine.journal.length;
     /** @type {import('../sheets/hands.js').Hands | undefined} */
     this.hands = undefined;
+    this.fetching = false;
     this.form = this.#form();
     this.row = document.createElement('div');
     this.row.className = 'start';
@@ -68,10 +69,11 @@ export class Start {
       this.box.classList.remove('chosen');
       this.hands?.end();
     }
-    if (!kept(STORE)) {
-      keep(STORE, 'seen');
+    if (!kept(STORE) && !this.fetching) {
+      this.fetching = true;
       const { Hands } = await want(import('../sheets/hands.js'));
-      this.hands ??= new Hands(this.shell, this.box);
+      this.hands = new Hands(this.shell, this.box);
+      keep(STORE, 'seen'); // not before: a page that is left or misses that file has shown nothing
       this.hands.begin();
     }
   }

@@ -212,12 +212,17 @@ export class Input {
     }
   }
 
-  /** A press begins: of a finger or a pen it may become a long one. @param {PointerEvent} event */
+  /**
+   * A press begins: of a finger or a pen it may become a long one, if a frame after that time it is still there: a page that was
+   * busy hears only then of moves and of an end that came in time.
+   * @param {PointerEvent} event
+   */
   #press(event) {
     clearTimeout(this.press?.timer);
     const alone = this.contacts.size === 0;
     const long = event.pointerType !== 'mouse' && event.buttons === 1;
-    this.press = alone && (long || event.button === 2) ? { event, timer: long ? setTimeout(() => this.#pressed(event), LONG) : 0 } : null;
+    const late = () => requestAnimationFrame(() => this.press?.event === event && this.#pressed(event));
+    this.press = alone && (long || event.button === 2) ? { event, timer: long ? setTimeout(late, LONG) : 0 } : null;
   }
 
   /** It was long: it is taken back as a stroke. @param {PointerEvent} event */
