@@ -10,7 +10,9 @@ import { BROWSER, HANG } from './chromium.mjs';
 
 export { HANG };
 
-export const SCREENSHOTS = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../build/screenshots');
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+export const SCREENSHOTS = path.resolve(HERE, '../../build/screenshots');
+const AXE = fs.readFileSync(path.join(HERE, 'node_modules/axe-core/axe.min.js'), 'utf8');
 
 /**
  * Console errors of any page, including uncaught ones and policy violations: each fails the test in which it occurs.
@@ -45,11 +47,12 @@ afterEach(() => {
  * lengthened, because a busy machine needs the time. `hasty` is for testing such a timer; `holdTimers` for testing what
  * happens before timers fire. A contact that a test leaves down counts as resting only when the test says so (`rests`),
  * however long it takes.
+ * @param {number} hang milliseconds after which a page that is never quiet says what it still waits for
  */
-function countTimers() {
+function countTimers(hang) {
   const { setTimeout: later, setInterval: ever, clearTimeout: never, requestAnimationFrame: soon } = globalThis;
   globalThis.setInterval = (what, delay) => ever(() => globalThis.rests && what(), delay);
-  const [waiting, held] = [new Set(), new Map()];
+  const [waiting, held] = [new Map(), new Map()];
   globalThis.setTimeout = (what, delay = 0, ...values) => {
     const long = delay >= 2000;
     const run = () => {
@@ -59,7 +62,7 @@ function countTimers() {
     };
     const id = later(() => (globalThis.timersHeld ? held.set(id, run) : run()), long && !globalThis.hasty ? 60 * delay : delay);
     if (!long) {
-      waiting.add(id);
+      waiting.set(id, what);
     }
     return id;
   };
@@ -73,7 +76,7 @@ function countTimers() {
       waiting.delete(`frame ${id}`);
       what(time);
     });
-    waiting.add(`frame ${id}`);
+    waiting.set(`frame ${id}`, what);
     return id;
   };
   globalThis.holdTimers = (on) => {
@@ -91,8 +94,11 @@ function countTimers() {
     painter.retheme();
     return frame;
   };
-  globalThis.quiet = () => new Promise((done) => {
-    const look = () => (isQuiet() ? done() : later(look, 5));
+  const awaited = () => [...waiting].map(([id, what]) => `${id}: ${what}`)
+    .concat(document.getAnimations().filter(moving).map(({ effect }) => `animation of ${effect.target?.outerHTML.slice(0, 99)}`));
+  globalThis.quiet = () => new Promise((done, fail) => {
+    const from = Date.now();
+    const look = () => (isQuiet() ? done() : Date.now() - from > hang ? fail(new Error(`never quiet: ${awaited().join('; ')}`)) : later(look, 5));
     look();
   });
 }
@@ -124,7 +130,7 @@ function waitForFiles() {
 async function watch(context) {
   contexts.push(context);
   context.setDefaultTimeout(HANG);
-  await context.addInitScript(countTimers);
+  await context.addInitScript(countTimers, HANG);
   await context.addInitScript(waitForFiles);
   // Pages are those of one who has been here; start.test.mjs and lost.test.mjs look at the first.
   await context.addInitScript((names) => {
@@ -242,6 +248,26 @@ export async function inThemes(page, work) {
 export const pictures = (page, name) => inThemes(page, (colorScheme) =>
   page.screenshot({ path: path.join(SCREENSHOTS, `${name}-${colorScheme}.png`) }));
 
+/** Rules of axe-core whose answers hang on colours. */
+const COLOURS = ['color-contrast', 'link-in-text-block'];
+
+/**
+ * What axe-core finds wrong with the page, in words.
+ * @param {'all' | 'colours'} rules `colours`: a state that all rules have looked at, in another theme
+ * @returns {Promise<string[]>}
+ */
+export async function violations(page, rules = 'all') {
+  if (!await page.evaluate(() => 'axe' in globalThis)) {
+    await page.evaluate(AXE); // the page's policy blocks foreign scripts, but not the debugger's
+  }
+  return page.evaluate(async (only) => {
+    // Style sheets are preloaded for rules that are off; what names the places is not shown.
+    const options = { resultTypes: ['violations'], preload: { assets: ['media'] }, selectors: false, ...only && { runOnly: only } };
+    const { violations: found } = await globalThis.axe.run(document, options);
+    return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
+  }, rules === 'all' ? null : COLOURS);
+}
+
 /** Waits until the page has nothing left to do: no frame, short timer or transition. */
 export function quiet(page) {
   return page.evaluate(() => globalThis.quiet());
@@ -319,6 +345,13 @@ export class Hand {
     await this.#mouse('mouseMoved', dense[0], { pointerType, button: 'none', buttons: 0, modifiers });
     sent.push(this.#mouse('mousePressed', dense[0], { ...pen(0.3), clickCount: 1 }));
     dense.slice(1).forEach((point, i) => sent.push(this.#mouse('mouseMoved', point, pen(0.3 + (0.4 * i) / dense.length))));
+    if (lift && !during && [...dense, end].every(([x, y]) => x === dense[0][0] && y === dense[0][1])) {
+      // A tap ends at once: on a machine under load it would become a long press.
+      sent.push(this.#mouse('mouseReleased', end, { ...pen(0), buttons: 0, clickCount: 1 }));
+      await Promise.all(sent);
+      await settle(this.page);
+      return dense;
+    }
     await Promise.all(sent);
     await settle(this.page);
     if (during) {

@@ -33,9 +33,9 @@ export async function tryAgain(page) {
   assert.equal(await page.isVisible('#failed'), false);
 }
 
-/** A server and a context of a browser that knows nothing of it. */
-export async function begun(t, browser, options = {}) {
-  const server = await serve(undefined, true);
+/** A server and a context of a browser that knows nothing of it. @param {boolean} [lasting] whether the browser keeps the page's files */
+export async function begun(t, browser, options = {}, lasting = true) {
+  const server = await serve(undefined, lasting);
   t.after(() => server.close());
   expectFaults(/status of 404/, ...GONE);
   return { server, context: await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options }) };

@@ -20,7 +20,7 @@ after(() => browser.close());
 
 for (const half of [0, 1]) {
   test(`each module that the page starts with is missing in turn, ${half + 1} of 2`, async (t) => {
-    const { server, context } = await begun(t, browser);
+    const { server, context } = await begun(t, browser, {}, false);
     assert.ok(MODULES.length > 30);
     const page = await context.newPage();
     for (const [i, file] of MODULES.filter((_, j) => j % 2 === half).entries()) {
@@ -38,7 +38,6 @@ for (const half of [0, 1]) {
       if (i % 6 === 0) {
         await tryAgain(page);
         await page.evaluate(() => { batten.files.leaving = true; });
-        await forgotten(page);
       }
     }
   });
@@ -56,7 +55,7 @@ const spoils = {
 
 for (const [what, [file, bytes, reason]] of Object.entries(spoils)) {
   test(`${what}: said, and cured`, async (t) => {
-    const { server, context } = await begun(t, browser);
+    const { server, context } = await begun(t, browser, {}, false);
     expectFaults(/^uncaught/, /^Uncaught/, /^SyntaxError/, /^TypeError/, /^CompileError/);
     const page = await context.newPage();
     server.spoil = (name, body) => (name === file ? Buffer.from(bytes) : body);
@@ -78,11 +77,12 @@ for (const file of ['batten.wasm', 'icons/sprite.svg']) {
     assert.ok((await said(page)).includes(file));
     server.without = /^$/;
     await tryAgain(page);
+    await forgotten(page); // its worker has come, too
   });
 }
 
 test('nothing of the build is there: said without a style sheet', async (t) => {
-  const { server, context } = await begun(t, browser, { viewport: { width: 390, height: 844 } });
+  const { server, context } = await begun(t, browser, { viewport: { width: 390, height: 844 } }, false);
   const page = await context.newPage();
   server.without = /^(?!index\.html)/;
   await page.goto(server.address);
@@ -93,7 +93,7 @@ test('nothing of the build is there: said without a style sheet', async (t) => {
 });
 
 test('a style sheet is not there: the page says that a part is missing', async (t) => {
-  const { server, context } = await begun(t, browser);
+  const { server, context } = await begun(t, browser, {}, false);
   expectFaults(/^Missing/);
   const page = await context.newPage();
   server.without = exactly('styles/sheets.css');
@@ -110,7 +110,7 @@ function hasten() {
 
 for (const [what, file] of [['a module that does not come', 'page/words.js'], ['the module that does not come', 'batten.wasm']]) {
   test(`${what}: it takes long, and the page says so until it is there`, async (t) => {
-    const { server, context } = await begun(t, browser);
+    const { server, context } = await begun(t, browser, {}, false);
     await context.addInitScript(hasten);
     const page = await context.newPage();
     let go = () => {};
@@ -132,7 +132,7 @@ for (const [what, file] of [['a module that does not come', 'page/words.js'], ['
 }
 
 test('a script that does nothing: it takes long, and Try again helps', async (t) => {
-  const { server, context } = await begun(t, browser);
+  const { server, context } = await begun(t, browser, {}, false);
   await context.addInitScript(hasten);
   const page = await context.newPage();
   server.spoil = (name, body) => (name === 'main.js' ? Buffer.alloc(0) : body);
@@ -155,7 +155,7 @@ test('a new visitor to a page that is older than its files: said, and cured when
 });
 
 test('a server that does not know what a .wasm file is', async (t) => {
-  const { server, context } = await begun(t, browser);
+  const { server, context } = await begun(t, browser, {}, false);
   await context.route('**/*.wasm', async (route) => {
     const response = await route.fetch();
     await route.fulfill({ response, headers: { ...response.headers(), 'content-type': 'application/octet-stream' } });
