@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, launch, open, place, quiet, SCREENSHOTS, state } from './page.mjs';
+import { bezier, inThemes, launch, open, place, quiet, SCREENSHOTS, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const SHARE = 0.02;
@@ -87,11 +87,11 @@ for (const [name, style] of [['thin', { 'stroke-width': 2 }], ['thick', { 'strok
   }
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`a redraw, ${colorScheme}: the old curve is pale, the new one as it will be`, async (t) => {
-    const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
-    t.after(() => server.close());
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
+test('a redraw in both themes: the old curve is pale, the new one as it will be', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  await inThemes(page, async (colorScheme) => {
     await look(page, 'before');
     const points = await Promise.all(bezier([440, 135], [490, 78], [580, 60], [690, 115]).map(([x, y]) => place(page, x, y)));
     await hand.stroke(points, { during: async () => {
@@ -109,9 +109,11 @@ for (const colorScheme of ['light', 'dark']) {
     assert.ok(counts.line > 300, JSON.stringify(counts));
     assert.ok(counts.far < CLOSE * counts.line, JSON.stringify(counts));
     assert.equal(counts.accent, 0, 'no accent but a halo');
-    await context.close();
+    await page.keyboard.press('Control+z');
+    await quiet(page);
   });
-}
+  await context.close();
+});
 
 test('with reduced motion nothing fades', async (t) => {
   const server = await serve({ name: 'new.svg', bytes: Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" width="1000" height="700"/>') });

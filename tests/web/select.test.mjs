@@ -3,8 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import axe from 'axe-core';
-import { launch, open, pictures, place, reveal, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, pictures, place, reveal, SCREENSHOTS, settle, state, violations } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -88,13 +87,6 @@ test('a copy dragged off with Alt, a group entered by a double click', async () 
   assert.equal((await state(page)).check, '');
   await context.close();
 });
-
-/** The findings of axe. */
-async function violations(page) {
-  await page.evaluate(axe.source);
-  const { violations: found } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
-  return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
-}
 
 // At any width, and however many rows the bar has: the drawing's rulers are 22 px wide.
 for (const [name, hand, options] of [['desk', 0, {}], ['desk-left', 1, {}],
