@@ -206,26 +206,26 @@ for (const [screen, viewport] of [['tablet', { width: 1024, height: 768 }], ['na
 }
 
 for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800 } }], ['tablet', TABLET]]) {
-  for (const colorScheme of ['light', 'dark']) {
-    test(`the left hand: tools to the right, sheets to the left; ${screen}, ${colorScheme}`, async () => {
-      const { page, context } = await open(browser, server.address, { ...options, colorScheme });
-      const sides = () => page.evaluate(() => Object.fromEntries(['rail', 'settings', 'stage'].map((id) => {
-        const { left, right } = document.getElementById(id).getBoundingClientRect();
-        return [id, (left + right) / 2 < innerWidth / 2 ? 'left' : 'right'];
-      })));
-      await page.click('[data-name=settings]');
-      await page.waitForSelector('#settings [data-property=left-hand]');
-      assert.deepEqual(Object.values(await sides()).slice(0, 2), ['left', 'right']);
-      await page.locator('#settings [data-property=left-hand]').check();
-      await settle(page);
+  test(`the left hand: tools to the right, sheets to the left; ${screen}`, async () => {
+    const { page, context } = await open(browser, server.address, options);
+    const sides = () => page.evaluate(() => Object.fromEntries(['rail', 'settings', 'stage'].map((id) => {
+      const { left, right } = document.getElementById(id).getBoundingClientRect();
+      return [id, (left + right) / 2 < innerWidth / 2 ? 'left' : 'right'];
+    })));
+    await page.click('[data-name=settings]');
+    await page.waitForSelector('#settings [data-property=left-hand]');
+    assert.deepEqual(Object.values(await sides()).slice(0, 2), ['left', 'right']);
+    await page.locator('#settings [data-property=left-hand]').check();
+    await settle(page);
+    await inThemes(page, async (colorScheme) => {
       assert.deepEqual(Object.values(await sides()).slice(0, 2), ['right', 'left']);
       await shot(page, `left-${screen}-${colorScheme}`);
-      await page.locator('#settings [data-property=left-hand]').uncheck();
-      await settle(page);
-      assert.deepEqual(Object.values(await sides()).slice(0, 2), ['left', 'right']);
-      await context.close();
     });
-  }
+    await page.locator('#settings [data-property=left-hand]').uncheck();
+    await settle(page);
+    assert.deepEqual(Object.values(await sides()).slice(0, 2), ['left', 'right']);
+    await context.close();
+  });
 }
 
 test('the pressure curve is drawn as the engine has it', async () => {
@@ -248,29 +248,30 @@ test('the pressure curve is drawn as the engine has it', async () => {
 });
 
 for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800 } }], ['tablet', TABLET]]) {
-  for (const colorScheme of ['light', 'dark']) {
-    test(`the first minute: hints go as they are followed, and stay away; ${screen}, ${colorScheme}`, async () => {
-      const { page, hand, context } = await open(browser, server.address, { ...options, colorScheme });
-      const hints = () => page.$$eval('#first p', (list) => list.filter((hint) => hint.checkVisibility()).length);
+  test(`the first minute: hints go as they are followed, and stay away; ${screen}`, async () => {
+    const { page, hand, context } = await open(browser, server.address, options);
+    const hints = () => page.$$eval('#first p', (list) => list.filter((hint) => hint.checkVisibility()).length);
+    assert.equal(await hints(), 3);
+    assert.equal(await page.locator('dialog[open], :popover-open').count(), 0, 'no dialog stands in the way');
+    await inThemes(page, async (colorScheme) => {
       assert.equal(await hints(), 3);
-      assert.equal(await page.locator('dialog[open], :popover-open').count(), 0, 'no dialog stands in the way');
       await shot(page, `first-${screen}-${colorScheme}`);
-      const stroke = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
-      await hand.stroke(await Promise.all(stroke.map(([x, y]) => place(page, x, y))));
-      assert.equal(await hints(), 2);
-      await hand.tap(2);
-      assert.equal(await hints(), 1);
-      await page.click('[data-name=tool-points]');
-      await settle(page);
-      assert.equal(await page.isVisible('#first'), false);
-      await quiet(page); // what was set is kept
-      await page.reload();
-      await page.waitForSelector('html[data-ready=yes]');
-      await settle(page);
-      assert.equal(await page.isVisible('#first'), false, 'they do not come back');
-      await context.close();
     });
-  }
+    const stroke = bezier([440, 137], [490, 103], [560, 92], [690, 114]);
+    await hand.stroke(await Promise.all(stroke.map(([x, y]) => place(page, x, y))));
+    assert.equal(await hints(), 2);
+    await hand.tap(2);
+    assert.equal(await hints(), 1);
+    await page.click('[data-name=tool-points]');
+    await settle(page);
+    assert.equal(await page.isVisible('#first'), false);
+    await quiet(page); // what was set is kept
+    await page.reload();
+    await page.waitForSelector('html[data-ready=yes]');
+    await settle(page);
+    assert.equal(await page.isVisible('#first'), false, 'they do not come back');
+    await context.close();
+  });
 }
 
 test('the first hints: sent away at once, drawn through, and none over an empty page', async () => {
