@@ -12,6 +12,7 @@ import { serve } from './server.mjs';
 
 const MOST = 4; // strokes of a session
 const RENEW = 25; // kills until another drawing is begun
+const WINDOW = { viewport: { width: 820, height: 800 } }; // no wider than the strokes need: each kill opens a page
 const line = (k) => [[150, 120 + 37 * (k % 14)], [350, 100 + 37 * (k % 14)], [550, 120 + 37 * (k % 14)]];
 
 /** The processes of a browser with this profile. @param {string} profile */
@@ -81,7 +82,7 @@ export async function kills(count, seed) {
   const server = await serve();
   const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-kills-'));
   const all = { kills: 0, strokes: 0, renderers: 0, lost: 0, lostAfter20ms: 0 };
-  let context = await launchAt(profile);
+  let context = await launchAt(profile, WINDOW);
   try {
     let seen = await visit(context, server.address);
     for (let k = 0; k < count; k++) {
@@ -112,13 +113,13 @@ export async function kills(count, seed) {
       await soon(drawing);
       if (whole) {
         await soon(context.close());
-        context = await launchAt(profile);
+        context = await launchAt(profile, WINDOW);
       } else {
         await soon(page.close());
       }
       seen = await visit(context, server.address).catch(async () => { // the browser itself did not survive it
         await soon(context.close());
-        context = await launchAt(profile);
+        context = await launchAt(profile, WINDOW);
         return visit(context, server.address);
       });
       const missing = begun + ups.length - seen.drawn;
