@@ -145,9 +145,12 @@ const missing = {
     get: () => { throw new DOMException('denied', 'SecurityError'); } }),
 };
 
+/** Where what is taken is asked for by what keeps the page's files, they are kept. */
+const LASTING = ['no locks', 'no service worker', 'no digests', 'no storage at all'];
+
 for (const [what, take] of Object.entries(missing)) {
   test(`${what}: the page draws, and what it does not keep it says`, async (t) => {
-    const server = await serve(undefined, true);
+    const server = await serve(undefined, LASTING.includes(what));
     t.after(() => server.close());
     const lost = `try { (${take})(); } catch { } // a blank page and a worker may not have had it\n`;
     server.spoil = (name, body) => (/^keep\/.*\.js$/.test(name) ? Buffer.from(lost + body) : body);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, downloaded, expectFaults, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, downloaded, expectFaults, launch, open, pictures, place, quiet, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
 /** A file whose elements are not all in its text cannot be kept as it is. */
@@ -246,22 +246,22 @@ test('a page that was killed, and a module that broke, ask all the same', async 
 test('how it looks', async (t) => {
   const server = await art();
   t.after(() => server.close());
-  for (const colorScheme of ['light', 'dark']) {
-    const { page, hand, context } = await open(browser, server.address, { colorScheme });
-    await draw(page, hand);
-    await ask(page);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `lossy-${colorScheme}.png`) });
-    await page.keyboard.press('Escape');
-    await page.click('#unkept');
-    await page.waitForSelector('#losses:popover-open');
-    await page.screenshot({ path: path.join(SCREENSHOTS, `losses-${colorScheme}.png`) });
-    await context.close();
-  }
+  const { page, hand, context } = await open(browser, server.address);
   for (const width of [360, 640, 900]) {
-    const { page, context } = await open(browser, server.address, { viewport: { width, height: 640 } });
+    await page.setViewportSize({ width, height: 640 });
+    await quiet(page);
     await page.screenshot({ path: path.join(SCREENSHOTS, `losses-${width}.png`) });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
     assert.equal(wide, false, `${width}`);
-    await context.close();
   }
+  await page.setViewportSize({ width: 1544, height: 800 });
+  await quiet(page);
+  await draw(page, hand);
+  await ask(page);
+  await pictures(page, 'lossy');
+  await page.keyboard.press('Escape');
+  await page.click('#unkept');
+  await page.waitForSelector('#losses:popover-open');
+  await pictures(page, 'losses');
+  await context.close();
 });

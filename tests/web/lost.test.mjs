@@ -52,32 +52,6 @@ async function another(context, prepare = async () => {}) {
   return { page, hand: new Hand(page, await context.newCDPSession(page)) };
 }
 
-/** Changes the files that are kept, while no page is open. @param {(bytes: number[], name: string) => number[]} change is run in the browser */
-async function spoil(context, page, change, value) {
-  await page.close();
-  expectFaults(/favicon/);
-  const other = await context.newPage();
-  await other.goto(new URL('1/icons/batten.svg', server.address).href);
-  const before = await other.evaluate(async ([text, given]) => {
-    const how = new Function(`return ${text}`)();
-    const folder = await (await navigator.storage.getDirectory()).getDirectoryHandle('drawings');
-    const before = [];
-    for await (const [name, handle] of folder.entries()) {
-      const bytes = new Uint8Array(await (await handle.getFile()).arrayBuffer());
-      if (bytes.length > 1) {
-        const stream = await freed(() => handle.createWritable());
-        const made = how(bytes, given);
-        await stream.write(made);
-        await stream.close();
-        before.push([name, [...made]]);
-      }
-    }
-    return before;
-  }, [`${change}`, value]);
-  await other.close();
-  return before;
-}
-
 /** What the files hold now. */
 const filesOf = (page) => page.evaluate(async () => {
   const folder = await (await navigator.storage.getDirectory()).getDirectoryHandle('drawings');
@@ -88,10 +62,42 @@ const filesOf = (page) => page.evaluate(async () => {
   return all;
 });
 
+/** What a page has kept of strokes: drawn once, for all that is done to it. @type {Promise<Record<string, number[]>> | undefined} */
+let made;
+
+async function make() {
+  const { page, context } = await drawn();
+  const files = await filesOf(page);
+  await context.close();
+  return files;
+}
+
+/**
+ * A browser in which files are kept that have been changed, while no page is open.
+ * @param {(bytes: number[], given: any) => number[]} change
+ */
+async function spoilt(change, given) {
+  made ??= make();
+  const files = Object.entries(await made).map(([name, bytes]) => [name, bytes.length > 1 ? [...change([...bytes], given)] : bytes]);
+  expectFaults(/favicon/);
+  const context = await browser.newContext({ viewport: { width: 1544, height: 800 }, acceptDownloads: true });
+  const page = await context.newPage();
+  await page.goto(new URL('1/icons/batten.svg', server.address).href);
+  await page.evaluate(async (all) => {
+    const folder = await (await navigator.storage.getDirectory()).getDirectoryHandle('drawings', { create: true });
+    for (const [name, bytes] of all) {
+      const stream = await (await folder.getFileHandle(name, { create: true })).createWritable();
+      await stream.write(new Uint8Array(bytes));
+      await stream.close();
+    }
+  }, files);
+  await page.close();
+  return { context, files: files.filter(([, bytes]) => bytes.length > 1) };
+}
+
 for (const share of [0.02, 0.3, 0.5, 0.7, 0.97]) {
   test(`a byte at ${100 * share} % is changed: the other steps are there, it is said, and the file stays as it is`, async () => {
-    const { page, context } = await drawn();
-    const [[name, bytes]] = await spoil(context, page, (all, where) => {
+    const { context, files: [[name, bytes]] } = await spoilt((all, where) => {
       all[Math.floor(where * all.length)] ^= 0x15;
       return all;
     }, share);
@@ -117,8 +123,7 @@ for (const share of [0.02, 0.3, 0.5, 0.7, 0.97]) {
 
 for (const share of [0.4, 0.8, 0.995]) {
   test(`what is kept is cut at ${100 * share} %: what comes before is there, and it is said`, async () => {
-    const { page, context } = await drawn();
-    await spoil(context, page, (all, where) => all.slice(0, Math.floor(where * all.length)), share);
+    const { context } = await spoilt((all, where) => all.slice(0, Math.floor(where * all.length)), share);
     const next = await another(context);
     assert.ok(await curves(next.page) >= Math.floor(share * STROKES) - 1);
     await says(next.page, /Not all that was kept/);
@@ -129,8 +134,7 @@ for (const share of [0.4, 0.8, 0.995]) {
 }
 
 test('one that cannot be read at all is put aside, and new work goes elsewhere', async () => {
-  const { page, context } = await drawn();
-  const [[name, bytes]] = await spoil(context, page, (all) => all.fill(7));
+  const { context, files: [[name, bytes]] } = await spoilt((all) => all.fill(7));
   const next = await another(context);
   assert.equal(await curves(next.page), 0);
   await next.hand.stroke(line(0));

@@ -4,12 +4,8 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
-import { inThemes, launch, open, quiet, ready, SCREENSHOTS, settle } from './page.mjs';
+import { inThemes, launch, open, quiet, ready, SCREENSHOTS, settle, violations } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
-
-const HERE = path.dirname(fileURLToPath(import.meta.url));
-const AXE = fs.readFileSync(path.join(HERE, 'node_modules/axe-core/axe.min.js'), 'utf8');
 
 let browser;
 let server;
@@ -142,10 +138,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko']]) {
     assert.deepEqual(await shown(page), all);
     assert.ok((await page.$$('#menu h3')).length >= 10);
     await shot(page, `${colorScheme}-${locale}`);
-    await page.evaluate(AXE);
-    const violations = async () => (await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] })))
-      .violations.map(({ id, nodes }) => `${id} ${nodes.map((node) => node.html)}`);
-    assert.deepEqual(await violations(), []);
+    assert.deepEqual(await violations(page), []);
     await page.keyboard.type(locale === 'en' ? 'zoom in' : '확대');
     await settle(page);
     assert.equal((await shown(page))[0], 'zoom-in');
@@ -155,7 +148,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko']]) {
     await page.click('#menu [data-focus=redo]');
     await settle(page);
     await shot(page, `${colorScheme}-${locale}-change`);
-    assert.deepEqual(await violations(), []);
+    assert.deepEqual(await violations(page), []);
     await type(page, 'Escape'); // ends the change
     assert.equal(await page.isVisible('#menu'), true);
     await type(page, 'Escape');
