@@ -15,7 +15,12 @@
 #include "support/solids.h"
 #include "support/views.h"
 
-static const double APART = 0.5, APART_ON_OUTLINES = 4; /* pixels between rays; those that touch take long */
+#ifdef BATTEN_SANITIZED
+static const double APART = 2; /* pixels between rays */
+#else
+static const double APART = 0.5;
+#endif
+static const double APART_ON_OUTLINES = 4; /* rays that touch take long */
 static const double origin[3] = {0, 0, 0};
 static double wave(double x, double y) { return 0.2 * sin(4.1 * x + 0.3) * cos(3.3 * y - 0.2) + 0.05 * x; }
 
@@ -57,7 +62,7 @@ static void sample(const bat_sight_scene *s, const bat_strand *strand, const bat
     }
 }
 
-/* Every half pixel along each stretch. */
+/* At places along each stretch. */
 static void compare(const bat_sight_scene *s, const bat_strand *strand, lengths *sum) {
     bat_seen_stretch *list = NULL;
     size_t count = 0;
