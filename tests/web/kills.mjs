@@ -1,6 +1,7 @@
 // Kills a browser that draws, at random moments, and opens its profile again: node kills.mjs [COUNT [SEED]]. A stroke that was said
 // to be kept is there; of the others at most the last one is missing. Four of five kills take the renderer alone, as a crash or a
-// phone does; the fifth takes all of the browser's processes. Prints what was lost, as JSON.
+// phone does; the fifth takes all of the browser's processes. Prints what was lost, as JSON, and every 100 kills how far it is; an
+// interrupt (SIGINT, SIGTERM) ends it after the kill that it is at, with what was reached.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -76,12 +77,15 @@ async function visit(context, address) {
   return { page, told, drawn, hand: new Hand(page, await context.newCDPSession(page)) };
 }
 
-/** @param {number} count of kills @param {number} seed */
-export async function kills(count, seed) {
+/**
+ * @param {number} count of kills @param {number} seed
+ * @param {(all: object) => boolean} goOn is told what was reached after each kill, and says whether there is to be another
+ */
+export async function kills(count, seed, goOn = () => true) {
   const random = chance(seed);
   const server = await serve();
   const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-kills-'));
-  const all = { kills: 0, strokes: 0, renderers: 0, lost: 0, lostAfter20ms: 0 };
+  const all = { seed, kills: 0, strokes: 0, renderers: 0, lost: 0, lostAfter20ms: 0 };
   let context = await launchAt(profile, WINDOW);
   try {
     let seen = await visit(context, server.address);
@@ -130,6 +134,9 @@ export async function kills(count, seed) {
       all.strokes += ups.length;
       all.lost += Math.max(0, missing);
       all.lostAfter20ms += Number(missing > 0 && now - ups.at(-1) > 20);
+      if (!goOn(all)) {
+        break;
+      }
     }
   } finally {
     await soon(context.close());
@@ -141,6 +148,16 @@ export async function kills(count, seed) {
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
-  console.log(JSON.stringify(await kills(Number(process.argv[2] ?? 1000), Number(process.argv[3] ?? Date.now() % 100000))));
+  let interrupted = false;
+  ['SIGINT', 'SIGTERM'].forEach((signal) => process.on(signal, () => {
+    interrupted = true;
+  }));
+  const all = await kills(Number(process.argv[2] ?? 1000), Number(process.argv[3] ?? Date.now() % 100000), (now) => {
+    if (now.kills % 100 === 0) {
+      console.error(JSON.stringify(now));
+    }
+    return !interrupted;
+  });
+  console.log(JSON.stringify(all));
   process.exit(0);
 }
