@@ -34,7 +34,7 @@ typedef enum bat_region_operation {
  * *count curves in an array that the caller frees (bat_curves_free); none where nothing is left. BAT_ARGUMENT: an open
  * curve; BAT_DIMENSION: a curve in space; BAT_SINGULAR: the pieces do not fit together with this tolerance (they nearly touch
  * over a long stretch), and a greater one may do; BAT_COUNT: over BAT_POINTS_MAX pieces. Cost: that of the
- * intersections, and for each piece those that lie at its height, as a rule. docs/math/relate.md 6.
+ * intersections, and for each piece the logarithm of all and those that lie near its middle, as a rule. docs/math/relate.md 6.
  */
 BAT_API bat_status bat_regions_combine(bat_region_operation operation, size_t region_count,
                                        const bat_region *regions, double tolerance, size_t *count,

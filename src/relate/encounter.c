@@ -196,56 +196,55 @@ static bat_status alone(bat_encounter *m, const bat_segment *s, int depth) {
     return status == BAT_OK ? pair(m, &left, &right, depth + 1) : status;
 }
 
-static int by_low(const void *a, const void *b) {
-    const bat_strip *x = a, *y = b;
-    return x->low != y->low ? (x->low < y->low ? -1 : 1)
-                            : (x->segment > y->segment) - (x->segment < y->segment);
+static const double *points_of(const void *things, size_t i, size_t *count) {
+    const bat_segment *s = (const bat_segment *)things + i;
+    *count = (size_t)s->degree + 1;
+    return s->b;
 }
 
 bat_status bat_encounter_side_of(const bat_curve *curve, bat_encounter_side *out) {
     *out = (bat_encounter_side){0};
-    const bat_status status = bat_segments_of(curve, &out->count, &out->all);
+    bat_status status = bat_segments_of(curve, &out->count, &out->all);
     if (status != BAT_OK) return status;
-    out->strips = malloc((size_t)out->count * sizeof *out->strips);
-    if (!out->strips) {
-        bat_encounter_side_free(out);
-        return BAT_MEMORY;
-    }
-    for (int i = 0; i < out->count; i++) {
-        const bat_segment *s = out->all + i;
-        bat_strip *strip = out->strips + i;
-        *strip = (bat_strip){s->b[0], s->b[0], s};
-        for (int k = 1; k <= s->degree; k++)
-            strip->low = fmin(strip->low, s->b[k * s->size]),
-            strip->high = fmax(strip->high, s->b[k * s->size]);
-        out->widest = fmax(out->widest, strip->high - strip->low);
-    }
-    const size_t count = (size_t)out->count;
-    qsort(out->strips, count, sizeof *out->strips, by_low); /* no ties: the segments are in one array */
-    return BAT_OK;
+    status = bat_hulls_create(bat_curve_dimension(curve), (size_t)out->count, points_of, out->all,
+                              &out->hulls);
+    if (status != BAT_OK) bat_encounter_side_free(out);
+    return status;
 }
 
 void bat_encounter_side_free(bat_encounter_side *spans) {
-    free(spans->all), free(spans->strips);
+    free(spans->all), free(spans->hulls);
     *spans = (bat_encounter_side){0};
 }
 
-bat_status bat_encounter_search(bat_encounter *m, const bat_encounter_side *a, const bat_encounter_side *b) {
-    const bool itself = m->a == m->b;
-    const bat_strip *others = b->strips;
+/* Two curves, or two stretches of one of which x comes first. */
+static bat_status between(bat_encounter *m, const bat_encounter_side *a, bat_hull_part x,
+                          const bat_encounter_side *b, bat_hull_part y) {
+    const bat_hull *first = a->hulls + x.node, *second = b->hulls + y.node;
+    if (bat_hulls_apart(first, second, BAT_ENCOUNTER_APART * m->gap)) return BAT_OK;
+    if (x.count == 1 && y.count == 1) return pair(m, a->all + x.first, b->all + y.first, 0);
+    const bool divided = y.count == 1 || (x.count > 1 && first->across >= second->across);
+    bat_hull_part half[2];
+    bat_hull_halve(divided ? x : y, half);
     bat_status status = BAT_OK;
-    int first = 0;
-    for (int i = 0; i < a->count && status == BAT_OK; i++) {
-        const bat_strip *own = a->strips + i;
-        const double low = own->low - m->gap, high = own->high + m->gap;
-        while (first < b->count && others[first].low + b->widest < low) first++;
-        for (int j = first; j < b->count && others[j].low <= high && status == BAT_OK; j++) {
-            if (others[j].high < low || (itself && others[j].segment <= own->segment)) continue;
-            status = pair(m, own->segment, others[j].segment, 0);
-        }
-        if (itself && status == BAT_OK) status = alone(m, own->segment, 0);
-    }
+    for (int k = 0; k < 2 && status == BAT_OK; k++)
+        status = between(m, a, divided ? half[k] : x, b, divided ? y : half[k]);
     return status;
+}
+
+static bat_status within_itself(bat_encounter *m, const bat_encounter_side *a, bat_hull_part x) {
+    if (x.count == 1) return alone(m, a->all + x.first, 0);
+    bat_hull_part half[2];
+    bat_hull_halve(x, half);
+    bat_status status = within_itself(m, a, half[0]);
+    if (status == BAT_OK) status = within_itself(m, a, half[1]);
+    return status == BAT_OK ? between(m, a, half[0], a, half[1]) : status;
+}
+
+bat_status bat_encounter_search(bat_encounter *m, const bat_encounter_side *a, const bat_encounter_side *b) {
+    const bat_hull_part all = {0, 0, (size_t)a->count};
+    return m->a == m->b ? within_itself(m, a, all)
+                        : between(m, a, all, b, (bat_hull_part){0, 0, (size_t)b->count});
 }
 
 /* ---- from candidates to crossings ---- */

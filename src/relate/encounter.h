@@ -4,6 +4,7 @@
 
 #include <batten/relate.h>
 
+#include "relate/hulls.h"
 #include "relate/segment.h"
 
 /* A place where pieces come within the gap. */
@@ -24,18 +25,14 @@ typedef struct bat_encounter {
     bat_overlap *overlaps;
 } bat_encounter;
 
-/* A segment between the least and the greatest of its first coordinates. */
-typedef struct bat_strip {
-    double low, high;
-    const bat_segment *segment;
-} bat_strip;
+/* Gaps: hulls that are so far apart hold nothing that is within one gap, rounding included. */
+static const double BAT_ENCOUNTER_APART = 2;
 
-/* The spans of a curve: in order, and ascending in low. */
+/* The spans of a curve, in order, and their hulls. */
 typedef struct bat_encounter_side {
     int count;
     bat_segment *all;
-    bat_strip *strips;
-    double widest; /* strip */
+    bat_hull *hulls;
 } bat_encounter_side;
 
 bat_status bat_encounter_side_of(const bat_curve *curve, bat_encounter_side *out);

@@ -46,19 +46,6 @@ static ground ground_of(const bat_curve *curve, const bat_encounter_side *spans,
     return on;
 }
 
-/* The first strip that begins at x or behind it. */
-static int first_strip(const bat_encounter_side *spans, double x) {
-    int low = 0, high = spans->count;
-    while (low < high) {
-        const int middle = low + (high - low) / 2;
-        if (spans->strips[middle].low < x)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* Whether a point is within the gap of the hull's box. */
 static bool is_beside(const bat_segment *s, const double *point, double gap) {
     for (int c = 0; c < s->size; c++) {
@@ -141,15 +128,23 @@ static bat_status put_folds(const bat_segment *s, double gap, int depth, places 
 
 /* ---- the ends of what may be an overlap ---- */
 
+static bat_status place_within(const ground *on, bat_hull_part stretch, const double *point, double u,
+                               bool turned, places *to) {
+    if (!bat_hull_beside(on->spans->hulls + stretch.node, point, BAT_ENCOUNTER_APART * on->gap))
+        return BAT_OK;
+    if (stretch.count == 1) {
+        const bat_segment *s = on->spans->all + stretch.first;
+        return is_beside(s, point, on->gap) ? feet_on(on, s, point, u, turned, to) : BAT_OK;
+    }
+    bat_hull_part half[2];
+    bat_hull_halve(stretch, half);
+    const bat_status status = place_within(on, half[0], point, u, turned, to);
+    return status == BAT_OK ? place_within(on, half[1], point, u, turned, to) : status;
+}
+
 /* Notes where a place of one curve lies on the other. */
 static bat_status place_on(const ground *on, const double *point, double u, bool turned, places *to) {
-    bat_status status = BAT_OK;
-    const bat_strip *strips = on->spans->strips;
-    for (int k = first_strip(on->spans, point[0] - on->gap - on->spans->widest);
-         k < on->spans->count && strips[k].low <= point[0] + on->gap && status == BAT_OK; k++)
-        if (is_beside(strips[k].segment, point, on->gap))
-            status = feet_on(on, strips[k].segment, point, u, turned, to);
-    return status;
+    return place_within(on, (bat_hull_part){0, 0, (size_t)on->spans->count}, point, u, turned, to);
 }
 
 /* Notes where the ends of the spans of one curve, and the places where it turns back, lie on the other. */

@@ -12,6 +12,7 @@
 #include <batten/nearest.h>
 #include <batten/refine.h>
 #include <batten/region.h>
+#include <batten/relate.h>
 
 #include <math.h>
 
@@ -252,6 +253,92 @@ static void identical_curves_are_one(void **state) {
     bat_curve_free(a), bat_curve_free(back), bat_curve_free(seam);
 }
 
+/* A ring of n points round a place, every other one further out by `high`: spikes whose boxes all overlap. */
+static bat_curve *spikes(int n, double high, double phase, double x, double y) {
+    double points[2 * 60];
+    for (int i = 0; i < n; i++) {
+        const double angle = 6.283185307179586 * (i + phase) / n, r = n / 3.0 + (i % 2 ? high : 0);
+        points[2 * i] = x + r * cos(angle), points[2 * i + 1] = y + r * sin(angle);
+    }
+    return closed_curve(1, (size_t)n, points);
+}
+
+static double area_combined(bat_region_operation op, const bat_curve *a, const bat_curve *b) {
+    bat_curve **out;
+    const size_t count = combined(op, a, b, &out);
+    const double area = area_of(count, out);
+    bat_curves_free(count, out);
+    return area;
+}
+
+static void long_spikes_add_up(void **state) {
+    (void)state;
+    for (int n = 8; n <= 58; n += 10)
+        for (int k = 0; k < 6; k++) {
+            const double high = k % 2 ? n : 9.0 * n, phase = 0.17 + 0.31 * k;
+            bat_curve *a = spikes(n, high, 0, 0, 0), *b = spikes(n, high, phase, 0.1 * k, -0.2 * k);
+            const double first = bat_curve_area(a), second = bat_curve_area(b),
+                         both = area_combined(BAT_REGION_INTERSECTION, a, b);
+            const double bound = 1e-9 * (first + second);
+            assert_true(both > 0 && both < first);
+            assert_true(fabs(area_combined(BAT_REGION_UNION, a, b) + both - first - second) <= bound);
+            assert_true(fabs(area_combined(BAT_REGION_DIFFERENCE, a, b) + both - first) <= bound);
+            assert_true(fabs(area_combined(BAT_REGION_EXCLUSION, a, b) + 2 * both - first - second) <= bound);
+            bat_curve_free(a), bat_curve_free(b);
+        }
+}
+
+/* Each crossing of two rings of lines is one of two lines, which the signs of four areas tell. */
+static double turn_at(const double *p, const double *q, const double *r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+static void long_spikes_meet_as_lines_do(void **state) {
+    (void)state;
+    const int n = 58;
+    for (int k = 0; k < 20; k++) {
+        bat_curve *a = spikes(n, n, 0, 0, 0), *b = spikes(n, 2.0 * n, 0.37 + k, 3.3 * k, 1.1 * k);
+        const double *p = bat_curve_points(a), *q = bat_curve_points(b);
+        size_t expected = 0;
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < n; j++) {
+                const double *p0 = p + 2 * i, *p1 = p + 2 * ((i + 1) % n), *q0 = q + 2 * j,
+                             *q1 = q + 2 * ((j + 1) % n);
+                expected += turn_at(p0, p1, q0) * turn_at(p0, p1, q1) < 0 &&
+                            turn_at(q0, q1, p0) * turn_at(q0, q1, p1) < 0;
+            }
+        bat_meeting met;
+        assert_int_equal(bat_curve_intersect(a, b, 1e-9, &met), BAT_OK);
+        assert_int_equal(met.count, expected);
+        bat_meeting_free(&met);
+        assert_int_equal(bat_curve_self_intersect(a, 1e-9, &met), BAT_OK);
+        assert_int_equal(met.count + met.overlap_count, 0);
+        bat_meeting_free(&met);
+        bat_curve_free(a), bat_curve_free(b);
+    }
+}
+
+/* Many rings beside each other, in whatever order: as many areas. */
+static void scattered_rings_stay_apart(void **state) {
+    (void)state;
+    enum { SIDE = 9, RINGS = SIDE * SIDE };
+    bat_curve *rings[RINGS];
+    double area = 0;
+    for (int i = 0; i < RINGS; i++) {
+        const int at = i * 37 % RINGS;
+        rings[i] = spikes(8, 3, 0.1 * i, 20 * (at % SIDE), 20 * (at / SIDE));
+        area += bat_curve_area(rings[i]);
+    }
+    const bat_region all = {RINGS, (const bat_curve *const *)rings, false};
+    size_t count;
+    bat_curve **out;
+    assert_int_equal(bat_regions_combine(BAT_REGION_UNION, 1, &all, 1e-3, &count, &out), BAT_OK);
+    assert_int_equal(count, RINGS);
+    assert_true(fabs(area_of(count, out) - area) <= 1e-9 * area);
+    bat_curves_free(count, out);
+    for (int i = 0; i < RINGS; i++) bat_curve_free(rings[i]);
+}
+
 static void what_does_not_meet_comes_back(void **state) {
     (void)state;
     bat_curve *a = disc(0, 0, 5), *inner = disc(1, 0, 2), *far = disc(20, 0, 3), **out, *back;
@@ -398,15 +485,12 @@ static void memory_may_run_out(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(boxes_on_a_grid_can_be_counted),
-        cmocka_unit_test(curves_are_right_point_by_point),
-        cmocka_unit_test(identical_curves_are_one),
-        cmocka_unit_test(what_does_not_meet_comes_back),
-        cmocka_unit_test(touching_curves_stay_two),
-        cmocka_unit_test(pieces_keep_their_points),
-        cmocka_unit_test(one_region_loses_what_lies_inside),
-        cmocka_unit_test(bad_calls_are_refused),
-        cmocka_unit_test(memory_may_run_out),
+        cmocka_unit_test(boxes_on_a_grid_can_be_counted), cmocka_unit_test(curves_are_right_point_by_point),
+        cmocka_unit_test(identical_curves_are_one),       cmocka_unit_test(long_spikes_add_up),
+        cmocka_unit_test(long_spikes_meet_as_lines_do),   cmocka_unit_test(scattered_rings_stay_apart),
+        cmocka_unit_test(what_does_not_meet_comes_back),  cmocka_unit_test(touching_curves_stay_two),
+        cmocka_unit_test(pieces_keep_their_points),       cmocka_unit_test(one_region_loses_what_lies_inside),
+        cmocka_unit_test(bad_calls_are_refused),          cmocka_unit_test(memory_may_run_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -28,6 +28,19 @@ const processesOf = (profile) => fs.readdirSync('/proc').filter((pid) => {
 /** Waits for what may never end, since who was to answer was killed. @param {Promise<unknown>} work */
 const soon = (work) => Promise.race([work.catch(() => {}), new Promise((done) => setTimeout(done, 2000))]);
 
+/** A browser, also on a machine where one start takes too long. @param {string} profile */
+async function launch(profile, tries = 3) {
+  try {
+    return await launchAt(profile, WINDOW);
+  } catch (error) {
+    processesOf(profile).forEach(kill);
+    if (tries === 1) {
+      throw error;
+    }
+    return launch(profile, tries - 1);
+  }
+}
+
 /** @param {number} pid */
 function kill(pid) {
   try {
@@ -86,7 +99,7 @@ export async function kills(count, seed, goOn = () => true) {
   const server = await serve();
   const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'batten-kills-'));
   const all = { seed, kills: 0, strokes: 0, renderers: 0, lost: 0, lostAfter20ms: 0 };
-  let context = await launchAt(profile, WINDOW);
+  let context = await launch(profile);
   try {
     let seen = await visit(context, server.address);
     for (let k = 0; k < count; k++) {
@@ -117,13 +130,13 @@ export async function kills(count, seed, goOn = () => true) {
       await soon(drawing);
       if (whole) {
         await soon(context.close());
-        context = await launchAt(profile, WINDOW);
+        context = await launch(profile);
       } else {
         await soon(page.close());
       }
       seen = await visit(context, server.address).catch(async () => { // the browser itself did not survive it
         await soon(context.close());
-        context = await launchAt(profile, WINDOW);
+        context = await launch(profile);
         return visit(context, server.address);
       });
       const missing = begun + ups.length - seen.drawn;
@@ -138,6 +151,9 @@ export async function kills(count, seed, goOn = () => true) {
         break;
       }
     }
+  } catch (error) {
+    console.error(JSON.stringify(all)); // what was reached
+    throw error;
   } finally {
     await soon(context.close());
     processesOf(profile).forEach(kill);

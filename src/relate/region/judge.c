@@ -1,27 +1,19 @@
 /* Which edges bound the result: those that have it on one side only. */
-#include "relate/region/ray.h"
+#include "relate/region/winding.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { PLACES = 7, OVERLAPS = 8 };
+enum { PLACES = 7 };
 
 /* Where an edge is asked, in the order in which places are tried; gaps: so far from every other edge is far enough. */
 static const double PLACE[PLACES] = {0.5, 0.27, 0.73, 0.14, 0.86, 0.06, 0.94};
 static const double CLEAR = 64;
 
-/* Edges by the bands of one coordinate that they lie in, so that a ray asks few. */
-typedef struct bands {
-    double low, step;
-    size_t count;
-    size_t *first; /* of each band's edges; count + 1 */
-    size_t *edges;
-} bands;
-
 typedef struct judging {
     const bat_arrangement *a;
-    bands bands[2]; /* of x, of y */
+    bat_winding winding;
     /* Of each region: */
     int *others; /* winding numbers right of the place, but for the edge's own share */
     int *own;    /* what the edge, and those along it, add to the left */
@@ -33,61 +25,6 @@ typedef struct judging {
 
 static int degree_of(const bat_arrangement *a, const bat_region_edge *e) {
     return bat_curve_degree(a->curves[e->curve].curve);
-}
-
-/* ---- bands ---- */
-
-static size_t band_of(const bands *b, double x) {
-    const double at = (x - b->low) / b->step;
-    return at > 0 ? (size_t)fmin(at, (double)(b->count - 1)) : 0;
-}
-
-static size_t overlaps(const bat_arrangement *a, const bands *b, int axis) {
-    size_t sum = 0;
-    for (size_t i = 0; i < a->edge_count; i++) {
-        const bat_region_edge *e = a->edges + i;
-        if (e->same_as == i) sum += band_of(b, e->box[axis + 2]) - band_of(b, e->box[axis]) + 1;
-    }
-    return sum;
-}
-
-static void fill(const bat_arrangement *a, bands *b, int axis) {
-    memset(b->first, 0, (b->count + 1) * sizeof *b->first);
-    for (int pass = 0; pass < 2; pass++) {
-        for (size_t i = 0; i < a->edge_count; i++) {
-            const bat_region_edge *e = a->edges + i;
-            const size_t end = band_of(b, e->box[axis + 2]);
-            for (size_t k = band_of(b, e->box[axis]); k <= end && e->same_as == i; k++) {
-                if (pass == 0)
-                    b->first[k + 1]++;
-                else
-                    b->edges[b->first[k]++] = i;
-            }
-        }
-        if (pass == 0)
-            for (size_t k = 0; k < b->count; k++) b->first[k + 1] += b->first[k];
-    }
-    for (size_t k = b->count; k > 0; k--) b->first[k] = b->first[k - 1];
-    b->first[0] = 0;
-}
-
-/* As many bands as edges, or as few as keep the edges from being in too many. */
-static bat_status sort_into_bands(const bat_arrangement *a, int axis, bands *b) {
-    double low = INFINITY, high = -INFINITY;
-    for (size_t i = 0; i < a->edge_count; i++)
-        low = fmin(low, a->edges[i].box[axis]), high = fmax(high, a->edges[i].box[axis + 2]);
-    size_t total;
-    *b = (bands){.low = low, .count = a->edge_count + 1};
-    for (;; b->count /= 2) {
-        b->step = fmax((high - low) / (double)b->count, 1e-300);
-        total = overlaps(a, b, axis);
-        if (b->count == 1 || total <= OVERLAPS * a->edge_count) break;
-    }
-    b->first = malloc((b->count + 1) * sizeof *b->first);
-    b->edges = malloc((total + 1) * sizeof *b->edges);
-    if (!b->first || !b->edges) return BAT_MEMORY;
-    fill(a, b, axis);
-    return BAT_OK;
 }
 
 /* ---- sides ---- */
@@ -116,6 +53,13 @@ static void count(judging *j, size_t first, int crossed, int *to) {
         to[region] += a->edges[i].sign * crossed;
     }
 }
+
+static void put_to(void *judged, size_t region, int crossed) {
+    judging *j = judged;
+    see(j, region);
+    j->others[region] += crossed;
+}
+static void take_away(void *judged, size_t region, int crossed) { put_to(judged, region, -crossed); }
 
 static bool is_result(const bat_arrangement *a, size_t in, bool first) {
     switch (a->operation) {
@@ -154,14 +98,7 @@ static bool look(judging *j, size_t index, double place, int *out) {
     count(j, index, 1, j->own);
     /* With x and y changed, left is right, and all signs turn. */
     count(j, index, r.across ? -rest : rest, j->others);
-    const bands *b = &j->bands[r.across ? 0 : 1];
-    const size_t band = band_of(b, r.y);
-    for (size_t k = b->first[band]; k < b->first[band + 1]; k++) {
-        const size_t i = b->edges[k];
-        if (i == index) continue;
-        const int crossed = bat_ray_crossings(&r, a->edges + i, degree_of(a, a->edges + i));
-        count(j, i, r.across ? -crossed : crossed, j->others);
-    }
+    bat_winding_count(&j->winding, &r, index, CLEAR * a->gap, r.across ? take_away : put_to, j);
     /* What goes up is crossed by rays from its left only, what goes down by those from its right. */
     *out = side(j, up != r.across);
     j->near = r.near;
@@ -198,15 +135,14 @@ bat_status bat_arrangement_judge(bat_arrangement *a) {
     j.seen = calloc(regions, sizeof *j.seen);
     j.list = malloc(regions * sizeof *j.list);
     bat_status status = balance && j.others && j.seen && j.list ? BAT_OK : BAT_MEMORY;
-    for (int axis = 0; axis < 2 && status == BAT_OK; axis++)
-        status = sort_into_bands(a, axis, &j.bands[axis]);
+    if (status == BAT_OK) status = bat_winding_create(a, &j.winding);
     if (status == BAT_OK) {
         j.own = j.others + regions;
         for (size_t i = 0; i < a->edge_count; i++)
             if (a->edges[i].same_as == i) judge(&j, a->edges + i, i);
         if (!is_boundary(a, balance)) status = BAT_SINGULAR;
     }
-    for (int axis = 0; axis < 2; axis++) free(j.bands[axis].first), free(j.bands[axis].edges);
+    bat_winding_free(&j.winding);
     free(balance), free(j.others), free(j.seen), free(j.list);
     return status;
 }

@@ -62,6 +62,13 @@ static int winding_of(bat_region_ray *r, const bat_region_edge *e, int degree, i
     return sum;
 }
 
+int bat_ray_chord(const bat_region_ray *r, const double *from, const double *to) {
+    double p[2], q[2];
+    turn(r, from, p), turn(r, to, q);
+    const int both = step(r, p[1], q[1]);
+    return both != 0 && p[0] + (r->y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]) > r->x ? both : 0;
+}
+
 /* Whether it goes up all the way, or down. */
 static bool is_steep(const double *q, int degree) {
     const bool up = q[2 * degree + 1] > q[1];

@@ -17,5 +17,7 @@ int bat_ray_crossings(bat_region_ray *r, const bat_region_edge *e, int degree);
 /* The ray from a place of the edge, and how often the rest of the edge crosses it: all but a piece round the place, which
  * crosses it once there. False: it cannot be told there. */
 bool bat_ray_cast(const bat_region_edge *e, int degree, double place, bat_region_ray *r, bool *up, int *rest);
+/* The same of the straight line between two points, which the ray's start is not on. */
+int bat_ray_chord(const bat_region_ray *r, const double *from, const double *to);
 
 #endif
