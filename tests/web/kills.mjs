@@ -31,7 +31,7 @@ const soon = (work) => Promise.race([work.catch(() => {}), new Promise((done) =>
 /** A browser, also on a machine where one start takes too long. @param {string} profile */
 async function launch(profile, tries = 3) {
   try {
-    return await launchAt(profile, WINDOW);
+    return await launchAt(profile, { ...WINDOW, handleSIGINT: false, handleSIGTERM: false }); // a signal ends the run, not the browser
   } catch (error) {
     processesOf(profile).forEach(kill);
     if (tries === 1) {
