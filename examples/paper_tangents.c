@@ -1,9 +1,9 @@
 /*
- * Figures 4 to 8 and Table 1 of the paper that the tangents hand comes from, under both readings of Eq. 7
+ * Figures 4 to 8 and Table 1 of the paper that the tangents hand comes from, with Eq. 7 as printed and put right
  * (docs/tangents.md). Checks what it says of them; with a file's name it draws them there, as SVG.
  *
- * Five points, chords 1 : 2.5 : 1, a direction asked for at the third and the fourth. Left, as corrected: the curve
- * has the directions asked for. Right, Eq. 7 with its angles as labelled: the table's k, and other directions.
+ * Five points, chords 1 : 2.5 : 1, a direction asked for at the third and the fourth. Left, put right: the curve has
+ * the directions asked for. Right, Eq. 7 as printed: the table's k, and other directions.
  */
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* As the table prints them: at each of the two points the angle to the incoming chord, to the outgoing one, and k. */
+/* As the table prints them: at each of the two points the angle to the incoming chord, to the outgoing one, and k, which is Eq. 7
+ * as printed. */
 static const struct {
     const char *caption;
     double in[2], out[2], k[2];
@@ -32,25 +33,28 @@ static double equation_7(double upper, double lower, int which) {
     return 1 / (1 + sqrt(sin(upper * PI / 180) / sin(lower * PI / 180) * ratio(which)));
 }
 
+/* By how many degrees the curve's polygon turns at a point: 101.3 in Fig. 4, elsewhere what the rounded angles add up to. */
+static double corner(int figure, int which) { return FIGURES[figure].in[which] + FIGURES[figure].out[which]; }
+
 static double angle(const double *a, const double *b) {
     return fabs(atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]));
 }
 
-/* The zigzag: its chords rise and fall so that the two corners turn by what the table's angles add up to, and the
- * first asked direction of Fig. 4 is horizontal. Then the two directions. y grows downwards. */
+/* The zigzag: its chords rise and fall so that each of the two corners turns by what the table's angles there add up to, and
+ * the first asked direction of Fig. 4 is horizontal. Then the two directions. y grows downwards. */
 static void set_up(int figure, double *points, double asked[2][2]) {
     double heading = -FIGURES[0].in[0] * PI / 180, x = 0, y = 0, headings[4];
     for (int i = 0; i < 4; i++) {
-        double length = i == 2 ? 2.5 : 1, turn = 101.3 * PI / 180;
+        double length = i == 2 ? 2.5 : 1;
         points[2 * i] = x, points[2 * i + 1] = y;
-        headings[i] = i == 1 || i == 3 ? heading : i == 2 ? heading + turn : heading - 0.2;
+        if (i > 1) heading += (i == 2 ? 1 : -1) * corner(figure, i - 2) * PI / 180;
+        headings[i] = i == 0 ? heading - 0.2 : heading;
         x += length * cos(headings[i]), y += length * sin(headings[i]);
     }
     points[8] = x, points[9] = y;
     for (int which = 0; which < 2; which++) {
-        double from = headings[1 + which], side = which ? -1 : 1, in = FIGURES[figure].in[which];
-        double sum = in + FIGURES[figure].out[which]; /* near 101.3: the table's angles are rounded */
-        double a = from + side * 101.3 * in / sum * PI / 180;
+        double from = headings[1 + which], side = which ? -1 : 1;
+        double a = from + side * FIGURES[figure].in[which] * PI / 180;
         asked[which][0] = cos(a), asked[which][1] = sin(a);
     }
 }
@@ -109,7 +113,7 @@ static int check(int figure, FILE *file) {
     double points[2 * POINTS], asked[2][2], right[2 * POINTS] = {0}, wrong[2 * POINTS] = {0}, worst = 0;
     set_up(figure, points, asked);
     for (int which = 0; which < 2; which++) {
-        /* The table's k are Eq. 7 with the table's angles, just as both are printed. */
+        /* The table's k are Eq. 7 with the table's angles, as both are printed. */
         double in = FIGURES[figure].in[which], out = FIGURES[figure].out[which];
         if (fabs(equation_7(in, out, which) - FIGURES[figure].k[which]) > 2e-5) return 1;
         int i = 2 + which;
@@ -127,18 +131,19 @@ static int check(int figure, FILE *file) {
     for (int which = 0; which < 2; which++) {
         int i = 2 + which;
         double off = angle(as_printed[i].right, asked[which]) * 180 / PI;
-        /* As corrected, the direction is the one asked for, and k is Eq. 7 with the angles changed over. */
+        /* Put right, the direction is the one asked for, and k is Eq. 7 with its two sines exchanged. */
         if (!(angle(as_asked[i].right, asked[which]) < 1e-9)) return 4;
-        if (fabs(as_asked[i].k -
-                 equation_7(as_asked[i].angle_out * 180 / PI, as_asked[i].angle_in * 180 / PI, which)) > 1e-9)
+        if (fabs(as_asked[i].k - equation_7(FIGURES[figure].out[which], FIGURES[figure].in[which], which)) >
+            1e-9)
             return 5;
         /* As printed, k is the table's, and the two angles of the curve have changed places (to the degree: the
          * table rounds). */
         if (fabs(as_printed[i].k - FIGURES[figure].k[which]) > 1e-9) return 6;
         if (fabs(as_printed[i].angle_out * 180 / PI - FIGURES[figure].in[which]) > 1) return 7;
         worst = fmax(worst, off);
-        printf("  asked %5.1f in, k %.5f; printed k %.5f is off by %5.1f", FIGURES[figure].in[which],
-               as_asked[i].k, as_printed[i].k, off);
+        printf("  %5.1f, %5.1f: printed %.5f, Eq. 7 %.5f, put right %.5f; off by %4.1f",
+               FIGURES[figure].in[which], FIGURES[figure].out[which], FIGURES[figure].k[which],
+               equation_7(FIGURES[figure].in[which], FIGURES[figure].out[which], which), as_asked[i].k, off);
     }
     printf(" degrees\n");
     if (figure == 0 ? fabs(worst - 11.3) > 0.1 : worst < 97) return 8;
@@ -162,7 +167,7 @@ int main(int count, char **words) {
                 "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 760 1340' font-family='sans-serif'>\n"
                 "<rect width='760' height='1340' fill='#fff'/>\n<text x='24' y='28' font-size='14' "
                 "fill='#59616c'>"
-                "as corrected</text>\n<text x='470' y='28' font-size='14' fill='#59616c'>Eq. 7 as "
+                "put right</text>\n<text x='470' y='28' font-size='14' fill='#59616c'>Eq. 7 as "
                 "printed</text>\n");
     int wrong = 0;
     for (int figure = 0; figure < FIGURE_COUNT && !wrong; figure++) {

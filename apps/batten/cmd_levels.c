@@ -79,9 +79,11 @@ const cli_command command_levels = {
     .name = "levels",
     .usage = "SHAPE [EDITS] | --decompose N CURVE",
     .summary = "Edits sweep and detail apart, or takes a curve apart into them.",
-    .details = "SHAPE is a base curve and levels of detail in the frames below. The result is {\"shape\", "
-               "\"curves\"}:\n"
-               "the shape after the edits, and the curves of all its levels, base first.",
+    .details =
+        "SHAPE is a base curve and levels of detail in the frames below. The result is {\"shape\", "
+        "\"curves\"}:\n"
+        "the shape after the edits, and the curves of all its levels, base first. EDITS is a list such as\n"
+        "[{\"type\":\"drag\", \"level\":0, \"u\":0.5, \"delta\":[0,-40]}]; docs/levels.md has all kinds.",
     .example = "batten levels --decompose 3 outline.json > shape.json",
     .operands = 1,
     .more = 1,

@@ -100,7 +100,7 @@ static void k_matches_the_law_of_sines(void **state) {
     }
 }
 
-/* Table 1's printed k, its first angle column read as the angle to the outgoing chord (math 1.2). */
+/* Table 1's k are Eq. 7 as printed, its two sines exchanged: they come out when its angles are exchanged, too (math 1.2). */
 static void table_1(void **state) {
     (void)state;
     const double degree = PI / 180;
