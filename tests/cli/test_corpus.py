@@ -14,6 +14,8 @@ except ImportError:
     sys.exit(77)
 if not shutil.which("rsvg-convert"):
     sys.exit(77)
+from program import ONE_IN  # noqa: E402
+
 PICTURES = pathlib.Path(__file__).resolve().parent.parent / "pictures"
 sys.path.insert(0, str(PICTURES))
 from again import all_again  # noqa: E402
@@ -33,7 +35,7 @@ def spread(paths, count):
 def main():
     failed = False
     for folder, count, differ in CORPORA:
-        done = all_again(os.environ["BATTEN"], spread(files([folder]), count))
+        done = all_again(os.environ["BATTEN"], spread(files([folder]), -(-count // ONE_IN)))
         bad = [(path, wrong) for path, wrong in done if wrong]
         for path, wrong in bad:
             print(f"{', '.join(wrong):20} {path}")

@@ -16,6 +16,8 @@ except ImportError:
     sys.exit(77)
 if not shutil.which("rsvg-convert"):
     sys.exit(77)
+from program import ONE_IN  # noqa: E402
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "pictures"))
 from compare import SHARE, compare  # noqa: E402
 
@@ -219,10 +221,10 @@ FILES |= {
 
 
 def main():
-    batten, failed = os.environ["BATTEN"], []
+    batten, failed, chosen = os.environ["BATTEN"], [], list(FILES.items())[::ONE_IN]
     with tempfile.TemporaryDirectory() as folder:
         drawn, anew = (pathlib.Path(folder) / name for name in ("drawn.svg", "anew.svg"))
-        for name, content in FILES.items():
+        for name, content in chosen:
             drawn.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">{content}</svg>')
             share = compare(batten, drawn)
             subprocess.run([batten, "render", str(drawn), str(anew)], check=True, capture_output=True)
@@ -230,7 +232,7 @@ def main():
             if share is None or share > SHARE or again > SHARE:
                 failed.append(f"{name}: {share}, written anew {again}")
     print("\n".join(failed))
-    print(f"{len(FILES) - len(failed)} of {len(FILES)} files agree")
+    print(f"{len(chosen) - len(failed)} of {len(chosen)} files agree")
     sys.exit(1 if failed else 0)
 
 
