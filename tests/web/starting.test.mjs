@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { expectFaults, launch, ready, SCREENSHOTS } from './page.mjs';
+import { expectFaults, launch, ready, SCREENSHOTS, settle } from './page.mjs';
 import { begun, exactly, forgotten, said, tryAgain, version } from './starting.mjs';
 
 const WEB = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../web');
@@ -18,6 +18,12 @@ before(async () => {
 });
 after(() => browser.close());
 
+/** Of a page that has only begun there is no picture before its first frame. @param {string} name */
+async function photograph(page, name) {
+  await settle(page);
+  await page.screenshot({ path: path.join(SCREENSHOTS, name) });
+}
+
 for (const half of [0, 1]) {
   test(`each module that the page starts with is missing in turn, ${half + 1} of 2`, async (t) => {
     const { server, context } = await begun(t, browser, {}, false);
@@ -30,9 +36,9 @@ for (const half of [0, 1]) {
       assert.match(text, /could not start/);
       assert.ok(text.includes(file), `${file}: ${text}`);
       if (file === 'main.js') {
-        await page.screenshot({ path: path.join(SCREENSHOTS, 'starting-missing.png') });
+        await photograph(page, 'starting-missing.png');
         await page.emulateMedia({ colorScheme: 'dark' });
-        await page.screenshot({ path: path.join(SCREENSHOTS, 'starting-missing-dark.png') });
+        await photograph(page, 'starting-missing-dark.png');
       }
       server.without = /^$/;
       if (i % 6 === 0) {
@@ -61,7 +67,7 @@ for (const [what, [file, bytes, reason]] of Object.entries(spoils)) {
     server.spoil = (name, body) => (name === file ? Buffer.from(bytes) : body);
     await page.goto(server.address);
     assert.match(await said(page), reason);
-    await page.screenshot({ path: path.join(SCREENSHOTS, `starting-${what.replaceAll(/\W+/g, '-')}.png`) });
+    await photograph(page, `starting-${what.replaceAll(/\W+/g, '-')}.png`);
     server.spoil = (name, body) => body;
     await tryAgain(page);
   });
@@ -87,7 +93,7 @@ test('nothing of the build is there: said without a style sheet', async (t) => {
   server.without = /^(?!index\.html)/;
   await page.goto(server.address);
   assert.match(await said(page), /could not start[^]*시작할 수 없습니다/);
-  await page.screenshot({ path: path.join(SCREENSHOTS, 'starting-nothing.png') });
+  await photograph(page, 'starting-nothing.png');
   server.without = /^$/;
   await tryAgain(page);
 });
@@ -123,7 +129,7 @@ for (const [what, file] of [['a module that does not come', 'page/words.js'], ['
     assert.match(await said(page), /taking long[^]*오래/);
     assert.doesNotMatch(await said(page), /could not start/);
     if (file === 'batten.wasm') { // before its scripts are there a page can not be photographed
-      await page.screenshot({ path: path.join(SCREENSHOTS, 'starting-late.png') });
+      await photograph(page, 'starting-late.png');
     }
     go();
     await ready(page);
