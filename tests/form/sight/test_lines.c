@@ -15,12 +15,13 @@
 #include "support/solids.h"
 #include "support/views.h"
 
-#ifdef BATTEN_SANITIZED
-static const double APART = 2; /* pixels between rays */
+#ifdef __clang__
+enum { SANITIZED = __has_feature(address_sanitizer) };
 #else
-static const double APART = 0.5;
+enum { SANITIZED = 0 };
 #endif
-static const double APART_ON_OUTLINES = 4; /* rays that touch take long */
+static const double APART = SANITIZED ? 2 : 0.5; /* pixels between rays */
+static const double APART_ON_OUTLINES = 4;       /* rays that touch take long */
 static const double origin[3] = {0, 0, 0};
 static double wave(double x, double y) { return 0.2 * sin(4.1 * x + 0.3) * cos(3.3 * y - 0.2) + 0.05 * x; }
 
