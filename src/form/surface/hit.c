@@ -227,16 +227,16 @@ static int across(const search *s, const bat_cell *cell) {
 
 static void search_span(search *s, const bat_surface_finder *finder) {
     int top = 0, cells = 0;
+    s->failed = !bat_cells_hold(&s->waiting, 1);
+    if (s->failed) return;
     bat_cell *whole = s->waiting.at;
     bat_cell_gather(s->seen, s->span, whole->net); /* cheaper than the cell, and tells most of what misses */
     if (!may_hit(s, whole->net)) return;
     bat_finder_share(finder, s->span, whole->net);
     whole->low[0] = whole->low[1] = 0, whole->high[0] = whole->high[1] = 1, whole->halvings = 0;
     while (top >= 0 && cells++ < CELLS_MAX && !s->failed) {
-        if (!bat_cells_hold(&s->waiting, top + 2)) {
-            s->failed = true;
-            return;
-        }
+        s->failed = !bat_cells_hold(&s->waiting, top + 2);
+        if (s->failed) return;
         bat_cell *cell = s->waiting.at + top--;
         double x[2];
         if (!may_hit(s, cell->net)) continue;
@@ -322,7 +322,6 @@ bat_status bat_surface_finder_hits(const bat_surface_finder *finder, const doubl
     s.rounding = 4e-15 * reach;
     const ray r = {origin, axes, 1e-13 * reach, s.behind - 1e-13 * reach};
     for (int d = 0; d < 2; d++) s.degree[d] = surface->axis[d].degree;
-    s.failed = !bat_cells_hold(&s.waiting, 1);
     search_all(&s, finder, &r);
     if (s.failed) {
         status = BAT_MEMORY;

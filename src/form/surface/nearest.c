@@ -152,6 +152,7 @@ static int longer(const search *s, const double *net) {
 /* Whether there was memory. */
 static bool search_span(search *s) {
     int top = 0;
+    if (!bat_cells_hold(&s->waiting, 1)) return false;
     bat_cell_of(s->seen, s->span, s->waiting.at);
     descend(s, s->span, bat_span_parameter(s->seen, 0, s->span[0], 0.5),
             bat_span_parameter(s->seen, 1, s->span[1], 0.5));
@@ -212,11 +213,8 @@ static size_t collect(const bat_surface_finder *f, const double point[3], patch 
 
 static bat_status search_all(search *s, const bat_surface_finder *f, const double point[3]) {
     patch *patches = malloc((size_t)f->spans[0] * (size_t)f->spans[1] * sizeof *patches);
-    bool held = patches && bat_cells_hold(&s->waiting, 1);
-    if (!held) {
-        free(patches);
-        return BAT_MEMORY;
-    }
+    if (!patches) return BAT_MEMORY;
+    bool held = true;
     const size_t count = collect(f, point, patches);
     qsort(patches, count, sizeof *patches, by_bound); /* no ties */
     for (size_t i = 0; i < count && held && patches[i].bound < s->best.f; i++) {

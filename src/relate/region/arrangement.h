@@ -50,6 +50,10 @@ typedef struct bat_arrangement {
     bat_region_edge *edges;
 } bat_arrangement;
 
+static inline int bat_edge_degree(const bat_arrangement *a, const bat_region_edge *e) {
+    return bat_curve_degree(a->curves[e->curve].curve);
+}
+
 /* ---- cut.c ---- */
 /* Cuts all curves where they meet. */
 bat_status bat_arrangement_cut(bat_arrangement *a);

@@ -23,10 +23,6 @@ typedef struct judging {
     double near;
 } judging;
 
-static int degree_of(const bat_arrangement *a, const bat_region_edge *e) {
-    return bat_curve_degree(a->curves[e->curve].curve);
-}
-
 /* ---- sides ---- */
 
 static void see(judging *j, size_t region) {
@@ -93,7 +89,8 @@ static bool look(judging *j, size_t index, double place, int *out) {
     bat_region_ray r;
     bool up;
     int rest;
-    if (!bat_ray_cast(a->edges + index, degree_of(a, a->edges + index), place, &r, &up, &rest)) return false;
+    if (!bat_ray_cast(a->edges + index, bat_edge_degree(a, a->edges + index), place, &r, &up, &rest))
+        return false;
     forget(j);
     count(j, index, 1, j->own);
     /* With x and y changed, left is right, and all signs turn. */

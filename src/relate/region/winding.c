@@ -1,15 +1,12 @@
 #include "relate/region/winding.h"
 
+#include "base/box.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { CELLS = 1 << 16 }; /* along each side */
-
-static int degree_of(const bat_arrangement *a, const bat_region_edge *e) {
-    return bat_curve_degree(a->curves[e->curve].curve);
-}
 
 /* Edges that run along another are where that is. */
 static const bat_region_edge *shape_of(const bat_arrangement *a, size_t edge) {
@@ -19,7 +16,7 @@ static const bat_region_edge *shape_of(const bat_arrangement *a, size_t edge) {
 static const double *points_of(const void *things, size_t i, size_t *count) {
     const bat_winding *w = things;
     const bat_region_edge *e = shape_of(w->a, w->order[i]);
-    *count = (size_t)e->spans * (size_t)(degree_of(w->a, e) + 1);
+    *count = (size_t)e->spans * (size_t)(bat_edge_degree(w->a, e) + 1);
     return e->bezier;
 }
 
@@ -38,22 +35,16 @@ static int by_cell(const void *a, const void *b) {
     return (x->first > y->first) - (x->first < y->first);
 }
 
-static void include(double box[4], const double *other) {
-    for (int c = 0; c < 2; c++) box[c] = fmin(box[c], other[c]), box[2 + c] = fmax(box[2 + c], other[2 + c]);
-}
-
-static const double EMPTY[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
-
 static size_t find_loops(const bat_arrangement *a, loop *all, double box[4]) {
     size_t count = 0;
-    memcpy(box, EMPTY, sizeof EMPTY);
+    bat_box_nothing(box);
     for (size_t i = 0; i < a->edge_count; i++) {
         if (i == 0 || a->edges[i].curve != a->edges[i - 1].curve) {
             all[count] = (loop){.first = i};
-            memcpy(all[count++].box, EMPTY, sizeof EMPTY);
+            bat_box_nothing(all[count++].box);
         }
         all[count - 1].count++;
-        include(all[count - 1].box, a->edges[i].box), include(box, a->edges[i].box);
+        bat_box_hold(all[count - 1].box, a->edges[i].box), bat_box_hold(box, a->edges[i].box);
     }
     return count;
 }
@@ -137,7 +128,7 @@ static void add_chord(const counting *c, size_t from, size_t to) {
     const bat_arrangement *a = c->w->a;
     const bat_region_edge *first = a->edges + c->w->order[from], *last = a->edges + c->w->order[to - 1];
     if (first->node[0] == last->node[1]) return; /* all the way round */
-    const double *end = last->bezier + 2 * ((degree_of(a, last) + 1) * last->spans - 1);
+    const double *end = last->bezier + 2 * ((bat_edge_degree(a, last) + 1) * last->spans - 1);
     const int crossed = bat_ray_chord(c->r, first->bezier, end);
     if (crossed) c->add(c->to, a->curves[first->curve].region, crossed);
 }
@@ -162,7 +153,7 @@ static void count_in(const counting *c, bat_hull_part s) {
         const bat_region_edge *e = w->a->edges + w->order[s.first],
                               *shape = shape_of(w->a, w->order[s.first]);
         if (e->same_as == c->skip) return;
-        const int crossed = e->sign * bat_ray_crossings(c->r, shape, degree_of(w->a, shape));
+        const int crossed = e->sign * bat_ray_crossings(c->r, shape, bat_edge_degree(w->a, shape));
         if (crossed) c->add(c->to, w->a->curves[e->curve].region, crossed);
         return;
     }
