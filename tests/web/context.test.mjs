@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { inThemes, launch, open, place, quiet, SCREENSHOTS, settle, state, violations } from './page.mjs';
+import { inThemes, launch, open, place, quiet, rulesIn, SCREENSHOTS, settle, state, violations } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -30,7 +30,7 @@ test('a right click chooses what lies there and offers what fits it; a drag turn
   assert.ok(['copy', 'order-front', 'curve-reverse', 'delete'].every((name) => one.includes(name)), String(one));
   assert.ok(!one.includes('region-unite') && !one.includes('distribute-across'), String(one));
   await inThemes(page, async (colorScheme) => {
-    assert.deepEqual(await violations(page, colorScheme === 'light' ? 'all' : 'colours'), []);
+    assert.deepEqual(await violations(page, rulesIn(colorScheme)), []);
     await page.screenshot({ path: path.join(SCREENSHOTS, `context-${colorScheme}.png`) });
   });
   // Arrows go through it, Enter runs; the drawing has the focus again.

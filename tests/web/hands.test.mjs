@@ -247,6 +247,17 @@ test('the pressure curve is drawn as the engine has it', async () => {
   await context.close();
 });
 
+/** The first hints have gone and do not come back. */
+async function goneForGood(page) {
+  await settle(page);
+  assert.equal(await page.isVisible('#first'), false);
+  await quiet(page); // what was set is kept
+  await page.reload();
+  await page.waitForSelector('html[data-ready=yes]');
+  await settle(page);
+  assert.equal(await page.isVisible('#first'), false, 'they do not come back');
+}
+
 for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800 } }], ['tablet', TABLET]]) {
   test(`the first minute: hints go as they are followed, and stay away; ${screen}`, async () => {
     const { page, hand, context } = await open(browser, server.address, options);
@@ -263,13 +274,7 @@ for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800
     await hand.tap(2);
     assert.equal(await hints(), 1);
     await page.click('[data-name=tool-points]');
-    await settle(page);
-    assert.equal(await page.isVisible('#first'), false);
-    await quiet(page); // what was set is kept
-    await page.reload();
-    await page.waitForSelector('html[data-ready=yes]');
-    await settle(page);
-    assert.equal(await page.isVisible('#first'), false, 'they do not come back');
+    await goneForGood(page);
     await context.close();
   });
 }
@@ -281,13 +286,7 @@ test('the first hints: sent away at once, drawn through, and none over an empty 
   await hand.stroke([[x + 10, y + height / 2], [x + width / 2, y + height - 8], [x + width + 90, y + 20]]);
   assert.notEqual((await state(page)).digest, plain, 'the pen draws through them');
   await page.click('#first button');
-  await settle(page);
-  assert.equal(await page.isVisible('#first'), false);
-  await quiet(page); // what was set is kept
-  await page.reload();
-  await page.waitForSelector('html[data-ready=yes]');
-  await settle(page);
-  assert.equal(await page.isVisible('#first'), false);
+  await goneForGood(page);
   await context.close();
   const empty = await serve();
   const other = await open(browser, empty.address);

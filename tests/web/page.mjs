@@ -251,6 +251,9 @@ export const pictures = (page, name) => inThemes(page, (colorScheme) =>
 /** Rules of axe-core whose answers hang on colours. */
 const COLOURS = ['color-contrast', 'link-in-text-block'];
 
+/** Of a state that is looked at in both themes: by all rules in one of them. @param {'light' | 'dark'} colorScheme */
+export const rulesIn = (colorScheme) => (colorScheme === 'light' ? 'all' : 'colours');
+
 /**
  * What axe-core finds wrong with the page, in words.
  * @param {'all' | 'colours'} rules `colours`: a state that all rules have looked at, in another theme
@@ -345,20 +348,16 @@ export class Hand {
     await this.#mouse('mouseMoved', dense[0], { pointerType, button: 'none', buttons: 0, modifiers });
     sent.push(this.#mouse('mousePressed', dense[0], { ...pen(0.3), clickCount: 1 }));
     dense.slice(1).forEach((point, i) => sent.push(this.#mouse('mouseMoved', point, pen(0.3 + (0.4 * i) / dense.length))));
-    if (lift && !during && [...dense, end].every(([x, y]) => x === dense[0][0] && y === dense[0][1])) {
-      // A tap ends at once: on a machine under load it would become a long press.
-      sent.push(this.#mouse('mouseReleased', end, { ...pen(0), buttons: 0, clickCount: 1 }));
+    const still = [...dense, end].every(([x, y]) => x === dense[0][0] && y === dense[0][1]);
+    if (!lift || during || !still) { // a tap ends at once: on a machine under load it would become a long press
       await Promise.all(sent);
       await settle(this.page);
-      return dense;
     }
-    await Promise.all(sent);
-    await settle(this.page);
     if (during) {
       await during();
     }
     if (lift) {
-      await this.lift(end, { ...pen(0), buttons: 0 });
+      await Promise.all([...sent, this.lift(end, { ...pen(0), buttons: 0 })]);
     }
     return dense;
   }

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { inThemes, launch, open, place, reveal, said, SCREENSHOTS, settle, state, violations } from './page.mjs';
+import { inThemes, launch, open, pictures, place, reveal, rulesIn, said, SCREENSHOTS, settle, state, violations } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -111,7 +111,7 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
   assert.deepEqual(await ends(), { within: true, behind: true });
   await page.evaluate(() => { document.documentElement.dir = 'rtl'; });
   assert.deepEqual(await ends(), { within: true, behind: true }, 'a number stands before its unit');
-  await inThemes(page, (colorScheme) => page.screenshot({ path: path.join(SCREENSHOTS, `precision-${colorScheme}-rtl.png`) }));
+  await pictures(page, 'precision-rtl');
   await page.evaluate(() => { document.documentElement.dir = ''; });
   await page.keyboard.press('Control+z');
   await settle(page);
@@ -127,7 +127,7 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
   assert.equal(await page.getAttribute('#number-y', 'aria-invalid'), 'true');
   await inThemes(page, async (colorScheme) => {
     await page.screenshot({ path: path.join(SCREENSHOTS, `precision-${colorScheme}-numbers.png`) });
-    assert.deepEqual(await violations(page, colorScheme === 'light' ? 'all' : 'colours'), [], colorScheme);
+    assert.deepEqual(await violations(page, rulesIn(colorScheme)), [], colorScheme);
   });
   await page.keyboard.press('Escape');
   assert.match(await said(page, '#number-y'), /^[0-9.]+ mm$/);
@@ -146,6 +146,6 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
   assert.equal(await said(page, '#setting-grid-spacing'), '6.35 mm');
   assert.match(await page.textContent('#readouts'), /= [0-9.]+ mm/);
   await page.locator('#setting-unit').scrollIntoViewIfNeeded();
-  await inThemes(page, (colorScheme) => page.screenshot({ path: path.join(SCREENSHOTS, `precision-${colorScheme}-settings.png`) }));
+  await pictures(page, 'precision-settings');
   await context.close();
 });
