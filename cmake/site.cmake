@@ -26,10 +26,11 @@ add_custom_command(OUTPUT ${PEER_FILES} VERBATIM COMMENT "The two other librarie
   COMMAND ${CMAKE_COMMAND} -E copy ${from}/paper/LICENSE.txt ${PEERS_FOLDER}/paper.LICENSE.txt)
 
 file(GLOB DEMO_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/demos/*.journal)
-list(APPEND DEMO_FILES ${PROJECT_SOURCE_DIR}/examples/car.svg ${PROJECT_SOURCE_DIR}/docs/pictures/car.journal)
+list(APPEND DEMO_FILES ${PROJECT_SOURCE_DIR}/examples/car.svg ${PROJECT_SOURCE_DIR}/docs/pictures/car.journal
+  ${PROJECT_SOURCE_DIR}/examples/silhouette/sketch.journal)
 list(JOIN DEMO_FILES "|" DEMO_LIST)
 list(JOIN PEER_FILES "|" PEER_LIST)
-set(SITE_WORDS ${PROJECT_SOURCE_DIR}/web/site/front.json ${PROJECT_SOURCE_DIR}/web/site/race.json)
+set(SITE_WORDS ${PROJECT_SOURCE_DIR}/web/site/front.json ${PROJECT_SOURCE_DIR}/web/site/race.json ${PROJECT_SOURCE_DIR}/web/site/study.json)
 list(JOIN SITE_WORDS "|" SITE_WORDS_LIST)
 set(SITE_HEAD ${PROJECT_SOURCE_DIR}/web/site/head.txt)
 add_custom_command(OUTPUT ${BATTEN_SITE}/index.html VERBATIM COMMENT "The editor for a static host"

@@ -2,7 +2,7 @@
 # BATTEN_TEST_PREFIX, so that the tests of several trees can be run as one list. ONLY_ALL: ./test leaves it out, for the
 # reason given; ./test all runs it. FIXTURES: those that it requires. PROPERTIES: as set_tests_properties takes them.
 set(BATTEN_TEST_PREFIX "" CACHE STRING "What the names of this tree's tests begin with")
-set(BATTEN_TEST_ENVIRONMENT "ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1" "UBSAN_OPTIONS=print_stacktrace=1"
+set(BATTEN_TEST_ENVIRONMENT "ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1:quarantine_size_mb=32:malloc_context_size=12" "UBSAN_OPTIONS=print_stacktrace=1"
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.txt:print_suppressions=0")
 function(batten_test name)
   cmake_parse_arguments(the "" "ONLY_ALL" "COMMAND;LABELS;FIXTURES;PROPERTIES" ${ARGN})

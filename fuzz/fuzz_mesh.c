@@ -1,6 +1,7 @@
 /* Any bytes as a MESH and as a model: what was read is written and reads back the same, and can be divided, converted
  * and given other vertices. */
 #include <batten/bezier.h>
+#include <batten/compare.h>
 #include <batten/format.h>
 #include <batten/mesh.h>
 #include <batten/surface.h>
@@ -56,6 +57,30 @@ static bool small(const bat_model *model) {
     return count < 30;
 }
 
+/* How far everything is from the mesh and the curves: at no point further than the greatest. */
+static void compare(const bat_model *model) {
+    bat_reference *reference = NULL;
+    bat_deviation d;
+    double closest[3], distance;
+    const bat_polymesh *mesh = model->mesh;
+    if (bat_reference_create(model->curve_count, (const bat_curve *const *)model->curves, 0, NULL,
+                             mesh != NULL, &mesh, &reference) != BAT_OK)
+        return;
+    const double spacing = 0.3 * bat_model_size(model);
+    if (mesh && bat_polymesh_deviation(mesh, reference, spacing, &d) == BAT_OK &&
+        !(d.mean <= d.rms * (1 + 1e-9)))
+        abort();
+    for (size_t i = 0; i < model->curve_count; i++)
+        if (bat_curve_deviation(model->curves[i], reference, spacing, &d) == BAT_OK && !(d.greatest >= 0))
+            abort();
+    for (size_t i = 0; i < model->surface_count; i++)
+        if (bat_surface_deviation(model->surfaces[i], reference, spacing, &d) == BAT_OK &&
+            !(bat_reference_nearest(reference, d.at, closest, &distance) == BAT_OK &&
+              fabs(distance - d.greatest) <= 1e-9 * d.greatest))
+            abort();
+    bat_reference_free(reference);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_model model, again;
     bat_polymesh *mesh = NULL;
@@ -78,7 +103,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const int three = 3, face[3] = {0, 0, (int)size};
         if (bat_polymesh_create(1, at, 1, &three, face, &mesh, &length) == BAT_OK) abort();
     }
-    if (small(&model)) convert(&model);
+    if (small(&model)) convert(&model), compare(&model);
     bat_model_clear(&model);
     bat_model_clear(&again);
     return 0;

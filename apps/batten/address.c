@@ -43,7 +43,7 @@ static void take_number(address *a) {
     *slash = '\0';
 }
 
-static bool bears(const bat_object *object, const char *name) {
+bool address_names(const bat_object *object, const char *name) {
     char id[32];
     snprintf(id, sizeof id, "%llu", (unsigned long long)bat_object_id(object));
     return strcmp(bat_object_name(object), name) == 0 || strcmp(id, name) == 0;
@@ -55,7 +55,7 @@ static int fail_several(const address *a, const bat_document *document) {
     size_t used = 0;
     for (int i = 0; i < bat_document_count(document) && used + 24 < sizeof ids; i++) {
         const bat_object *object = bat_document_at(document, i);
-        if (bears(object, a->name))
+        if (address_names(object, a->name))
             used += (size_t)snprintf(ids + used, sizeof ids - used, "%s%llu", used ? ", " : "",
                                      (unsigned long long)bat_object_id(object));
     }
@@ -65,7 +65,7 @@ static int fail_several(const address *a, const bat_document *document) {
 static int find(const address *a, const bat_document *document, int *out) {
     int found = -1;
     for (int i = 0; i < bat_document_count(document); i++) {
-        if (!bears(bat_document_at(document, i), a->name)) continue;
+        if (!address_names(bat_document_at(document, i), a->name)) continue;
         if (found >= 0) return fail_several(a, document);
         found = i;
     }

@@ -7,9 +7,12 @@
 #include "program.h"
 
 #include <batten/curve.h>
+#include <batten/document.h>
 
 /* Whether the word is an address: it has a '#' with something before and behind it, and no file has that name. */
 bool is_address(const char *word);
+/* Whether it is the object's name, or its id. */
+bool address_names(const bat_object *object, const char *name);
 /* A copy of the curve there. The drawing of the first address is kept until address_release. Returns 0, or an exit
  * status after reporting the failure. */
 int address_read(const char *word, bat_curve **out);

@@ -28,7 +28,7 @@ static bool is_aside_name(const char *name) {
 
 bool aside_open(int folder, mode_t mode, aside_file *aside) {
     for (int i = 0; i < ASIDE_TRIES && make_name(aside->name); i++) {
-        aside->file = openat(folder, aside->name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        aside->file = openat(folder, aside->name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (aside->file < 0 && errno != EEXIST) return false;
         if (aside->file < 0) continue;
         struct stat status;

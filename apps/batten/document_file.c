@@ -2,7 +2,6 @@
 #include "document_file.h"
 
 #include "gzip.h"
-#include "replace.h"
 #include <batten/document.h>
 
 #include <errno.h>
@@ -15,14 +14,30 @@
 /* Size and FNV-1a hash of the content: the chance that two versions of one size get the same tag by accident
  * is 2^-64. Time and inode are left out, so that touching the file or writing back the same bytes is no
  * change; io_replace compares those over the short time of a save. */
-static void make_tag(const char *data, size_t size, bool exists, char tag[TAG_ROOM]) {
-    if (!exists) {
+typedef struct tag_sum {
+    uint64_t hash;
+    size_t size;
+} tag_sum;
+
+static const tag_sum NO_SUM = {0xcbf29ce484222325u, 0};
+
+static void add_to_tag(void *user, const char *data, size_t size) {
+    tag_sum *sum = user;
+    for (size_t i = 0; i < size; i++) sum->hash = (sum->hash ^ (unsigned char)data[i]) * 0x100000001b3u;
+    sum->size += size;
+}
+
+static void tag_of(tag_sum sum, bool exists, char tag[TAG_ROOM]) {
+    if (exists)
+        snprintf(tag, TAG_ROOM, "\"%zx-%016llx\"", sum.size, (unsigned long long)sum.hash);
+    else
         strcpy(tag, "\"none\"");
-        return;
-    }
-    uint64_t hash = 0xcbf29ce484222325u;
-    for (size_t i = 0; i < size; i++) hash = (hash ^ (unsigned char)data[i]) * 0x100000001b3u;
-    snprintf(tag, TAG_ROOM, "\"%zx-%016llx\"", size, (unsigned long long)hash);
+}
+
+static void make_tag(const char *data, size_t size, bool exists, char tag[TAG_ROOM]) {
+    tag_sum sum = NO_SUM;
+    if (exists) add_to_tag(&sum, data, size);
+    tag_of(sum, exists, tag);
 }
 
 static file_result empty_drawing(const bat_format *format, char **data, size_t *size) {
@@ -104,34 +119,51 @@ static file_result check(const bat_format *format, const char *data, size_t size
     return FILE_DONE;
 }
 
-/* Called with the place locked: other servers save before or after, and see what was saved. */
-static file_result replace(const io_place *place, const char *data, size_t size, const char *tag) {
-    char *old, old_tag[TAG_ROOM];
-    size_t old_size;
-    io_stamp stamp;
-    io_result loaded = io_load(place->path, &old, &old_size, &stamp);
-    if (loaded != IO_DONE) return result_of(loaded);
-    make_tag(old, old_size, stamp.exists, old_tag);
-    free(old);
-    if (strcmp(tag, old_tag) != 0) return FILE_CHANGED;
-    return result_of(io_replace(place, data, size, &stamp));
+/* What is written into the place: what has arrived, or, for an .svgz, the packed data of it. */
+typedef struct saved_content {
+    upload *content;
+    const char *data;
+    size_t size;
+    char *packed; /* to be freed; NULL: it is written as it arrived */
+} saved_content;
+
+static file_result saved_begin(upload *content, const bat_format *format, saved_content *out,
+                               bat_problem *problem) {
+    *out = (saved_content){.content = content};
+    if (!upload_view(content, &out->data, &out->size)) return FILE_FAILED;
+    const file_result result = check(format, out->data, out->size, problem);
+    if (result != FILE_DONE) return result;
+    return pack_for(upload_place(content)->path, &out->data, &out->size, &out->packed) ? FILE_DONE
+                                                                                       : FILE_FAILED;
 }
 
-file_result document_file_save(const char *path, const bat_format *format, const char *data, size_t size,
-                               const char *tag, char new_tag[TAG_ROOM], bat_problem *problem) {
-    file_result result = check(format, data, size, problem);
-    if (result != FILE_DONE) return result;
-    char *packed;
-    io_place place;
-    if (!pack_for(path, &data, &size, &packed)) return FILE_FAILED;
-    result = FILE_FAILED;
-    if (io_place_open(&place, path)) {
-        io_place_lock(&place);
-        result = replace(&place, data, size, tag);
-        io_place_close(&place);
+static io_result saved_put(const saved_content *saved, const io_stamp *expected) {
+    return saved->packed ? io_replace(upload_place(saved->content), saved->data, saved->size, expected)
+                         : upload_put(saved->content, expected);
+}
+
+/* Called with the place locked: other servers save before or after, and see what was saved. */
+static file_result replace(const saved_content *saved, const char *tag) {
+    char old_tag[TAG_ROOM];
+    tag_sum sum = NO_SUM;
+    io_stamp stamp;
+    io_result scanned = io_scan(upload_place(saved->content)->path, add_to_tag, &sum, &stamp);
+    if (scanned != IO_DONE) return result_of(scanned);
+    tag_of(sum, stamp.exists, old_tag);
+    if (strcmp(tag, old_tag) != 0) return FILE_CHANGED;
+    return result_of(saved_put(saved, &stamp));
+}
+
+file_result document_file_save(upload *content, const bat_format *format, const char *tag,
+                               char new_tag[TAG_ROOM], bat_problem *problem) {
+    saved_content saved;
+    file_result result = saved_begin(content, format, &saved, problem);
+    if (result == FILE_DONE) {
+        io_place_lock(upload_place(content));
+        result = replace(&saved, tag);
     }
-    if (result == FILE_DONE) make_tag(data, size, true, new_tag);
-    free(packed);
+    if (result == FILE_DONE) make_tag(saved.data, saved.size, true, new_tag);
+    free(saved.packed);
     return result;
 }
 
@@ -151,7 +183,8 @@ static bool name_copy(const char *name, int number, char out[NAME_ROOM]) {
 }
 
 /* A file that takes the name at the last moment is not overwritten either. */
-static file_result put_beside(io_place *place, const char *data, size_t size, char name[NAME_ROOM]) {
+static file_result put_beside(const saved_content *saved, char name[NAME_ROOM]) {
+    io_place *place = upload_place(saved->content);
     static const io_stamp nothing = {.exists = false};
     char first[NAME_ROOM];
     if (snprintf(first, NAME_ROOM, "%s", place->name) >= NAME_ROOM) {
@@ -161,32 +194,30 @@ static file_result put_beside(io_place *place, const char *data, size_t size, ch
     for (int number = 1; number <= COPIES_MAX; number++) {
         if (!name_copy(first, number, name) || !io_place_rename(place, name)) return FILE_FAILED;
         if (io_place_taken(place)) continue;
-        io_result result = io_replace(place, data, size, &nothing);
+        io_result result = saved_put(saved, &nothing);
         if (result == IO_DONE || result == IO_FAILED) return result_of(result);
     }
     return FILE_CHANGED;
 }
 
-file_result document_file_save_beside(const char *path, const bat_format *format, const char *data,
-                                      size_t size, char name[NAME_ROOM], bat_problem *problem) {
-    file_result result = check(format, data, size, problem);
-    if (result != FILE_DONE) return result;
-    char *packed;
-    io_place place;
-    if (!pack_for(path, &data, &size, &packed)) return FILE_FAILED;
-    if (!io_place_open(&place, path)) {
-        free(packed);
-        return FILE_FAILED;
+file_result document_file_save_beside(upload *content, const bat_format *format, char name[NAME_ROOM],
+                                      bat_problem *problem) {
+    saved_content saved;
+    file_result result = saved_begin(content, format, &saved, problem);
+    if (result == FILE_DONE) {
+        io_place *place = upload_place(content);
+        /* A file that only its owner may read stays private. */
+        place->like = open(place->path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+        if (place->like < 0 && errno != ENOENT) place->like = open(place->path, O_PATH | O_CLOEXEC);
+        io_place_lock(place);
+        result = put_beside(&saved, name);
+        const int reason = errno;
+        if (place->like >= 0) close(place->like);
+        place->like = -1;
+        errno = reason;
     }
-    /* A file that only its owner may read stays private. */
-    place.like = open(place.path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (place.like < 0 && errno != ENOENT) place.like = open(place.path, O_PATH | O_CLOEXEC);
-    io_place_lock(&place);
-    result = put_beside(&place, data, size, name);
     const int reason = errno;
-    if (place.like >= 0) close(place.like);
+    free(saved.packed);
     errno = reason;
-    io_place_close(&place);
-    free(packed);
     return result;
 }

@@ -4,6 +4,7 @@
 
 #include "drawing.h"
 #include "io.h"
+#include "upload.h"
 
 enum { TAG_ROOM = 40, NAME_ROOM = 256 };
 
@@ -28,15 +29,15 @@ typedef struct document_start {
  * `start`. */
 file_result document_file_load(const char *path, const bat_format *format, const document_start *start,
                                char **data, size_t *size, char tag[TAG_ROOM]);
-/* Replaces the version that `tag` identifies; new_tag is the tag of the new one. Nothing is written unless
+/* Replaces the version that `tag` identifies by what has arrived; new_tag is the tag of the new one. Nothing is written unless
  * FILE_DONE. Of simultaneous saves over one version, in this process or in others, exactly one returns
  * FILE_DONE. */
-file_result document_file_save(const char *path, const bat_format *format, const char *data, size_t size,
-                               const char *tag, char new_tag[TAG_ROOM], bat_problem *problem);
+file_result document_file_save(upload *content, const bat_format *format, const char *tag,
+                               char new_tag[TAG_ROOM], bat_problem *problem);
 
 /* Writes a new file beside it, "NAME (copy).svg" or the first of "NAME (copy 2).svg" ... that is free; never
  * overwrites anything. FILE_CHANGED: all names are taken. name: that of the new file, without the folder. */
-file_result document_file_save_beside(const char *path, const bat_format *format, const char *data,
-                                      size_t size, char name[NAME_ROOM], bat_problem *problem);
+file_result document_file_save_beside(upload *content, const bat_format *format, char name[NAME_ROOM],
+                                      bat_problem *problem);
 
 #endif

@@ -104,26 +104,54 @@ static void close_quietly(int file) {
     errno = reason;
 }
 
-io_result io_load(const char *path, char **data, size_t *size, io_stamp *stamp) {
-    *data = NULL;
-    *size = 0;
-    *stamp = (io_stamp){.exists = false};
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); /* never waits for a pipe's writer */
-    if (file < 0) {
+/* Opens a regular file. *file: -1: it failed, or nothing is there, which is IO_DONE. */
+static io_result open_regular(const char *path, int *file, struct stat *status) {
+    *file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); /* never waits for a pipe's writer */
+    if (*file < 0) {
         if (errno == ENOENT) return IO_DONE;
         return errno == ENXIO || errno == ENODEV ? IO_NOT_REGULAR
                                                  : IO_FAILED; /* a socket, or a device that is gone */
     }
-    struct stat status;
-    io_result result = fstat(file, &status) != 0  ? IO_FAILED
-                       : !S_ISREG(status.st_mode) ? IO_NOT_REGULAR
-                                                  : IO_DONE;
-    if (result == IO_DONE) {
-        *stamp = io_stamp_of(&status);
-        if (!read_whole(file, &status, data, size)) result = IO_FAILED;
+    io_result result = fstat(*file, status) != 0   ? IO_FAILED
+                       : !S_ISREG(status->st_mode) ? IO_NOT_REGULAR
+                                                   : IO_DONE;
+    if (result != IO_DONE) {
+        close_quietly(*file);
+        *file = -1;
     }
+    return result;
+}
+
+io_result io_load(const char *path, char **data, size_t *size, io_stamp *stamp) {
+    *data = NULL;
+    *size = 0;
+    *stamp = (io_stamp){.exists = false};
+    int file;
+    struct stat status;
+    io_result result = open_regular(path, &file, &status);
+    if (file < 0) return result;
+    *stamp = io_stamp_of(&status);
+    if (!read_whole(file, &status, data, size)) result = IO_FAILED;
     close_quietly(file);
     return result;
+}
+
+io_result io_scan(const char *path, void (*each)(void *user, const char *data, size_t size), void *user,
+                  io_stamp *stamp) {
+    *stamp = (io_stamp){.exists = false};
+    int file;
+    struct stat status;
+    const io_result result = open_regular(path, &file, &status);
+    if (file < 0) return result;
+    *stamp = io_stamp_of(&status);
+    char piece[1 << 14];
+    ssize_t got;
+    while ((got = read(file, piece, sizeof piece)) != 0) {
+        if (got > 0) each(user, piece, (size_t)got);
+        if (got < 0 && errno != EINTR) break;
+    }
+    close_quietly(file);
+    return got == 0 ? IO_DONE : IO_FAILED;
 }
 
 static struct {

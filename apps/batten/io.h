@@ -44,6 +44,9 @@ void io_lock(int file);
 /* Reads a whole regular file: malloc'ed, zero-terminated. Never waits on anything that is not a regular file.
  * A missing file: IO_DONE, *data NULL, size 0, stamp->exists false. */
 io_result io_load(const char *path, char **data, size_t *size, io_stamp *stamp);
+/* Reads a whole regular file of any size in pieces, in their order; otherwise as io_load. */
+io_result io_scan(const char *path, void (*each)(void *user, const char *data, size_t size), void *user,
+                  io_stamp *stamp);
 /* Whether nobody has write permission, or we have not. False when the file does not exist. */
 bool io_read_only(const char *path);
 /* Returns how many bytes were written; when fewer than size, errno says why. */

@@ -40,6 +40,7 @@ static const cli_command *const commands[] = {
     &command_curve_distance,
     &command_curve_region,
     &command_curve_outline,
+    &command_compare,
     &command_info,
     &command_completion,
     &command_replay,

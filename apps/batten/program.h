@@ -39,14 +39,15 @@ struct cli_arguments {
 
 extern const cli_command command_edit, command_eval, command_nearest, command_frames, command_fit,
     command_sketch, command_tangents, command_levels, command_convert, command_render, command_simplify,
-    command_info, command_replay, command_surface_eval, command_surface_isocurve, command_surface_closest,
-    command_surface_hit, command_surface_pick, command_surface_redraw, command_surface_sketch, command_cast,
-    command_surface_intersect, command_surface_levels, command_surface_convert, command_wire, command_revolve,
-    command_coons, command_loft, command_sweep, command_camera, command_motion, command_curve_length,
-    command_curve_bounds, command_curve_curvature, command_curve_split, command_curve_join,
-    command_curve_reverse, command_curve_elevate, command_curve_insert, command_curve_flatten,
-    command_curve_arcs, command_curve_intersect, command_curve_distance, command_curve_offset,
-    command_curve_region, command_curve_outline, command_width, command_completion;
+    command_compare, command_info, command_replay, command_surface_eval, command_surface_isocurve,
+    command_surface_closest, command_surface_hit, command_surface_pick, command_surface_redraw,
+    command_surface_sketch, command_cast, command_surface_intersect, command_surface_levels,
+    command_surface_convert, command_wire, command_revolve, command_coons, command_loft, command_sweep,
+    command_camera, command_motion, command_curve_length, command_curve_bounds, command_curve_curvature,
+    command_curve_split, command_curve_join, command_curve_reverse, command_curve_elevate,
+    command_curve_insert, command_curve_flatten, command_curve_arcs, command_curve_intersect,
+    command_curve_distance, command_curve_offset, command_curve_region, command_curve_outline, command_width,
+    command_completion;
 
 /* All of them, in the order of the help. */
 const cli_command *const *all_commands(size_t *count);

@@ -1,7 +1,6 @@
 #define _GNU_SOURCE /* renameat2, O_PATH */ /* NOLINT(bugprone-reserved-identifier) */
 #include "replace.h"
 
-#include "aside.h"
 #include "likeness.h"
 #include "rewrite.h"
 
@@ -143,15 +142,29 @@ static io_result write_straight(const io_place *place, const void *data, size_t 
     return done ? IO_DONE : IO_FAILED;
 }
 
-/* Writes the new content: beside the old file, which it then replaces, or over that of the old file. old: -1: none. */
-static io_result write_aside(const io_place *place, int old, const aside_file *aside, const void *data,
-                             size_t size, const io_stamp *expected) {
+/* What is to be written, and the file that holds it, if there is one. */
+typedef struct new_content {
+    const void *data;
+    size_t size;
+    const aside_file *full; /* beside the place; NULL: none */
+} new_content;
+
+static bool on_disk(const new_content *content, const aside_file *aside) {
+    return content->full ? fsync(aside->file) == 0 : aside_fill(aside, content->data, content->size);
+}
+
+/* Writes the new content: beside the old file, which it then replaces, or over that of the old file. old: -1: none. `aside` is empty;
+ * NULL: the content is in a file already. *over: set where it must be written over, for which an empty one is needed. */
+static io_result write_aside(const io_place *place, int old, const aside_file *aside,
+                             const new_content *content, const io_stamp *expected, bool *over) {
     struct stat status;
+    const aside_file *becomes = content->full ? content->full : aside;
     const int like = old >= 0 ? old : place->like;
-    const bool alike = like < 0 || likeness_give(like, aside->file);
-    if (old >= 0 && (!alike || fstat(old, &status) != 0 || status.st_nlink > 1))
-        return rewrite_file(place->folder, place->name, old, aside, data, size, expected);
-    return aside_fill(aside, data, size) ? put_in_place(place, aside, expected) : IO_FAILED;
+    const bool alike = like < 0 || likeness_give(like, becomes->file);
+    *over = old >= 0 && (!alike || fstat(old, &status) != 0 || status.st_nlink > 1);
+    if (!*over) return on_disk(content, becomes) ? put_in_place(place, becomes, expected) : IO_FAILED;
+    if (!aside) return IO_FAILED;
+    return rewrite_file(place->folder, place->name, old, aside, content->data, content->size, expected);
 }
 
 /* Opens the regular file in the place. -1: errno says why, ENOENT: there is none. */
@@ -164,29 +177,48 @@ static int open_old(const io_place *place) {
     return file;
 }
 
-io_result io_replace(const io_place *place, const void *data, size_t size, const io_stamp *expected) {
+/* With an empty file beside the place, where one is needed. */
+static io_result write_content(const io_place *place, int old, const new_content *content,
+                               const io_stamp *expected) {
+    bool over;
+    if (content->full) {
+        const io_result result = write_aside(place, old, NULL, content, expected, &over);
+        if (!over) return result;
+    }
+    aside_file aside;
+    if (!aside_open(place->folder, old >= 0 || place->like >= 0 ? 0600 : 0666, &aside)) return IO_FAILED;
+    const io_result result = write_aside(place, old, &aside, content, expected, &over);
+    aside_close(place->folder, &aside); /* the new file, or the old one, or nothing by now */
+    return result;
+}
+
+static io_result replace(const io_place *place, const new_content *content, const io_stamp *expected) {
     struct stat old;
     bool exists = fstatat(place->folder, place->name, &old, 0) == 0;
     if (!exists && errno != ENOENT) return IO_FAILED;
     if (exists && !S_ISREG(old.st_mode)) {
-        return expected ? IO_NOT_REGULAR : write_straight(place, data, size);
+        return expected ? IO_NOT_REGULAR : write_straight(place, content->data, content->size);
     }
     if (io_read_only(place->path)) return IO_READ_ONLY;
     int file = exists ? open_old(place) : -1;
     if (exists && file < 0 && errno != ENOENT) return IO_FAILED;
 
-    aside_file aside;
-    io_result result = IO_FAILED;
-    if (aside_open(place->folder, file >= 0 || place->like >= 0 ? 0600 : 0666, &aside)) {
-        result = write_aside(place, file, &aside, data, size, expected);
-        aside_close(place->folder, &aside); /* the new file, or the old one, or nothing by now */
-    }
+    io_result result = write_content(place, file, content, expected);
     int reason = errno;
     if (file >= 0) close(file);
     if (result == IO_DONE)
         fsync(place->folder); /* some file systems cannot do this; the file is complete all the same */
     errno = reason;
     return result;
+}
+
+io_result io_replace(const io_place *place, const void *data, size_t size, const io_stamp *expected) {
+    return replace(place, &(new_content){data, size, NULL}, expected);
+}
+
+io_result io_replace_by(const io_place *place, const aside_file *full, const void *data, size_t size,
+                        const io_stamp *expected) {
+    return replace(place, &(new_content){data, size, full}, expected);
 }
 
 void io_remove_leftovers(const io_place *place) { aside_remove_left(place->folder); }

@@ -2,6 +2,7 @@
 #ifndef BATTEN_APPS_REPLACE_H
 #define BATTEN_APPS_REPLACE_H
 
+#include "aside.h"
 #include "io.h"
 
 enum { PATH_ROOM = 4096 };
@@ -39,6 +40,10 @@ bool io_place_try_lock(const io_place *place);
  * is replaced; what is not a regular file (a pipe, a terminal) is written directly.
  */
 io_result io_replace(const io_place *place, const void *data, size_t size, const io_stamp *expected);
+/* The same by a file beside the place that holds the data already. Its name may be removed afterwards, as it stands for nothing or for
+ * the old file. */
+io_result io_replace_by(const io_place *place, const aside_file *full, const void *data, size_t size,
+                        const io_stamp *expected);
 
 /* Removes the files that killed processes have left beside the place, but none that a running one is writing. */
 void io_remove_leftovers(const io_place *place);

@@ -353,6 +353,7 @@ int write_mesh(const bat_polymesh *mesh, bat_text *report) {
 
 int fail_sketch(const char *stroke, bat_status status, const bat_sketch_report *report,
                 const bat_sketch_options *options) {
+    const double tolerance = options->tolerance > 0 ? options->tolerance : options->pixel;
     char reached[BAT_NUMBER_ROOM], asked[BAT_NUMBER_ROOM];
     switch (status) {
     case BAT_MEMORY: return fail_memory();
@@ -362,9 +363,9 @@ int fail_sketch(const char *stroke, bat_status status, const bat_sketch_report *
         return fail_data(stroke, "points", "expected a stroke near the curve, found one too far from it");
     case BAT_TOLERANCE:
         bat_number_print(report->max_error, reached);
-        bat_number_print(options->tolerance > 0 ? options->tolerance : options->pixel, asked);
-        return fail_data(stroke, "points", "expected a fit within %s, the best found reaches %s", asked,
-                         reached);
+        bat_number_print(tolerance, asked);
+        return fail_data(stroke, "points", "expected a fit within %s%s, the best found reaches %s", asked,
+                         report->max_error <= tolerance ? " with room to smooth it" : "", reached);
     default: return fail_data(stroke, NULL, "%s", bat_status_message(status));
     }
 }

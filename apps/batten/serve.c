@@ -59,8 +59,9 @@ struct http_server {
 typedef struct http_request {
     size_t address_size; /* of the address in the request line, as received */
     bool begun;          /* the headers have been examined */
-    char *body;
-    size_t size, room;
+    bool saves;          /* it has a body */
+    upload *body;        /* NULL: none */
+    int failed;          /* errno of what the body failed at; the rest of it is dropped. 0: nothing */
 } http_request;
 
 /* ---- responses ---- */
@@ -211,8 +212,9 @@ static http_refusal refuse_body(const http_server *server, struct MHD_Connection
     if (length[0] < '0' || length[0] > '9' || *end) {
         return (http_refusal){MHD_HTTP_BAD_REQUEST, "The header Content-Length is no number."};
     }
-    if (errno || bytes > SERVE_BODY_MAX) {
-        return (http_refusal){MHD_HTTP_CONTENT_TOO_LARGE, "The drawing is too large, above 64 MiB."};
+    if (errno || bytes > IO_FILE_MAX) {
+        return (http_refusal){MHD_HTTP_CONTENT_TOO_LARGE,
+                              "The drawing is above 256 MB, more than is read of a file."};
     }
     *size = (size_t)bytes;
     return (http_refusal){0, NULL};
@@ -248,13 +250,11 @@ static enum MHD_Result say_copy(const http_server *server, struct MHD_Connection
     if (!io_place_open(&place, path)) return MHD_NO;
     rewrite_copy_left(place.folder, place.name, copy);
     io_place_close(&place);
-    snprintf(
-        line, sizeof line,
-        earlier
-            ? "Not saved: an earlier save of the file broke off. Keep it or the copy from before, which is "
-              "beside it, and move the other away: the copy is %s"
-            : "The file was written in part only. As it was before, it is beside it as %s",
-        copy);
+    snprintf(line, sizeof line,
+             earlier ? "An earlier save of the file broke off. Keep it or the copy from before, which is "
+                       "beside it, and move the other away: the copy is %s"
+                     : "The file was written in part only. As it was before, it is beside it as %s",
+             copy);
     return say(connection, earlier ? MHD_HTTP_CONFLICT : MHD_HTTP_INTERNAL_SERVER_ERROR, line, NULL, NULL);
 }
 
@@ -322,23 +322,29 @@ static enum MHD_Result say_saved(const http_server *server, struct MHD_Connectio
     return answer(connection, status, response, NULL);
 }
 
+/* Nothing of a save is left beside the file when its page hears of it. */
+static void end_body(http_request *request) {
+    upload_end(request->body);
+    request->body = NULL;
+}
+
 static enum MHD_Result put_document(const http_server *server, struct MHD_Connection *connection,
-                                    const http_request *request) {
+                                    http_request *request) {
     const char *wanted = header(connection, "If-Match", NULL);
     char tag[TAG_ROOM] = "";
     bat_problem problem = {.place = ""};
-    file_result result = document_file_save(server->file.path, server->file.format, request->body,
-                                            request->size, wanted, tag, &problem);
+    file_result result = document_file_save(request->body, server->file.format, wanted, tag, &problem);
+    end_body(request);
     return say_saved(server, connection, result, &problem, MHD_HTTP_NO_CONTENT, MHD_HTTP_HEADER_ETAG, tag);
 }
 
 /* Writes a new file beside the served one. */
 static enum MHD_Result post_document(const http_server *server, struct MHD_Connection *connection,
-                                     const http_request *request) {
+                                     http_request *request) {
     char name[NAME_ROOM] = "", shown[CLEAN_ROOM * NAME_ROOM];
     bat_problem problem = {.place = ""};
-    file_result result = document_file_save_beside(server->file.path, server->file.format, request->body,
-                                                   request->size, name, &problem);
+    file_result result = document_file_save_beside(request->body, server->file.format, name, &problem);
+    end_body(request);
     if (result == FILE_CHANGED)
         return say(connection, MHD_HTTP_CONFLICT, "There are too many copies beside the file.", NULL, NULL);
     clean_text(name, shown, sizeof shown);
@@ -378,6 +384,15 @@ static void note_guest(http_server *server, struct MHD_Connection *connection, b
     }
 }
 
+/* Nothing is written into a folder that stands in the place of one that was moved. */
+static void begin_body(const http_server *server, size_t size, http_request *request) {
+    char now[PATH_ROOM];
+    if (held_folder_moved(&server->folder, now))
+        request->failed = ESTALE;
+    else if (!upload_begin(server->file.path, size, &request->body))
+        request->failed = errno;
+}
+
 /* Called when the headers have arrived, but not the body: decides whether to accept it. */
 static enum MHD_Result begin(http_server *server, struct MHD_Connection *connection, const char *path,
                              const char *method, http_request *request) {
@@ -395,12 +410,12 @@ static enum MHD_Result begin(http_server *server, struct MHD_Connection *connect
     }
     if (document) refusal = refuse_token(server, connection);
     note_guest(server, connection, document && !refusal.status);
-    if (!refusal.status && !get) refusal = refuse_body(server, connection, put, &request->room);
+    size_t size = 0;
+    if (!refusal.status && !get) refusal = refuse_body(server, connection, put, &size);
     if (refusal.status) return say(connection, refusal.status, refusal.text, NULL, NULL);
-    if (!get) {
-        request->body = malloc(request->room + 1);
-        if (!request->body) return MHD_NO;
-    }
+    request->saves = !get;
+    /* A page hears of a failure only when it has sent everything. */
+    if (!get) begin_body(server, size, request);
     return MHD_YES;
 }
 
@@ -414,20 +429,19 @@ static enum MHD_Result on_request(void *user, struct MHD_Connection *connection,
         return say(connection, MHD_HTTP_BAD_REQUEST, "The request is not written plainly.", NULL, NULL);
     }
     if (!request->begun) return begin(server, connection, path, method, request);
-    if (*size) {
-        size_t room = request->room - request->size; /* the body of a GET is dropped */
-        if (request->body) {
-            if (*size > room) return MHD_NO;
-            memcpy(request->body + request->size, data, *size);
-            request->size += *size;
-        }
+    if (*size) { /* the body of a GET is dropped */
+        if (request->body && !upload_add(request->body, data, *size)) request->failed = errno;
         *size = 0;
         return MHD_YES;
     }
     if (strcmp(path, "/document") != 0) return get_file(server, connection, find_file(path));
-    if (!request->body) return get_document(server, connection);
+    if (!request->saves) return get_document(server, connection);
     char now[PATH_ROOM];
-    if (held_folder_moved(&server->folder, now)) return say_moved(connection, now);
+    const bool moved = held_folder_moved(&server->folder, now);
+    if (moved || request->failed) end_body(request);
+    if (moved) return say_moved(connection, now);
+    errno = request->failed;
+    if (request->failed) return say_failure(server, connection, FILE_FAILED);
     return (strcmp(method, "PUT") == 0 ? put_document : post_document)(server, connection, request);
 }
 
@@ -473,7 +487,7 @@ static void on_completed(void *user, struct MHD_Connection *connection, void **s
     (void)connection;
     (void)reason;
     http_request *request = *state;
-    if (request) free(request->body);
+    if (request) end_body(request);
     free(request);
     *state = NULL;
 }

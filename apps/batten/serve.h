@@ -8,7 +8,7 @@
  *   405 another method
  *   409 the file or its folder is read-only; a pipe, a folder or a device is in its place; all names for a copy
  *       are taken; the folder was moved, or another is in its place; a copy that an earlier save has left is there
- *   411 a body without its length; 413 one larger than SERVE_BODY_MAX
+ *   411 a body without its length; 413 one larger than any file that is read (IO_FILE_MAX)
  *   412 the file on disk is not the one that If-Match names
  *   415 a media type other than the file's
  *   421 a Host that is not ours (DNS rebinding)
@@ -19,7 +19,7 @@
  * Connections of other users of the machine are closed at once, where the system tells whose they are.
  *
  * GET /document returns the file's bytes with ETag and X-Batten-Name (percent-encoded); PUT /document with If-Match
- * saves. POST /document makes a new file beside it and returns its X-Batten-Name (201). All of these need the
+ * saves. The body goes to the disk as it arrives (upload.h). POST /document makes a new file beside it and returns its X-Batten-Name (201). All of these need the
  * header X-Batten-Token, whose value is in the page in place of %TOKEN%. The page at "/index.html" is the one
  * without a token, which a browser may keep: "/sw.js" keeps it and the files beside it where %ADDRESS% says
  * "lasting", that is, where the port was asked for, and asks "/" for the token of each start.
@@ -28,8 +28,6 @@
 #define BATTEN_APPS_SERVE_H
 
 #include "document_file.h"
-
-#define SERVE_BODY_MAX ((size_t)64 << 20) /* bytes */
 
 typedef struct http_server http_server;
 

@@ -24,6 +24,7 @@
 #include <batten/surface.h>
 #include <batten/relief.h>
 #include <batten/mesh.h>
+#include <batten/compare.h>
 #include <batten/wires.h>
 #include <batten/sweep.h>
 #include <batten/recipe.h>

@@ -32,13 +32,13 @@ BAT_API bat_status bat_editor_open(bat_editor *editor, bat_document *document, c
 BAT_API bat_status bat_editor_command(bat_editor *editor, const char *name);
 BAT_API bat_status bat_editor_set(bat_editor *editor, const char *property, double value);
 BAT_API bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value);
-/* Enters a number as text, in the unit in force: a number of what is chosen (one of the table's numbers), or a
- * property. The text may be an expression ("1in + 3mm"); a number of what is chosen makes a step of the history.
- * BAT_SYNTAX: not a valid expression; BAT_STATE: there is nothing that it could change now, or a drag is under
- * way; otherwise as bat_editor_set. */
+/* Enters a number as text, in the unit in force: one of the table's numbers, of what is chosen, a property, or "page-keep",
+ * "page-scale" ("210mm × 297mm": what is drawn keeps its size, or is scaled) and "page-unit" ("mm"). It may be an expression
+ * ("1in + 3mm"); what is no property makes a step. BAT_SYNTAX: not a valid text; BAT_STATE: there is nothing that it could
+ * change now, or a drag is under way; otherwise as bat_editor_set. */
 BAT_API bat_status bat_editor_enter(bat_editor *editor, const char *name, const char *text);
-/* The number as it is now ("12.5 mm"), "" when there is none; valid until the next call. A property in view pixels
- * is given as the length that it has in the drawing. */
+/* The number as it is now ("12.5 mm"), "" when there is none; valid until the next call. A property in view pixels is given as
+ * a length in the drawing. Also "page-width", "page-height", "page-unit"; "page-asks W × H": "yes" if those two would differ. */
 BAT_API const char *bat_editor_number(bat_editor *editor, const char *name);
 /* What a pen's pressure (0..1) amounts to under the present properties: the share of a brush's reach, 0.25..1; it
  * never falls as the pressure rises. 1 when pressure is switched off. */

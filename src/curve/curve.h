@@ -25,6 +25,9 @@ bat_status bat_curve_allocate(int degree, int dimension, bool closed, int count,
 void bat_curve_unroll(bat_curve *curve);
 /* Checks knots and numbers of a filled curve (only t_0..t_n and P_0..P_{n-1} are read): the one validator. */
 bat_status bat_curve_validate(const bat_curve *curve);
+/* Open curves of one dimension, at least one, as bat_curve_join joins them with continuity 0, one behind the other: n in the points of
+ * all. BAT_ARGUMENT: an end is further than the gap from the next beginning. */
+bat_status bat_curve_chain(size_t count, const bat_curve *const *curves, double gap, bat_curve **out);
 /* Whether all numbers are finite and within BAT_COORDINATE_MAX. */
 bool bat_are_coordinates(const double *numbers, size_t count);
 /* The half of it that looks at the points. */

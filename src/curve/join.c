@@ -11,27 +11,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* b's knots over a's end, scaled: as clamped curves of one degree. */
-static bat_status concatenate(const bat_curve *a, const bat_curve *b, double scale, bat_curve **out) {
-    int p = a->degree;
-    size_t size = (size_t)a->dimension;
-    bat_curve *both;
-    if (a->count > BAT_POINTS_MAX - b->count) return BAT_COUNT;
-    bat_status status = bat_curve_allocate(p, a->dimension, false, a->count + b->count - 1, &both);
-    if (status != BAT_OK) return status;
-    double end = a->knots[a->spread], start = b->knots[p];
-    memcpy(both->knots, a->knots, (size_t)(a->count + p) * sizeof(double));
+/* Puts a curve behind the first `count` points of another, over whose end its knots go on, scaled. Both are clamped, of one degree
+ * and dimension; there is room. */
+static void put_behind(bat_curve *both, int count, const bat_curve *b, double scale) {
+    const int p = both->degree;
+    const size_t size = (size_t)both->dimension;
+    const double end = both->knots[count], start = b->knots[p];
     for (int i = 0; i < b->count; i++) {
-        double t = b->knots[p + 1 + i];
-        both->knots[a->count + p + i] = start == end && scale == 1 ? t : end + (t - start) * scale;
+        const double t = b->knots[p + 1 + i];
+        both->knots[count + p + i] = start == end && scale == 1 ? t : end + (t - start) * scale;
     }
-    memcpy(both->points, a->points, (size_t)a->count * size * sizeof(double));
-    memcpy(both->points + (size_t)a->count * size, b->points + size,
-           (size_t)(b->count - 1) * size * sizeof(double));
-    double *joint = both->points + (size_t)(a->count - 1) * size;
+    double *joint = both->points + (size_t)(count - 1) * size;
+    memcpy(joint + size, b->points + size, (size_t)(b->count - 1) * size * sizeof(double));
     for (size_t c = 0; c < size; c++)
         if (joint[c] != b->points[c]) joint[c] = 0.5 * joint[c] + 0.5 * b->points[c];
-    return bat_curve_finish(both, out);
+}
+
+/* Clamped curves of one degree and dimension, one behind the other; the scale is for all but the first. */
+static bat_status concatenate(size_t count, bat_curve *const *curves, double scale, bat_curve **out) {
+    const bat_curve *first = curves[0];
+    size_t points = 1;
+    for (size_t i = 0; i < count; i++) {
+        points += (size_t)curves[i]->count - 1;
+        if (points > BAT_POINTS_MAX) return BAT_COUNT;
+    }
+    bat_curve *all;
+    bat_status status = bat_curve_allocate(first->degree, first->dimension, false, (int)points, &all);
+    if (status != BAT_OK) return status;
+    int put = first->count;
+    memcpy(all->knots, first->knots, (size_t)(put + first->degree + 1) * sizeof(double));
+    memcpy(all->points, first->points, (size_t)put * (size_t)first->dimension * sizeof(double));
+    for (size_t i = 1; i < count; i++) put_behind(all, put, curves[i], scale), put += curves[i]->count - 1;
+    return bat_curve_finish(all, out);
 }
 
 /* How b must be slowed down: |b'| / |a'| at the joint, 1 when one of them stops there. */
@@ -89,10 +100,10 @@ static void smooth_joint(bat_curve *curve, int j, int continuity) {
     memcpy(q, window, bytes);
 }
 
-static bat_status joined(const bat_curve *a, const bat_curve *b, int continuity, bat_curve **out,
-                         double *moved) {
+static bat_status joined(bat_curve *const parts[2], int continuity, bat_curve **out, double *moved) {
+    const bat_curve *a = parts[0], *b = parts[1];
     bat_curve *both, *smooth;
-    bat_status status = concatenate(a, b, continuity > 0 ? speed_ratio(a, b) : 1, &both);
+    bat_status status = concatenate(2, parts, continuity > 0 ? speed_ratio(a, b) : 1, &both);
     if (status != BAT_OK) return status;
     int j = a->count - 1, size = a->dimension;
     double most = 0, greatest = 0;
@@ -126,6 +137,21 @@ static bat_status joined(const bat_curve *a, const bat_curve *b, int continuity,
     return BAT_OK;
 }
 
+/* A clamped copy of that degree. */
+static bat_status prepare(const bat_curve *curve, int degree, bat_curve **out) {
+    bat_curve *clamped;
+    bat_status status = bat_curve_clamp(curve, &clamped);
+    if (status != BAT_OK) return status;
+    status = bat_curve_elevate(clamped, degree, out);
+    bat_curve_free(clamped);
+    return status;
+}
+
+/* How far the end of one is from the beginning of the other. */
+static double gap_between(const bat_curve *a, const bat_curve *b) {
+    return bat_distance(a->points + (size_t)(a->count - 1) * (size_t)a->dimension, b->points, a->dimension);
+}
+
 bat_status bat_curve_join(const bat_curve *a, const bat_curve *b, int continuity, double gap, bat_curve **out,
                           double *moved) {
     if (!a || !b || !out || a->closed || b->closed || continuity < 0 || continuity > 2 || !(gap >= 0))
@@ -135,21 +161,31 @@ bat_status bat_curve_join(const bat_curve *a, const bat_curve *b, int continuity
     if (degree < 2 && continuity > 0) degree = 2;
     if (continuity >= degree) degree = continuity + 1;
     bat_curve *parts[2] = {NULL, NULL};
-    const bat_curve *sources[2] = {a, b};
-    bat_status status = BAT_OK;
-    for (int i = 0; i < 2 && status == BAT_OK; i++) {
-        bat_curve *clamped;
-        status = bat_curve_clamp(sources[i], &clamped);
-        if (status != BAT_OK) break;
-        status = bat_curve_elevate(clamped, degree, &parts[i]);
-        bat_curve_free(clamped);
-    }
-    if (status == BAT_OK) {
-        int size = a->dimension;
-        double apart = bat_distance(parts[0]->points + (parts[0]->count - 1) * size, parts[1]->points, size);
-        status = apart <= gap ? joined(parts[0], parts[1], continuity, out, moved) : BAT_ARGUMENT;
-    }
+    bat_status status = prepare(a, degree, &parts[0]);
+    if (status == BAT_OK) status = prepare(b, degree, &parts[1]);
+    if (status == BAT_OK)
+        status = gap_between(parts[0], parts[1]) <= gap ? joined(parts, continuity, out, moved)
+                                                        : BAT_ARGUMENT;
     bat_curve_free(parts[0]);
     bat_curve_free(parts[1]);
+    return status;
+}
+
+bat_status bat_curve_chain(size_t count, const bat_curve *const *curves, double gap, bat_curve **out) {
+    bat_curve **parts = calloc(count, sizeof *parts);
+    if (!parts) return BAT_MEMORY;
+    int degree = 0;
+    bat_status status = BAT_OK;
+    for (size_t i = 0; i < count; i++)
+        if (curves[i]->degree > degree) degree = curves[i]->degree;
+    for (size_t i = 0; i < count && status == BAT_OK; i++) {
+        status = prepare(curves[i], degree, &parts[i]);
+        if (status == BAT_OK && i > 0 && !(gap_between(parts[i - 1], parts[i]) <= gap)) status = BAT_ARGUMENT;
+    }
+    bat_curve *all = NULL;
+    if (status == BAT_OK) status = concatenate(count, parts, 1, &all);
+    for (size_t i = 0; i < count; i++) bat_curve_free(parts[i]);
+    free(parts);
+    if (status == BAT_OK) *out = all;
     return status;
 }

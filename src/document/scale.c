@@ -14,6 +14,10 @@ bool bat_unit_is_said(const bat_document *document) {
     return bat_unit_is_said_by(bat_document_unit(document), bat_document_scale(document));
 }
 
+bool bat_unit_is_kept(const bat_document *document) {
+    return bat_unit_is_said(document) || bat_document_unit(document) == BAT_UNIT_NONE;
+}
+
 bool bat_unit_same(const bat_document *a, const bat_document *b) {
     const double first = bat_document_scale(a), second = bat_document_scale(b);
     return bat_document_unit(a) == bat_document_unit(b) && fabs(first - second) <= 1e-8 * second;

@@ -9,6 +9,8 @@
 double bat_unit_corner(const bat_document *document, double corner[2]);
 /* Whether files of the document say its size. */
 bool bat_unit_is_said(const bat_document *document);
+/* Whether the native format says it: also that numbers are bare. */
+bool bat_unit_is_kept(const bat_document *document);
 /* Whether two documents are the same size and say so in the same unit, up to what rounding to ten digits changes. */
 bool bat_unit_same(const bat_document *a, const bat_document *b);
 

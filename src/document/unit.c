@@ -17,6 +17,17 @@ double bat_unit_millimetres(bat_unit unit) { return UNITS[unit].millimetres; }
 
 const char *bat_unit_name(bat_unit unit) { return UNITS[unit].name; }
 
+const char *bat_unit_word(bat_unit unit) { return unit == BAT_UNIT_NONE ? "none" : UNITS[unit].name; }
+
+bool bat_unit_of_word(const char *word, bat_unit *out) {
+    for (int u = BAT_UNIT_PX; u <= BAT_UNIT_NONE; u++)
+        if (!strcmp(word, bat_unit_word((bat_unit)u))) {
+            *out = (bat_unit)u;
+            return true;
+        }
+    return false;
+}
+
 bat_unit bat_unit_of(const char *length) {
     size_t end = strlen(length);
     while (end > 0 && strchr(" \t\r\n\f", length[end - 1])) end--;

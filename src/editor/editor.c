@@ -75,6 +75,7 @@ void bat_editor_free(bat_editor *editor) {
     bat_session_free(&editor->session);
     bat_tuning_free(&editor->tuning);
     bat_panels_free(&editor->panels);
+    bat_deviating_end(&editor->insight.deviating);
     bat_settings_free(&editor->settings);
     free(editor);
 }
@@ -92,6 +93,7 @@ bat_status bat_editor_open(bat_editor *editor, bat_document *document, const cha
         return status;
     }
     bat_choice_forget(c);
+    bat_deviating_end(&c->insight->deviating);
     bat_tuning_free(c->tuning);
     bat_moves_forget(c->moves);
     bat_toolbox_forget(c->toolbox);

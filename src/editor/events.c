@@ -434,7 +434,7 @@ bool bat_editor_key(bat_editor *editor, const char *key, bool pressed, uint32_t 
         bat_status status = bat_command_run(c, id, pressed);
         bat_toolbox_settle(c);
         if (status == BAT_OK) return true;
-        face_on = face_on || (bat_command_at(id)->when == BAT_WHEN_FACE_ON && bat_stage_tilted(c->stage));
+        face_on = face_on || !bat_command_faces(c, id);
         known = true; /* it found nothing to do: the next command with this key may */
     }
     if (face_on && strcmp(key, "Tab") != 0 && strcmp(key, "Enter") != 0) bat_notice_tilted(c);

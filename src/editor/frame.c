@@ -89,17 +89,18 @@ static const char *whole_hint(bat_editor *editor) {
     const bat_slot *tool = bat_toolbox_tool(c);
     const bat_stage *stage = tool->is->lands ? tool->is->lands(c, tool->state) : NULL;
     char room[PLAIN_ROOM];
-    const char *text = by_device(c, hint(c), room), *on = bat_word(c, BAT_STRING_HINT_ON);
-    const char *hole = strchr(on, '%');
+    const char *text = by_device(c, hint(c), room);
     if (!stage) stage = c->stage;
-    if (!hole || !bat_toolbox_has(c, BAT_LANDS) || !bat_toolbox_faces(c) || c->input->holding_pan ||
+    if (!bat_toolbox_has(c, BAT_LANDS) || !bat_toolbox_faces(c) || c->input->holding_pan ||
         (!bat_stage_tilted(stage) && bat_stage_dimension(stage) == 2)) {
         if (text != room) return text;
         memcpy(editor->hint, room, sizeof room);
         return editor->hint;
     }
-    snprintf(editor->hint, sizeof editor->hint, "%.*s%s%s%s", (int)(hole - on), on,
-             ground_word(c, &stage->ground), hole + 1, text);
+    const char *ground = ground_word(c, &stage->ground);
+    bat_word_fill(c, BAT_STRING_HINT_ON, 1, &ground, editor->hint, sizeof editor->hint);
+    const size_t used = strlen(editor->hint);
+    snprintf(editor->hint + used, sizeof editor->hint - used, "%s", text);
     return editor->hint;
 }
 
@@ -181,6 +182,8 @@ static void show_overlay(bat_context *c, const bat_slot *tool, const bat_readout
         bat_reach_show(c, overlay), bat_folds_show_chosen(c, overlay);
     show_selection(c, overlay);
     if (inspects(c)) bat_insight_show(c, made->curve, overlay);
+    if (c->insight->deviating.reference)
+        bat_deviating_show(c, &(bat_deviation_change){made->object, made->number, made->curve}, overlay);
     bat_calm_show(c, overlay);
     bat_tuning_show(c, overlay);
     bat_sketching_show_kept(c, overlay);

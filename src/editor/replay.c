@@ -3,6 +3,7 @@
  * raw events, so a scripted session is a journal too.
  */
 #include "document/digest.h"
+#include "editor/session/page.h"
 #include "editor/session/record.h"
 #include "editor/edit/stroke_record.h"
 #include "editor/edit/surface_line.h"
@@ -69,6 +70,7 @@ static bat_status perform(bat_editor *editor, const bat_json *json, bat_problem 
         return status == BAT_OK ? status : say(problem, status, "nothing to undo or redo here");
     }
     if (name && !strcmp(name, "change")) return bat_change_perform(&editor->context, json, problem);
+    if (name && !strcmp(name, "page")) return bat_page_perform(&editor->context, json, problem);
     if (name && !strcmp(name, BAT_LINE_EDIT)) return bat_line_edit_perform(&editor->context, json, problem);
     bat_edit edit = {0};
     bat_edit_result result = {0};

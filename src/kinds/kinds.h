@@ -15,9 +15,9 @@ const bat_kind_type *bat_kind_named(const char *name);
 /* All names, to be shown to users: "path", "spline" or "shape". */
 void bat_kinds_words(char words[BAT_KINDS_WORDS]);
 
-/* A document with one path per curve, in their order; names may be NULL or contain NULLs. Takes the curves
- * over (but not the array), even on failure. */
-bat_status bat_document_of_curves(int count, bat_curve *const *curves, const char *const *names,
+/* A document with one path per curve, in their order; names may be NULL or contain NULLs. width: of the lines; 0: the default. Takes
+ * the curves over (but not the array), even on failure. */
+bat_status bat_document_of_curves(int count, bat_curve *const *curves, const char *const *names, double width,
                                   bat_document **out);
 
 /* Makes a new curve from a given one. */

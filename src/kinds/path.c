@@ -112,11 +112,12 @@ bat_status bat_object_to_path(const bat_object *object, bat_object **out) {
     return bat_object_with_each(object, copied, NULL, out);
 }
 
-bat_status bat_document_of_curves(int count, bat_curve *const *curves, const char *const *names,
+bat_status bat_document_of_curves(int count, bat_curve *const *curves, const char *const *names, double width,
                                   bat_document **out) {
     bat_document *document = NULL;
     bat_status status = bat_document_create(&document);
     bat_style style = bat_style_defaults();
+    if (width > 0) style.width = width;
     if (status == BAT_OK) status = bat_document_set_scale(document, 1, BAT_UNIT_NONE);
     for (int i = 0; i < count; i++) {
         bat_object *object = NULL;

@@ -1,4 +1,4 @@
-/* Inside the room: what follows each other, such as the spans of a curve, in boxes within boxes, each along an axis of its own. */
+/* Internal: what follows each other, such as the spans of a curve, in boxes within boxes, each along an axis of its own. */
 #ifndef BATTEN_SRC_RELATE_HULLS_H
 #define BATTEN_SRC_RELATE_HULLS_H
 

@@ -7,10 +7,10 @@
 
 #include "base/real.h"
 #include "curve/curve.h"
-#include "relate/disks.h"
 #include "relate/offset.h"
 #include "relate/outline.h"
 #include "relate/segment.h"
+#include "relate/spot.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -227,21 +227,6 @@ static bool has_tight_end(const bat_curve *curve, const bat_nib *nib) {
     return false;
 }
 
-static bat_status spot(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
-                       size_t *count, bat_curve ***out, double *max_error) {
-    bat_curve **all = calloc(1, sizeof *all);
-    double error;
-    if (!all) return BAT_MEMORY;
-    const bat_status status = bat_spot_outline(curve, 0.5 * nib->width, tolerance, corner, all, &error);
-    if (status != BAT_OK) {
-        free(all);
-        return status;
-    }
-    if (max_error) *max_error = error;
-    *count = 1, *out = all;
-    return BAT_OK;
-}
-
 /* What an outline asks for. */
 typedef struct outline_asked {
     const bat_nib *nib;
@@ -272,7 +257,12 @@ bat_status bat_outline_parallels(const bat_curve *curve, const bat_nib *nib, dou
     if (bat_segments_reach_of(curve) + nib->width < BAT_OFFSET_LEAST)
         return bat_offset_enlarged(curve, bat_segments_reach_of(curve) + nib->width, outline_large,
                                    &(outline_asked){nib, tolerance, corner}, count, out, max_error);
-    if (bat_is_spot(curve, nib, corner)) return spot(curve, nib, tolerance, corner, count, out, max_error);
+    if (bat_is_spot(curve, nib)) {
+        double error;
+        const bat_status made = bat_spot_outline(curve, nib, tolerance, corner, count, out, &error);
+        if (made == BAT_OK && max_error) *max_error = error;
+        if (made != BAT_SINGULAR) return made;
+    }
     if (has_tight_end(curve, nib)) return BAT_SINGULAR;
     bat_status status = bat_finder_create(curve, &o.finder), made = BAT_SINGULAR;
     for (int i = 0; i < TRIES && status == BAT_OK && made == BAT_SINGULAR; i++) {

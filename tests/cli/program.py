@@ -9,6 +9,8 @@ import unittest
 HANG = int(os.environ.get("BATTEN_HANG", 1800))  # seconds: one step of a test that takes longer hangs, however busy the machine
 PROGRAM = os.environ["BATTEN"]
 ONE_IN = int(os.environ.get("BATTEN_ONE_IN", 1))  # of each class one test in so many runs, where others judge the results
+with open(PROGRAM, "rb") as program:
+    SANITIZED = b"__asan_init" in program.read()
 ROOT = pathlib.Path(os.environ["BATTEN_ROOT"])
 
 CURVE = {"degree": 3, "closed": False, "knots": [0, 0, 0, 0, 1, 2, 2, 2, 2],

@@ -11,11 +11,9 @@ import subprocess
 import unittest
 import xml.etree.ElementTree
 
-from program import CURVE, HANG, PROGRAM, RING, ROOT, ProgramTest
+from program import CURVE, HANG, PROGRAM, RING, ROOT, SANITIZED, ProgramTest
 
 CAR = ROOT / "examples" / "car.svg"
-with open(PROGRAM, "rb") as program:
-    SANITIZED = b"__asan_init" in program.read()
 MIXED = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50" width="100" height="50">
 <path d="M0 0C10 10 20 10 30 0" stroke="red" fill="none"/><text x="1" y="2">hello</text><text>again</text>
 <image href="x.png" width="3" height="3"/><circle cx="50" cy="25" r="10"/></svg>"""

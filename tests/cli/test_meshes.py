@@ -557,6 +557,11 @@ class Others(Meshes):
             places = [[1000 * n for n in p] for p in PLACES] if ending == "glb" else PLACES  # it takes no unit for another
             self.is_wedge(self.meshes(out)[0], of_y_up if ending == "glb" else of_z_up, places, 1e-2 if ending == "glb" else 1e-4)
 
+        subprocess.run(["assimp", "export", source, str(self.folder / "a.obj"), "-fobj"], stdout=subprocess.DEVNULL, check=True)
+        self.done("convert", "a.obj", "obj.batten")  # its numbers have no unit
+        [mesh] = [o["mesh"] for o in json.loads((self.folder / "obj.batten").read_text())["objects"]]
+        self.is_wedge(mesh, of_y_up, PLACES, 1e-4)
+
 
 if __name__ == "__main__":
     unittest.main()

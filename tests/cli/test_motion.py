@@ -207,7 +207,7 @@ class Motion(ProgramTest):
                 self.file("one.bvh", one)
                 self.done("convert", "one.bvh", "one.obj")
                 seen = numpy.array([line.split()[1:] for line in (self.folder / "one.obj").read_text().splitlines()
-                                    if line.startswith("v ")], float) * [1, -1, -1]  # y of a page runs down
+                                    if line.startswith("v ")], float)  # up is y in both
                 wanted = Bvh(one).positions()[0]
                 apart = numpy.linalg.norm(seen[:, None] - wanted[None], axis=2)
                 self.assertLess(apart.min(axis=0).max(), 1e-6, "each joint is on a line")

@@ -56,7 +56,8 @@ class Points(ProgramTest):
             scale = 25.4 / 96 if kind == "geojson" else 1  # of a drawing in px
             lines = [line / scale for line in read(self.done("convert", CAR, "-", "--to", kind).decode())]
             self.assertEqual(len(lines), len(drawn))
-            for ours, theirs in zip(drawn, lines):
+            up = kind == "geojson"
+            for ours, theirs in zip(drawn, (line * [1, -1] if up else line for line in lines)):
                 self.assertLess(away(ours, [theirs]), 1e-4 * side + 0.01)
                 self.assertLess(away(theirs, [ours]), 0.01)
 
@@ -119,6 +120,24 @@ class Points(ProgramTest):
         self.assertEqual([thing["name"] for thing in native["objects"]][::2][:2], ["<LineString>", "<MultiLineString>"])
         self.assertEqual(len(native["objects"]), 8)
 
+    def test_north_is_up(self):
+        """A map: latitudes grow upwards on the page, and lines are thin against it, whatever its units are."""
+        coast = {"type": "LineString", "coordinates": [[-180, -60], [0, 80], [180, 10]]}
+        for size in (1, 1e-5, 1e5):
+            scaled = {**coast, "coordinates": [[x * size, y * size] for x, y in coast["coordinates"]]}
+            name = self.file("map.geojson", scaled)
+            self.done("convert", name, "map.batten")
+            thing = json.loads((self.folder / "map.batten").read_text())["objects"][0]
+            self.assertEqual(thing["curves"][0]["points"], [[x, -y] for x, y in scaled["coordinates"]])
+            self.assertAlmostEqual(thing["style"]["width"] / (360 * size), 1e-3)
+            self.done("convert", name, "again.geojson")
+            back = json.loads((self.folder / "again.geojson").read_text())
+            self.assertEqual(back["features"][0]["geometry"]["coordinates"], scaled["coordinates"])
+        space = {"type": "LineString", "coordinates": [[1, 2, 30], [4, 0, 60]]}  # heights are towards the eye, as in DXF
+        self.assertEqual(self.curves("-", stdin=json.dumps(space))[0]["points"], [[1, -2, -30], [4, 0, -60]])
+        self.done("convert", self.file("s.geojson", space), "s.dxf")
+        self.assertRegex((self.folder / "s.dxf").read_text().replace("\r", ""), r" 10\n1\.0\n 20\n2\.0\n 30\n30\.0\n")
+
     def test_refusals(self):
         self.assertIn("line 3, field 2", self.refusal("a.csv", "x,y\n0,0\n1,\n"))
         self.assertIn("line 2, field 1", self.refusal("a.csv", "1,2\nx,4\n"))
@@ -138,7 +157,8 @@ class Points(ProgramTest):
     def test_points_are_as_fit_reads_them(self):
         text = self.done("convert", self.file("r.json", RING), "-", "--to", "geojson").decode()
         line = json.dumps(json.loads(text)["features"][0])
-        self.assertEqual(self.curves("-", stdin=line)[0]["points"][:3], json.loads(line)["geometry"]["coordinates"][:3])
+        places = [[x, -y] for x, y in json.loads(line)["geometry"]["coordinates"][:3]]
+        self.assertEqual(self.curves("-", stdin=line)[0]["points"][:3], places)
         fitted = self.json("fit", "-", "--tolerance", 0.01, "--closed", stdin=line)
         self.assertLess(fitted["report"]["max_error"], 0.01)
         self.assertEqual(len(self.curves(self.file("c.json", CURVE))), 1)

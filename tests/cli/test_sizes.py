@@ -113,6 +113,25 @@ class Sizes(ProgramTest):
                 self.assertEqual(said.count("\n"), way not in PHYSICAL, (way, to, said))
             self.assertEqual(self.run_program("convert", name, "o.svg").stderr, b"")
 
+    def test_numbers_without_a_size(self):
+        """Degrees stay degrees in what Batten keeps, and are millimetres where a format has a size."""
+        line = [[10, 50], [10.1, 50.2], [10.3, 50.1]]
+        name = self.file("a.geojson", json.dumps({"type": "LineString", "coordinates": line}))
+        for between in ("b.batten", "b.svg"):
+            self.done("convert", name, between)
+            geo = json.loads(self.done("convert", between, "-", "--to", "geojson"))
+            self.assertEqual(geo["features"][0]["geometry"]["coordinates"], line, between)
+            self.assertEqual(self.run_program("convert", between, "o.dxf").stderr, b"", between)
+            units, *found = dxf(self.done("convert", between, "-", "--to", "dxf").decode())
+            self.close(found, [10, 50, 10.3, 50.2], between)
+        # Who then gives the picture a size means it.
+        text = (self.folder / "b.svg").read_text(encoding="utf-8")
+        width = text.split(' width="')[1].split('"')[0]
+        self.file("c.svg", text.replace(f' width="{width}" ', f' width="{2 * float(width)}mm" ', 1))
+        geo = json.loads(self.done("convert", "c.svg", "-", "--to", "geojson"))
+        xs = [x for x, *_ in geo["features"][0]["geometry"]["coordinates"]]
+        self.assertNotAlmostEqual(max(xs) - min(xs), 0.3, 2)
+
     def test_drawn_in_batten(self):
         """A square of 60 mm in drawings of other scales: in SVG made anew, reopened."""
         for scale in (1, 1 / 3.78, 25.4, PX):

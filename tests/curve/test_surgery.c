@@ -105,6 +105,30 @@ static void split_and_join(void **state) {
     }
 }
 
+/* Pieces of a curve, in a chain, are the curve: one piece, too. */
+static void chains(void **state) {
+    (void)state;
+    random_source r = {43};
+    for (int round = 0; round < 200; round++) {
+        const int degree = random_int(&r, 1, 5), knots = random_int(&r, 0, 6);
+        bat_curve *curve = random_curve(&r, degree, 2 + round % 2, CLAMPED, knots), *parts[5], *all;
+        double domain[2];
+        bat_curve_domain(curve, domain);
+        const int count = 1 + round % 5;
+        for (int i = 0; i < count; i++) {
+            double ends[2];
+            for (int k = 0; k < 2; k++) ends[k] = domain[0] + (domain[1] - domain[0]) * (i + k) / count;
+            ends[1] = i + 1 == count ? domain[1] : ends[1];
+            assert_int_equal(bat_curve_piece(curve, ends[0], ends[1], &parts[i]), BAT_OK);
+        }
+        assert_int_equal(bat_curve_chain((size_t)count, (const bat_curve *const *)parts, 1e-9, &all), BAT_OK);
+        assert_true(bat_curve_count(all) >= bat_curve_count(curve));
+        assert_true(curve_gap(curve, all, 1, 0, 100) < EPS);
+        bat_curve_free(all), bat_curve_free(curve);
+        for (int i = 0; i < count; i++) bat_curve_free(parts[i]);
+    }
+}
+
 static void open_close_and_seam(void **state) {
     (void)state;
     random_source r = {14};
@@ -348,16 +372,12 @@ static void bad_arguments(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(elevation),
-                                       cmocka_unit_test(pieces),
-                                       cmocka_unit_test(split_and_join),
-                                       cmocka_unit_test(open_close_and_seam),
-                                       cmocka_unit_test(reversal_and_other_intervals),
-                                       cmocka_unit_test(smooth_joins),
-                                       cmocka_unit_test(removal_is_bounded),
-                                       cmocka_unit_test(insertion_is_undone),
-                                       cmocka_unit_test(simplification),
-                                       cmocka_unit_test(corners_stay),
-                                       cmocka_unit_test(bad_arguments)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(elevation),           cmocka_unit_test(pieces),
+        cmocka_unit_test(split_and_join),      cmocka_unit_test(chains),
+        cmocka_unit_test(open_close_and_seam), cmocka_unit_test(reversal_and_other_intervals),
+        cmocka_unit_test(smooth_joins),        cmocka_unit_test(removal_is_bounded),
+        cmocka_unit_test(insertion_is_undone), cmocka_unit_test(simplification),
+        cmocka_unit_test(corners_stay),        cmocka_unit_test(bad_arguments)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,10 +25,10 @@ static const char *name_of(int choice) {
                                       : growth_acts[choice - BAT_COMMAND_COUNT].name;
 }
 
-/* An offset is only shown at first: to keep it does the same work and more, and is what is counted. */
+/* Offsets and arrays are only shown at first: to keep them does the same work and more, and is what is counted. */
 static const char *counted(bat_editor *editor, int choice) {
-    if (choice != BAT_COMMAND_CURVE_OFFSET || bat_editor_command(editor, name_of(choice)) != BAT_OK)
-        return name_of(choice);
+    const bool shown = choice == BAT_COMMAND_CURVE_OFFSET || choice == BAT_COMMAND_ARRAY;
+    if (!shown || bat_editor_command(editor, name_of(choice)) != BAT_OK) return name_of(choice);
     return "accept";
 }
 

@@ -404,6 +404,17 @@ static bat_editor *heap(int n) {
     return open(made, (const char *const[]){"tool-select", NULL});
 }
 
+/* They were clicked where they begin. */
+static bat_editor *heap_clicked(int n) {
+    bat_editor *editor = heap(n);
+    pen p = pen_for(editor);
+    const double y = 400 + 20 * sin(400.0 / 25 + 400);
+    pen_event(&p, BAT_POINTER_DOWN, 400, y);
+    pen_event(&p, BAT_POINTER_UP, 400, y);
+    bat_editor_frame(editor);
+    return editor;
+}
+
 /* Two, to be joined; with n beside them. */
 static bat_editor *pair(int n) {
     bat_document *made = document();
@@ -689,6 +700,7 @@ const growth_scene growth_scenes[] = {
     {"n lines, the view turned", turned},
     {"n lines, the view tilted", tilted},
     {"n curves on one spot", heap},
+    {"n curves on one spot, one clicked", heap_clicked},
     {"two of n lines", pair},
     {"two rings that cross, of n", crossing},
     {"four around a patch, of n", bounds},

@@ -348,6 +348,7 @@ static void outline_of(bat_curve *c, double width, bat_cap cap, bat_join join_as
 static void outline(int n) { outline_of(wave(n), 0.8, BAT_CAP_ROUND, BAT_JOIN_ROUND, 0.01); }
 static void outline_butt(int n) { outline_of(wave(n), 0.8, BAT_CAP_BUTT, BAT_JOIN_MITER, 0.01); }
 static void outline_spot(int n) { outline_of(wave(n), 1e3 * n, BAT_CAP_ROUND, BAT_JOIN_ROUND, 0.01 * n); }
+static void outline_spot_butt(int n) { outline_of(wave(n), 1e3 * n, BAT_CAP_BUTT, BAT_JOIN_BEVEL, 0.01 * n); }
 static void outline_width(int n) {
     const bat_width_stop stops[] = {{0, 0.2}, {0.5, 1}, {1, 0.3}};
     const bat_width_profile profile = {3, stops};
@@ -881,14 +882,14 @@ static const row rows[] = {
     {"outline, round", outline, 60, 0, NULL},
     {"outline, butt and mitred", outline_butt, 60, 0, NULL},
     {"outline of a spot", outline_spot, 200, 0, NULL},
+    {"outline of a spot, butt and bevelled", outline_spot_butt, 200, 0, NULL},
     {"outline of a width", outline_width, 30, 0, NULL},
     {"cover of a width", cover_width, 60, 0, NULL},
     {"intersect two waves", intersect, 60, 0, NULL},
     {"intersect a wave with itself", self_intersect, 100, 0, NULL},
     {"regions: unite rings", unite_rings, 40, 0, NULL},
     {"regions: exclude rings", exclude_rings, 40, 0, NULL},
-    {"regions: unite spikes", unite_spikes, 60, 1.6,
-     "the work of relate grows with n^1.2; that of curve, where the pieces are cut out, faster"},
+    {"regions: unite spikes", unite_spikes, 480, 0, NULL},
     {"regions: unite n islands", unite_islands, 40, 0, NULL},
     {"regions: grow", grow_region, 40, 0, NULL},
     {"fit: a wave", fit_wave, 200, 0, NULL},

@@ -12,7 +12,7 @@ from sources import sources
 
 # The rooms of src/, from the bottom up: each may use those listed before it.
 ROOMS = [
-    "base", "text", "curve", "curve/frames", "relate", "relate/region", "points", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "form/relief", "form/mesh", "form/wire", "form/view", "form/sweep", "form/recipe", "form/camera", "form/motion", "form/trace", "form/sight", "form/shade", "document", "format/json",
+    "base", "text", "curve", "curve/frames", "relate", "relate/region", "points", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "form/relief", "form/mesh", "form/compare", "form/wire", "form/view", "form/sweep", "form/recipe", "form/camera", "form/motion", "form/trace", "form/sight", "form/shade", "document", "format/json",
     "kinds", "format/native", "format/seen", "format/glyph", "format/svg", "format/svg/write", "format/glif", "format/model", "format/curve", "format/points", "format/obj", "format/dxf", "format/gcode", "format/bvh", "format/stl", "format/threemf", "format/ply", "format/usd", "format/gltf", "format/iges", "format/step", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
     "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
     "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels", "editor/tools/surface", "editor/tools/gazes", "editor/tools/points", "editor/tools/width",
@@ -36,7 +36,7 @@ ROOM_OF_HEADER = {
     "nearest": "curve", "fit": "curve", "frames": "curve/frames", "function": "curve",
     "relate": "relate", "region": "relate/region", "width": "relate", "interpolate": "points",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
-    "surface": "form/surface", "relief": "form/relief", "mesh": "form/mesh", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "recipe": "form/recipe", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
+    "surface": "form/surface", "relief": "form/relief", "mesh": "form/mesh", "compare": "form/compare", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "recipe": "form/recipe", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
     "document": "document", "paint": "document",
     "format": "document", "format_space": "document",
     "input": "editor/tables", "frame": "editor/tables", "panels": "editor/tables", "editor": "editor/tables",

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy over the library, the program and the module, or some of their files. A file is skipped if the
-same preprocessed text was clean before with the same configuration. The analyzer follows fewer states here than it
+"""Runs clang-tidy over the library, the program and the module, or some of their files. A file is skipped if it,
+and all that it includes, was clean before with the same configuration. The analyzer follows fewer states here than it
 would by itself, because its time goes into a few long functions; tools/analyse looks as deep as it can.
 
 Usage: check_tidy.py ROOT MADE [--share N OF] [--changed] [--deep]
@@ -8,8 +8,10 @@ MADE: the folder of the headers that the build makes. --share: the N-th (from 1)
 from main, committed or not, and sources whose own header does.
 """
 import argparse
+import functools
 import hashlib
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -31,24 +33,54 @@ LIBRARIES = subprocess.run(["pkg-config", "--cflags", "cairo", "expat", "libmicr
 # A function is left after so many states (the analyzer's own limit is 225,000).
 FEWER = [part for text in ("-analyzer-config", "max-nodes=8000") for part in ("-Xclang", text)]
 LIMITS = [] if given.deep else FEWER
+RULES = (ROOT / ".clang-tidy").read_bytes() + pathlib.Path(__file__).read_bytes()
 WASM = ["--target=wasm32-wasi", "-nostdlibinc", "-isystem", "/usr/include/wasm32-wasi"]
 
 
-def check(path):
-    """(path, text of the findings, whether clang-tidy was run)"""
-    flags = FLAGS + (WASM if "module" in path.parts else LIBRARIES if "apps" in path.parts or "expat" in path.parts else [])
-    text = subprocess.run(["clang", *flags, "-E", str(path)], capture_output=True, check=False).stdout
-    rules = repr(LIMITS).encode() + (ROOT / ".clang-tidy").read_bytes() + pathlib.Path(__file__).read_bytes()
-    key = hashlib.sha256(text + rules)
-    mark = CLEAN / key.hexdigest()
-    if mark.exists():
-        return path, "", False
-    run = subprocess.run(["clang-tidy", "--quiet", str(path), "--", *flags, *LIMITS], capture_output=True, text=True,
-                         check=False)
-    if run.returncode == 0:
-        mark.touch()
-        return path, "", True
-    return path, run.stdout + run.stderr, True
+INCLUDED = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*"?<?([^">]+)', re.M)
+
+
+@functools.cache
+def text_of(path):
+    """(the bytes of a file, those of the project's files that it includes)"""
+    text = path.read_bytes()
+    folders = [path.parent, ROOT / "include", ROOT / "src", ROOT / "apps/batten", pathlib.Path(given.made)]
+    names = [name.decode() for name in INCLUDED.findall(text)]
+    return text, [next((folder / name for folder in folders if (folder / name).is_file()), None) for name in names]
+
+
+def key_of(path, flags):
+    """What the findings hang on: all that is included, the rules, the flags."""
+    found, left, digest = {path}, [path], hashlib.sha256(repr(flags + LIMITS).encode() + RULES)
+    while left:
+        new = [one for one in text_of(left.pop())[1] if one and one not in found]
+        found.update(new), left.extend(new)
+    for one in sorted(found):
+        digest.update(text_of(one)[0])
+    return digest.hexdigest()
+
+
+def run(paths, flags):
+    """(whether nothing was found, the text of the findings) of files that are read with these flags, in one run: to begin one takes
+    as long as to read most of the files."""
+    done = subprocess.run(["clang-tidy", "--quiet", *map(str, paths), "--", *flags, *LIMITS], capture_output=True, text=True, check=False)
+    return done.returncode == 0, done.stdout + done.stderr
+
+
+def check(paths, flags):
+    """(how many were read, {path: findings}) of those that were not clean before."""
+    marks = {path: CLEAN / key_of(path, flags) for path in paths}
+    left = [path for path in paths if not marks[path].exists()]
+    clean = not left or run(left, flags)[0]
+    faulty = {} if clean else {path: text for path in left for good, text in [run([path], flags)] if not good}
+    for path in left:
+        if path not in faulty:
+            marks[path].touch()
+    return len(left), faulty
+
+
+def flags_of(path):
+    return tuple(FLAGS + (WASM if "module" in path.parts else LIBRARIES if "apps" in path.parts or "expat" in path.parts else []))
 
 
 def git(*words):
@@ -71,9 +103,12 @@ else:
     share, shares = given.share
     files = files[share - 1::shares]
 CLEAN.mkdir(exist_ok=True)
-results = [check(path) for path in files]
-faulty = [(path, text) for path, text, _ in results if text]
-for path, text in faulty:
+groups = {}
+for path in files:
+    groups.setdefault(flags_of(path), []).append(path)
+results = [check(paths, list(flags)) for flags, paths in groups.items()]
+faulty = {path: text for _, found in results for path, text in found.items()}
+for path, text in faulty.items():
     print(f"{path.relative_to(ROOT)}:\n{text}")
-print(f"{len(files)} files, {sum(read for _, _, read in results)} read anew, {len(faulty)} with findings")
+print(f"{len(files)} files, {sum(read for read, _ in results)} read anew, {len(faulty)} with findings")
 sys.exit(1 if faulty or not (files or given.changed) else 0)

@@ -7,6 +7,7 @@
 #include <cmocka.h>
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
+#include "support/sanitized.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
@@ -119,7 +120,7 @@ static void boxes_on_a_grid_can_be_counted(void **state) {
     (void)state;
     random_source r = {81};
     int failed = 0;
-    for (int i = 0; i < 2000; i++) {
+    for (int i = 0; i < ROUNDS_OF(2000); i++) {
         owned o[2];
         boxes(&r, o), boxes(&r, o + 1);
         const bat_region both[2] = {o[0].is, o[1].is};
@@ -180,7 +181,7 @@ static void curves_are_right_point_by_point(void **state) {
     const double tolerance = 1e-4;
     random_source r = {82};
     int failed = 0;
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < ROUNDS_OF(300); i++) {
         owned o[2];
         blobs(&r, o), blobs(&r, o + 1);
         const bat_region both[2] = {o[0].is, o[1].is};

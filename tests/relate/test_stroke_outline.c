@@ -5,16 +5,20 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <math.h>
+#include <string.h>
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/region.h>
 #include "base/real.h"
+#include "relate/segment.h"
+#include "relate/spot.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
+#include "support/sanitized.h"
 
-enum { REGIONS = 20 };
+enum { REGIONS = ROUNDS_OF(20), STROKES = ROUNDS_OF(24), HARD = ROUNDS_OF(120), DOTS = ROUNDS_OF(60) };
 
 static const double CORNER = 0.02;
 static const double PI = BAT_PI, LN_10 = 2.302585092994046;
@@ -121,7 +125,7 @@ static void hard_strokes(void **state) {
     (void)state;
     random_source r = {1613};
     int inside = 0, outside = 0;
-    for (int round = 0; round < 120; round++) {
+    for (int round = 0; round < HARD; round++) {
         bat_curve *curve = hard_cubic(&r, round % 4), **out;
         const double size = bat_curve_size(curve),
                      half = size * bat_exp(-random_between(&r, 0.4, 1.8) * LN_10);
@@ -147,7 +151,7 @@ static void hard_strokes(void **state) {
         }
         bat_curve_free(curve);
     }
-    assert_true(inside > 500 && outside > 500);
+    assert_true(inside > 4 * HARD && outside > 4 * HARD);
 }
 
 /* A dot with round caps is a circle. */
@@ -163,7 +167,7 @@ static void retracted_ends(void **state) {
     (void)state;
     enum { FEW = 12000 };
     random_source r = {1619};
-    for (int round = 0; round < 60; round++) {
+    for (int round = 0; round < DOTS; round++) {
         bat_curve *curve = hard_cubic(&r, round % 2), **out;
         const double size = bat_curve_size(curve),
                      half = size * bat_exp(-random_between(&r, 0.9, 2.5) * LN_10);
@@ -181,7 +185,7 @@ static void inside_is_near(void **state) {
     (void)state;
     random_source r = {1601};
     int inside = 0, outside = 0, refused = 0;
-    for (int round = 0; round < 24; round++) {
+    for (int round = 0; round < STROKES; round++) {
         const int degree = random_int(&r, 1, 5), style = random_int(&r, 0, 2);
         bat_curve *curve = random_curve(&r, degree, 2, style, random_int(&r, 0, 7));
         const double size = bat_curve_size(curve),
@@ -217,7 +221,7 @@ static void inside_is_near(void **state) {
         bat_curves_free(count, out), bat_curve_free(curve);
     }
     print_message("%d refused\n", refused);
-    assert_true(inside > 150 && outside > 150 && refused == 0);
+    assert_true(inside > 6 * STROKES && outside > 6 * STROKES && refused == 0);
 }
 
 /* Random closed curves, most of which cross themselves: grown, what is inside or near; shrunk, what is inside and not near. */
@@ -265,7 +269,7 @@ static void regions_grow_and_shrink(void **state) {
         bat_curves_free(count, out), bat_curve_free(curve);
     }
     print_message("%d refused, %d inside, %d outside\n", refused, inside, outside);
-    assert_true(inside > 100 && outside > 100 && refused == 0);
+    assert_true(inside > 5 * REGIONS && outside > 5 * REGIONS && refused == 0);
 }
 
 /* A loop whose end butts against its own stem: what the stem covers beyond the end is inside. */
@@ -299,12 +303,178 @@ static void bad_data(void **state) {
     bat_curve_free(dot);
 }
 
+/* ---- what a stroke is, by its definition ---- */
+
+/* A place of a span and its direction there. */
+static void place_on(const bat_segment *s, double t, double *point, double *way) {
+    double b[2 * (BAT_DEGREE_MAX + 1)];
+    const int n = s->degree;
+    memcpy(b, s->b, (size_t)(2 * n + 2) * sizeof *b);
+    for (int r = n; r > 0; r--) {
+        if (r == 1) way[0] = b[2] - b[0], way[1] = b[3] - b[1];
+        for (int i = 0; i < 2 * r; i++) b[i] += t * (b[i + 2] - b[i]);
+    }
+    point[0] = b[0], point[1] = b[1];
+    for (int i = 1; i <= n && way[0] == 0 && way[1] == 0; i++) /* a handle of no length */
+        for (int c = 0; c < 2; c++)
+            way[c] = t < 0.5 ? s->b[2 * i + c] - s->b[c] : s->b[2 * n + c] - s->b[2 * (n - i) + c];
+    const double length = bat_hypot(way[0], way[1]);
+    way[0] /= length, way[1] /= length;
+}
+
+/* How far a point is before the line across a place of a span; its distance from there. */
+static double before_line(const bat_segment *s, double t, const double *x, double *distance) {
+    double point[2], way[2];
+    place_on(s, t, point, way);
+    *distance = bat_hypot(x[0] - point[0], x[1] - point[1]);
+    return (x[0] - point[0]) * way[0] + (x[1] - point[1]) * way[1];
+}
+
+/* How deep in the stroke a point is that lies on lines across a span. */
+static double depth_of_lines(const bat_segment *s, double half, const double *x) {
+    enum { LOOKS = 160 };
+    double best = -INFINITY, distance, last = before_line(s, 0, x, &distance);
+    for (int k = 1; k <= LOOKS; k++) {
+        double low = (k - 1.0) / LOOKS, high = (double)k / LOOKS, at = before_line(s, high, x, &distance);
+        if ((at > 0) != (last > 0)) {
+            for (int j = 0; j < 60; j++) {
+                const double middle = 0.5 * (low + high);
+                *((before_line(s, middle, x, &distance) > 0) == (last > 0) ? &low : &high) = middle;
+            }
+            best = fmax(best, half - distance);
+        }
+        last = at;
+    }
+    return best;
+}
+
+static double depth_of_join(const bat_segment *s, const bat_segment *next, const bat_nib *nib,
+                            const double *x) {
+    double p[2], d[2], e[2], half = 0.5 * nib->width;
+    place_on(s, 1, p, d), place_on(next, 0, p, e);
+    const double turn = bat_atan2(d[0] * e[1] - d[1] * e[0], d[0] * e[0] + d[1] * e[1]);
+    const double v[2] = {x[0] - p[0], x[1] - p[1]}, f = v[0] * d[0] + v[1] * d[1],
+                 g = v[0] * e[0] + v[1] * e[1];
+    const double side = turn > 0 ? -1 : 1, share = bat_cos(0.5 * turn);
+    if (fabs(turn) <= CORNER) return (f > 0) != (g > 0) ? half - bat_hypot(v[0], v[1]) : -INFINITY;
+    if (!(f >= 0 && g <= 0)) return -INFINITY;
+    if (nib->join == BAT_JOIN_ROUND) return half - bat_hypot(v[0], v[1]);
+    const double a = side * (v[1] * d[0] - v[0] * d[1]), b = side * (v[1] * e[0] - v[0] * e[1]);
+    return nib->join == BAT_JOIN_MITER && share * nib->miter_limit >= 1
+               ? half - fmax(a, b)
+               : half * share - (a + b) / (2 * share);
+}
+
+static double depth_of_cap(const bat_segment *s, int end, const bat_nib *nib, const double *x) {
+    double p[2], d[2], half = 0.5 * nib->width;
+    place_on(s, end, p, d);
+    const double v[2] = {x[0] - p[0], x[1] - p[1]}, f = (end ? 1 : -1) * (v[0] * d[0] + v[1] * d[1]);
+    if (f < 0 || nib->cap == BAT_CAP_BUTT) return -INFINITY;
+    return half -
+           (nib->cap == BAT_CAP_ROUND ? bat_hypot(v[0], v[1]) : fmax(f, fabs(v[0] * d[1] - v[1] * d[0])));
+}
+
+static bool in_stroke(const bat_curve *curve, const bat_nib *nib, const double *x) {
+    bat_segment *all;
+    int count, n = 0;
+    double best = -INFINITY;
+    assert_int_equal(bat_segments_of(curve, &count, &all), BAT_OK);
+    for (int i = 0; i < count; i++)
+        if (bat_segment_reach(all + i) > 0) all[n++] = all[i];
+    for (int i = 0; i < n; i++) {
+        best = fmax(best, depth_of_lines(all + i, 0.5 * nib->width, x));
+        if (i + 1 < n || bat_curve_is_closed(curve))
+            best = fmax(best, depth_of_join(all + i, all + (i + 1) % n, nib, x));
+    }
+    for (int e = 0; e < 2 && !bat_curve_is_closed(curve); e++)
+        best = fmax(best, depth_of_cap(all + (e ? n - 1 : 0), e, nib, x));
+    free(all);
+    return best > 0;
+}
+
+/* Strokes far wider than their curves, with all caps and joins: inside is what lines across the curve, joins and caps hold. Most are
+ * made without looking where pieces meet. */
+static void spots_of_all_kinds(void **state) {
+    (void)state;
+    enum { PLACES = 24, ROUNDS = ROUNDS_OF(18) };
+    random_source r = {6401};
+    static const double sizes[] = {1, 1e-6, 1e6};
+    int made = 0, left = 0, looked = 0, holes = 0;
+    for (int round = 0; round < ROUNDS; round++) {
+        const int degree = random_int(&r, 1, 5), knots = random_int(&r, 0, 20);
+        bat_curve *plain = random_curve(&r, degree, 2, round % 3, knots), *curve, **out;
+        size_t count;
+        const double scale = sizes[round / 3 % 3], size = bat_curve_size(plain) * scale;
+        const double half = size * bat_exp(random_between(&r, 0.7, 5) * LN_10), tolerance = 1e-4 * size;
+        const double rows[6] = {scale, 0, 0, 0, scale, 0};
+        assert_int_equal(bat_curve_transform(plain, rows, &curve), BAT_OK);
+        double low[2], high[2], error;
+        bat_curve_bounds(curve, low, high);
+        for (int kind = 0; kind < 9; kind++) {
+            const bat_nib nib = {2 * half, (bat_cap)(kind / 3), (bat_join)(kind % 3), 4};
+            const bat_status status = bat_spot_outline(curve, &nib, tolerance, CORNER, &count, &out, &error);
+            if (status == BAT_SINGULAR) {
+                left++;
+                continue;
+            }
+            assert_int_equal(status, BAT_OK);
+            assert_true(error <= tolerance);
+            made++;
+            for (int k = 0; k < PLACES; k++) {
+                const double angle = random_between(&r, 0, 2 * BAT_PI), share = random_between(&r, -1, 1);
+                const double far = k % 3 == 0   ? (1 + share) * size
+                                   : k % 3 == 1 ? half + share * size
+                                                : (1 + share) * half;
+                const double x[2] = {0.5 * (low[0] + high[0]) + far * bat_cos(angle),
+                                     0.5 * (low[1] + high[1]) + far * bat_sin(angle)};
+                double apart = INFINITY;
+                for (size_t i = 0; i < count; i++) {
+                    bat_near near;
+                    assert_int_equal(bat_curve_nearest(out[i], x, &near), BAT_OK);
+                    apart = fmin(apart, near.distance);
+                }
+                if (apart < 1.5 * tolerance) continue;
+                assert_int_equal(winding(count, out, x, 0.1 * tolerance), in_stroke(curve, &nib, x));
+                looked++;
+            }
+            holes += count > 1;
+            bat_curves_free(count, out);
+        }
+        bat_curve_free(curve), bat_curve_free(plain);
+    }
+    print_message("%d made, %d of them with holes, %d left to others, %d places\n", made, holes, left,
+                  looked);
+    assert_true(made > 4 * left && looked > 100 * ROUNDS);
+}
+
+/* A scribble a thousandth of the width large: every cap and join takes few allocations. */
+static void scribbles(void **state) {
+    (void)state;
+    enum { POINTS = 62, FEW = 1000 };
+    random_source r = {6402};
+    double x[2 * POINTS];
+    for (int i = 0; i < 2 * POINTS; i++) x[i] = 300 + random_between(&r, 0, 0.007);
+    bat_curve *curve, **out;
+    assert_int_equal(bat_curve_create_clamped(2, 3, POINTS, x, &curve), BAT_OK);
+    for (int kind = 0; kind < 9; kind++) {
+        const bat_nib nib = {60, (bat_cap)(kind / 3), (bat_join)(kind % 3), 4};
+        size_t count;
+        double error;
+        alloc_fail_at(FEW);
+        assert_int_equal(bat_curve_outline(curve, &nib, 1e-6, CORNER, &count, &out, &error), BAT_OK);
+        assert_false(alloc_fail_reached());
+        assert_true(count == 1 && error <= 1e-6);
+        bat_curves_free(count, out);
+    }
+    bat_curve_free(curve);
+}
+
 static void spots_without_memory(void **state) {
     (void)state;
     bat_curve *bent = polyline(3, (const double[]){0, 0, 1, 0, 1, 1}, false);
-    const bat_nib nib = {1000, BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
     const long live = alloc_live();
-    for (int n = 1;; n++) {
+    for (int n = 1, kind = 0; kind < 2; n++) {
+        const bat_nib nib = {1000, kind ? BAT_CAP_BUTT : BAT_CAP_ROUND, BAT_JOIN_ROUND, 4};
         size_t count = 7;
         bat_curve **out = NULL;
         alloc_fail_at(n);
@@ -312,7 +482,8 @@ static void spots_without_memory(void **state) {
         if (!alloc_fail_reached()) {
             assert_int_equal(status, BAT_OK);
             bat_curves_free(count, out);
-            break;
+            n = 0, kind++;
+            continue;
         }
         assert_true(status == BAT_MEMORY && count == 7 && !out && alloc_live() == live);
     }
@@ -326,7 +497,7 @@ static void spots(void **state) {
     enum { FEW = 1000, PLACES = 60 };
     random_source r = {64};
     static const double sizes[] = {1, 1e-6, 1e6, 1e30, 1e-120};
-    for (int round = 0; round < 60; round++) {
+    for (int round = 0; round < DOTS; round++) {
         const int degree = random_int(&r, 1, 5), knots = random_int(&r, 0, 60);
         bat_curve *plain = random_curve(&r, degree, 2, round % 3, knots), *curve;
         const double scale = sizes[round % 5], size = bat_curve_size(plain) * scale,
@@ -371,6 +542,8 @@ int main(void) {
         cmocka_unit_test(an_end_upon_the_stem),
         cmocka_unit_test(bad_data),
         cmocka_unit_test(spots),
+        cmocka_unit_test(spots_of_all_kinds),
+        cmocka_unit_test(scribbles),
         cmocka_unit_test(spots_without_memory),
         cmocka_unit_test(regions_grow_and_shrink),
     };

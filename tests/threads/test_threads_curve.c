@@ -90,6 +90,13 @@ static uint64_t relate_curve(const void *shared, int seed) {
     bat_arc *arcs = NULL;
     uint64_t d = add(bat_digest_begin(), (uint64_t)bat_curve_reverse(curve, &other));
     d = add(d, (uint64_t)bat_curve_hausdorff(curve, other, 1e-3, &apart));
+    bat_reference *reference = NULL;
+    bat_deviation far = {0};
+    d = add(
+        d, (uint64_t)bat_reference_create(1, (const bat_curve *const *)&other, 0, NULL, 0, NULL, &reference));
+    d = add(d, (uint64_t)bat_curve_deviation(curve, reference, 0, &far));
+    bat_reference_free(reference);
+    d = bat_digest_double(d, far.greatest);
     d = bat_digest_double(d, apart.distance);
     d = add(d, (uint64_t)bat_curve_intersect(curve, other, 1e-3, &meeting));
     d = add(d, (uint64_t)meeting.overlap_count);

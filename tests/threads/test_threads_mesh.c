@@ -21,6 +21,15 @@ static uint64_t look_at_mesh(const void *shared, int seed) {
     d = add(add(d, (uint64_t)bat_polymesh_write(m, &text, &size)), size);
     bat_free(text);
     bat_polymesh_free(copy), bat_polymesh_free(other);
+    bat_reference *reference = NULL;
+    bat_deviation far = {0};
+    const double from[3] = {seed, 1, 5};
+    double closest[3], distance = 0;
+    d = add(d, (uint64_t)bat_reference_create(0, NULL, 0, NULL, 1, &m, &reference));
+    d = add(d, (uint64_t)bat_reference_nearest(reference, from, closest, &distance));
+    d = add(d, (uint64_t)bat_polymesh_deviation(m, reference, 0, &far));
+    d = bat_digest_double(bat_digest_double(d, distance), far.greatest);
+    bat_reference_free(reference);
     return d;
 }
 static void const_calls_on_a_mesh(void **state) {

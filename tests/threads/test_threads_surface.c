@@ -385,11 +385,51 @@ static void const_calls_on_a_surface(void **state) {
     bat_surface_free(surface);
 }
 
+/* ---- comparing ---- */
+
+/* Two sheets that wave, the second above the first, which is the reference. */
+typedef struct compared {
+    bat_surface *sheet[2];
+    bat_reference *reference;
+} compared;
+
+static uint64_t look_at_reference(const void *shared, int seed) {
+    const compared *c = shared;
+    const double point[3] = {0.3 * seed, 0.4, 2};
+    double closest[3] = {0}, distance = 0;
+    bat_deviation far = {0};
+    uint64_t d = add(bat_digest_begin(),
+                     (uint64_t)bat_reference_nearest(c->reference, point, closest, &distance));
+    d = bat_digest_double(add_doubles(d, closest, 3), distance);
+    d = add(d, (uint64_t)bat_surface_deviation(c->sheet[1], c->reference, 1 + seed, &far));
+    return add_doubles(bat_digest_double(add(d, far.samples), far.greatest), far.at, 3);
+}
+
+static void const_calls_on_a_reference(void **state) {
+    (void)state;
+    const double knots[5] = {0, 0, 1, 2, 2};
+    compared c = {.reference = NULL};
+    for (int k = 0; k < 2; k++) {
+        double points[27];
+        for (int i = 0; i < 9; i++)
+            points[3 * i] = i / 3, points[3 * i + 1] = i % 3, points[3 * i + 2] = (i * 5 % 4) * 0.1 + k;
+        assert_int_equal(bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false},
+                                            (const size_t[2]){3, 3}, points, (const int[2]){5, 5}, knots,
+                                            knots, &c.sheet[k]),
+                         BAT_OK);
+    }
+    const bat_surface *first = c.sheet[0];
+    assert_int_equal(bat_reference_create(0, NULL, 1, &first, 0, NULL, &c.reference), BAT_OK);
+    assert_alike(look_at_reference, &c, 4);
+    bat_reference_free(c.reference);
+    bat_surface_free(c.sheet[0]), bat_surface_free(c.sheet[1]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(const_calls_on_a_relief),  cmocka_unit_test(const_calls_on_a_sweep),
         cmocka_unit_test(const_calls_on_a_camera),  cmocka_unit_test(const_calls_on_a_take),
-        cmocka_unit_test(const_calls_on_a_surface),
+        cmocka_unit_test(const_calls_on_a_surface), cmocka_unit_test(const_calls_on_a_reference),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

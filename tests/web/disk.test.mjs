@@ -162,13 +162,14 @@ test('files that were opened are listed, open again to be saved where they are, 
   await offer(page, [['two.svg', ART.replace('#00f', '#0a0')]]);
   await page.click('[data-name=open]');
   await named(page, 'two.svg');
-  await page.reload();
-  await ready(page);
   const rows = () => page.$$eval('#kept ul:last-of-type li bdi', (all) => all.map((one) => one.textContent));
   const list = async () => {
     await page.evaluate(() => batten.engine.command('open-kept') && batten.wake());
     await page.waitForSelector('#kept:popover-open');
   };
+  await list();
+  await page.reload();
+  await ready(page);
   await list();
   assert.deepEqual(await rows(), ['two.svg', 'art.svg']);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'recent.png') });

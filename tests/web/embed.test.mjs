@@ -156,11 +156,13 @@ test('it opens src, tells changes and saves to the page', async () => {
   await page.evaluate(() => { globalThis.refuse = 'The disk is full.'; });
   await frame.locator('#stage').press('Control+S');
   await said(page, 'one', 'save');
-  await frame.waitForFunction(() => document.getElementById('notice-text').textContent === 'The disk is full.');
+  const refused = '[data-about=unsaved]:has-text("Not saved: The disk is full.")';
+  await frame.waitForSelector(refused);
   assert.equal(await of(page, 'one', 'unsaved'), true, 'still unsaved');
   await page.evaluate(() => { globalThis.refuse = ''; return one.save(); });
   await said(page, 'one', 'save', 2);
   await page.waitForFunction(() => !one.unsaved);
+  await frame.waitForSelector(refused, { state: 'detached' });
   assert.equal(await page.evaluate(() => saved), drawn);
   assert.equal(await page.evaluate(() => told.find(([, type]) => type === 'save')[2]), 'square.svg');
   // What it has written opens with every knot as it was.

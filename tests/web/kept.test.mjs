@@ -422,7 +422,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     const list = async () => {
       await page.keyboard.press('F1');
       await page.waitForSelector('#menu .search:focus');
-      await page.keyboard.type(locale === 'en' ? 'kept drawings' : '보관된');
+      await page.keyboard.type(locale === 'en' ? 'my drawings' : '내 그림');
       await page.keyboard.press('Tab');
       await page.keyboard.press('Enter');
       await page.waitForSelector('#kept button:focus');
@@ -433,7 +433,8 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     const first = await state(page);
     await list();
     assert.deepEqual(await rows(), ['drawing.svg']);
-    await page.keyboard.press('Tab');
+    await page.keyboard.press('Shift+Tab');
+    await page.keyboard.press('Shift+Tab');
     await page.keyboard.press('Enter'); // a new one
     await become('drawing 2.svg');
     await settle(page);
@@ -446,7 +447,7 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     assert.equal(await page.getAttribute('#kept button:focus', 'aria-current'), 'true');
     assert.deepEqual(await violations(page), []);
     await page.screenshot({ path: path.join(SCREENSHOTS, `kept-${colorScheme}.png`) });
-    await page.keyboard.press('Tab');
+    await page.keyboard.press('ArrowRight');
     await page.keyboard.press('Enter');
     await become('drawing.svg');
     await settle(page);
@@ -469,16 +470,15 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
     await page.focus('#stage');
     await list();
     const at = (await rows()).indexOf('drawing 2.svg');
-    const remove = page.locator('#kept li').nth(at).locator('.keys');
-    await remove.focus();
-    await page.keyboard.press('Enter');
+    await page.locator('#kept .open').nth(at).focus();
+    await page.keyboard.press('Delete');
     await page.waitForFunction(() => document.querySelectorAll('#kept bdi').length === 1);
     await page.screenshot({ path: path.join(SCREENSHOTS, `kept-${colorScheme}-deleted.png`) });
-    await page.click('#notice button');
-    await list();
+    await page.click('#kept .said button');
+    await page.waitForFunction(() => document.querySelectorAll('#kept bdi').length === 2);
     assert.deepEqual((await rows()).sort(), ['drawing 2.svg', 'drawing.svg']);
-    await page.locator('#kept li').nth((await rows()).indexOf('drawing 2.svg')).locator('.keys').focus();
-    await page.keyboard.press('Enter');
+    await page.locator('#kept .open').nth((await rows()).indexOf('drawing 2.svg')).focus();
+    await page.keyboard.press('Delete');
     await page.waitForFunction(() => document.querySelectorAll('#kept bdi').length === 1);
     await page.waitForSelector('#kept button:focus');
     await page.keyboard.press('Escape');

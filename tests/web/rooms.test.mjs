@@ -18,6 +18,7 @@ const BELOW = {
   keep: ['page', 'engine', 'keep'],
   embed: ['page', 'engine', 'keep', 'embed'],
   sheets: ['page', 'engine', 'stage', 'keep', 'sheets'],
+  gallery: ['page', 'engine', 'stage', 'keep', 'sheets', 'gallery'],
   export: ['page', 'engine', 'stage', 'keep', 'sheets', 'export'],
   '.': ['page', 'engine', 'stage', 'keep', 'sheets'],
   site: ['page', 'engine', 'stage', 'keep', 'sheets', 'site'],

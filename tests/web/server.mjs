@@ -75,7 +75,7 @@ const tagOf = (bytes) => `"${digestOf(bytes).slice(0, 16)}"`;
 /**
  * `version` names the build, `without` the files that it lacks, `stale` files that are still of another build, `spoil` the bytes that
  * a file is answered with; `beside` a new file beside the document ('': none can
- * be made); `heard` counts the requests for the version alone.
+ * be made); `refused` the status that saves are refused with; `heard` counts the requests for the version alone.
  * @param {{ name?: string, bytes?: Buffer }} [document] omitted: the page is served without a token
  * @param {boolean} [lasting] the address stays, so that the browser may keep the shell
  * @param {string} host
@@ -83,7 +83,7 @@ const tagOf = (bytes) => `"${digestOf(bytes).slice(0, 16)}"`;
 export async function serve(document, lasting = false, host = '127.0.0.1') {
   const token = crypto.randomBytes(16).toString('hex');
   const state = { bytes: document?.bytes, version: '1', stranger: '', without: /^$/, stale: {}, spoil: (name, body) => body, saves: 0, heard: 0,
-    beside: '', address: '', close: () => {} };
+    beside: '', refused: 0, address: '', close: () => {} };
   const server = http.createServer((request, response) => {
     const where = new URL(request.url, 'http://localhost').pathname;
     if (state.stranger) {
@@ -124,6 +124,9 @@ export async function serve(document, lasting = false, host = '127.0.0.1') {
       } else {
         response.writeHead(409, { 'Content-Type': 'text/plain' }).end('The folder is read-only.\n');
       }
+    } else if (state.refused) {
+      request.resume();
+      response.writeHead(state.refused).end();
     } else if (request.headers['if-match'] !== tagOf(state.bytes)) {
       request.resume();
       response.writeHead(412).end();

@@ -82,7 +82,7 @@ const WORDS = {
   'image': 'open', '3d': 'orbit-up tool-lift', 'extrude': 'tool-lift surface-ruled', 'lathe': 'surface-revolve', 'revolve': 'surface-revolve',
   'camera': 'camera-here camera-new camera-along', 'animation': 'move-play', 'loft': 'surface-loft', 'surface': 'tool-surface',
   'mirror': 'mirror-across', 'symmetry': 'symmetry', 'dark': 'theme', 'theme': 'theme', 'zoom': 'tool-zoom zoom-in', 'fit': 'view-fit',
-  'png': 'export-png', 'pdf': 'export-pdf', 'dxf': 'export-dxf', 'save as': 'download-svg', 'new': 'new', 'blank': 'new', 'undo': 'undo',
+  'png': 'export-png', 'pdf': 'export-pdf', 'dxf': 'export-dxf', 'save as': 'save-as', 'new': 'new', 'blank': 'new', 'undo': 'undo',
   'layers': 'layers', 'settings': 'settings', 'preferences': 'settings', 'help': 'shortcuts', 'manual': 'shortcuts', 'shortcuts': 'shortcuts',
   'smooth': 'tool-smooth', 'align': 'align-left align-top', 'trim': 'curve-split', 'scissors': 'curve-split', 'node': 'tool-points',
   'corner': 'corner-make', 'dash': 'setting-dashes', 'ruler': 'show-rulers', 'snap': 'snap', 'language': 'setting-language',

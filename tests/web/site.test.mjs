@@ -2,12 +2,14 @@
 // folder; its policy, which no header sends, is obeyed (page.mjs counts what it refuses as errors); it opens offline.
 // The ghost pen leaves nothing in the drawing. The race fetches its two libraries, and no other page does.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import zlib from 'node:zlib';
 import { bezier, expectFaults, Hand, launch, place, quiet, ready, SCREENSHOTS, state } from './page.mjs';
-import { buildSite, serveSite, SITE } from './static.mjs';
+import { PROGRAM } from './server.mjs';
+import { buildSite, ROOT, serveSite, SITE } from './static.mjs';
 
 let browser;
 let site;
@@ -62,6 +64,24 @@ test('two sites of one origin leave each other their caches', async (t) => {
   expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/);
   await own.close();
   await open(''); // without the server
+});
+
+test('a link of the card stays under the pointer that comes down on it, though that stops the ghost', async () => {
+  for (const [viewport, locale] of [[{ width: 1280, height: 800 }, 'en'], [{ width: 390, height: 780 }, 'ko-KR']]) {
+    const { page, context } = await visit('', { viewport, locale });
+    await page.waitForSelector('.ghost-pen', { state: 'attached' });
+    const boxes = () => page.$$eval('.front a', (all) => all.map((link) => JSON.stringify(link.getBoundingClientRect())));
+    const before = await boxes();
+    assert.equal(before.length, 4);
+    const link = await page.locator('.front a[href="race.html"]').boundingBox();
+    await page.mouse.move(link.x + link.width / 2, link.y + link.height / 2);
+    await page.mouse.down();
+    await turn(page);
+    assert.deepEqual(await boxes(), before);
+    await page.mouse.up();
+    await page.waitForURL(/race\.html$/);
+    await context.close();
+  }
 });
 
 test('the editor is the front page; a touch stops the ghost, which leaves nothing; it opens offline', async (t) => {
@@ -142,6 +162,89 @@ test('less motion: it waits to be asked; a ghost drags the crocodile and gives i
   assert.equal((await state(page)).digest, before);
   assert.match(await page.textContent('.front p'), /pull the back or the tail/);
   await shot(page, 'crocodile');
+  stays();
+});
+
+/** The manual without its moving pictures, once. */
+let manual = () => {
+  execFileSync('/usr/bin/python3', ['-B', path.join(ROOT, 'tools/site/manual.py'), PROGRAM, path.join(SITE, 'manual'), '--bare']);
+  manual = () => {};
+};
+
+test('a reader of the manual bends the crocodile of a paper, and sees a figure redone by hand', async () => {
+  manual();
+  const { page, hand, stays } = await visit();
+  await page.goto(`${site.address}manual/index.html`);
+  const begun = performance.now();
+  await page.click('nav summary:text-is("The papers")');
+  await page.click('nav a:has-text("Sweep and detail apart")');
+  await page.click('h2:has-text("Figure 7") ~ p a:text-is("Open it in the editor")');
+  await ready(page);
+  await page.waitForFunction(() => batten.files.name === 'examples-papers-2016-7.batten');
+  console.log(`from the manual's contents to the crocodile: ${Math.round(performance.now() - begun)} ms`);
+  const before = (await state(page)).digest;
+  await page.keyboard.press('l');
+  const drawing = JSON.parse(fs.readFileSync(path.join(ROOT, 'examples/papers/2016-7.batten'), 'utf8'));
+  const ask = (input, ...words) => JSON.parse(execFileSync(PROGRAM, words, { input: JSON.stringify(input), encoding: 'utf8' }));
+  const outline = ask(ask(drawing.objects[0].curves[0], 'levels', '-').curves.at(-1), 'eval', '-', '--samples', '2000').points;
+  const [x, y] = outline.reduce((best, point) => (point[1] < best[1] ? point : best)); // the top of the back
+  const [back, higher] = await on(page, [[x, y], [x, y - 40]]);
+  await hand.stroke([back, back]);
+  await hand.stroke(bezier(back, back, higher, higher));
+  await page.waitForFunction((before) => batten.engine.digest() !== before, before);
+  await shot(page, 'crocodile-bent');
+  await page.goto(`${site.address}manual/papers/tangents-1994.html`);
+  await page.click('h2:has-text("Figure 5") ~ p a:text-is("See it redone by hand")');
+  await turn(page);
+  assert.match(await page.textContent('.front p'), /change it/);
+  await page.click('.front .told button'); // again
+  await page.waitForSelector('.ghost', { state: 'attached' });
+  assert.match(await page.textContent('.front p'), /redoes the figure/);
+  stays();
+});
+
+test('the manual answers what people ask: of 40 questions at least 36 by the first page that it finds', async () => {
+  manual();
+  const { page, stays } = await visit();
+  await page.goto(`${site.address}manual/index.html`);
+  const questions = JSON.parse(fs.readFileSync(path.join(ROOT, 'tests/web/questions.json'), 'utf8'));
+  const answers = await page.evaluate((asked) => Promise.all(asked.map((question) => manualSearch(question))), questions.map(([question]) => question));
+  const missed = questions.filter(([, wanted], i) => !new RegExp(`^(${wanted})`).test(answers[i][0] ?? '')).map(([question]) => question);
+  console.log(`of ${questions.length} questions to the manual not answered first: ${missed.join('; ')}`);
+  assert.ok(questions.length - missed.length >= 36, missed.join('; '));
+  await page.fill('#search', 'undo');
+  await page.click('#found a');
+  await page.waitForURL(/commands\.html#command-undo/);
+  await shot(page, 'commands');
+  stays();
+});
+
+test('the study: two tasks in turn, timed, with the error that the program measures, as a line of CSV', async () => {
+  const { page, hand, stays } = await visit('#study=demos/sketch.journal');
+  const shown = page.locator('.front .told p');
+  const ways = [];
+  for (const task of [1, 2]) {
+    await page.waitForFunction((task) => new RegExp(`Task ${task} of 2`).test(document.querySelector('.front .told p')?.textContent ?? ''), task);
+    ways.push(/points/.test(await shown.textContent()) ? 'points' : 'sketch');
+    assert.equal(await page.locator('.front .told button').count(), 0, 'Done is offered once something was drawn');
+    await hand.stroke(await on(page, bezier([300, 180], [420, 120], [520, 120], [640, 180])));
+    await page.waitForSelector('.front .told button');
+    const native = await page.evaluate(() => new TextDecoder().decode(batten.engine.save(true)));
+    const measured = Number(execFileSync('/usr/bin/python3', ['-c',
+      'import json, sys; sys.path.insert(0, sys.argv[1]); import measure; print(measure.greatest_error(json.load(sys.stdin)))',
+      path.join(ROOT, 'examples/silhouette')], { input: native, encoding: 'utf8' }));
+    const said = Number(/at most ([\d.]+) px/.exec(await shown.textContent())[1]);
+    if (JSON.parse(native).objects.length === 4) { // the stroke changed the line and made no other
+      assert.ok(Math.abs(said - measured) < 0.2, `${said}, measured ${measured}`);
+    }
+    await shot(page, `study-${task}`);
+    await page.click('.front .told button');
+  }
+  assert.deepEqual([...ways].sort(), ['points', 'sketch']);
+  await page.waitForFunction(() => document.querySelectorAll('.front .told button').length === 3);
+  await shot(page, 'study-results');
+  const line = await page.evaluate(async () => (await import(document.querySelector('script[src*="site/front.js"]').src.replace('front.js', 'study.js'))).lineOf(study.state));
+  assert.match(line, new RegExp(`^\\d{4}-\\d\\d-\\d\\d,${ways[0]},[\\d.]+,[\\d.]+,[\\d.]+,[\\d.]+,pen\\+pen$`));
   stays();
 });
 

@@ -10,10 +10,13 @@ export const controlled = (page) => page.waitForFunction(() => navigator.service
 export const version = (page) => page.evaluate(() => document.querySelector('script[src]').getAttribute('src').split('/')[0]);
 export const caches = (page) => page.evaluate(async () => (await globalThis.caches.keys()).map((name) => name.split(' ').at(-1)).sort());
 
-/** What the page says of its start. */
-export async function said(page) {
-  await page.waitForSelector('#failed', { state: 'visible' });
-  return page.evaluate(() => document.getElementById('failed').innerText);
+/** What the page says of its start, once it says this of it, too: a page that is left can still be looked at for a moment. */
+export async function said(page, words = '') {
+  const text = await page.waitForFunction((awaited) => {
+    const box = document.getElementById('failed');
+    return box?.checkVisibility() && box.innerText.includes(awaited) && box.innerText;
+  }, words);
+  return text.jsonValue();
 }
 
 /** Waits until the page's worker has looked for a newer one, and what came of it. */

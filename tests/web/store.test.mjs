@@ -6,6 +6,7 @@ import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { endOf, headOf, joined, read, recordsOf } from '../../web/keep/records.js';
+import { copy, rename } from '../../web/keep/manage.js';
 import { Store } from '../../web/keep/store.js';
 import { chance, Disk } from './disk_model.mjs';
 
@@ -102,4 +103,45 @@ test('what the user deleted can be brought back, makes room, and is gone a month
   now = 31 * 24 * 3600 * 1000;
   assert.equal(await store.purge(), 1);
   assert.deepEqual((await store.list()).map(({ id }) => id), [ID(3)]);
+});
+
+test('a name and a copy change no byte of what is kept; torn at any place they are there or not', async () => {
+  const disk = new Disk(chance(11));
+  const store = new Store(disk);
+  await store.begin(HEAD, bytesOf(SAMPLE));
+  const { raw } = await store.take(HEAD.id);
+  await rename(store, HEAD.id, 'a longer name');
+  await rename(store, HEAD.id, 'b');
+  assert.deepEqual(await store.take(HEAD.id).then((kept) => [kept.name, linesOf(kept.journal), kept.whole, kept.raw]), ['b', SAMPLE, true, raw]);
+  await store.append(HEAD.id, bytesOf(['{"do":"undo"}'])); // its file is open as before
+  await copy(store, { ...HEAD, id: ID(2), name: 'b copy' }, HEAD.id);
+  await copy(store, { ...HEAD, id: ID(3), name: 'c' }, bytesOf(SAMPLE));
+  await store.append(HEAD.id, bytesOf(['{"do":"redo"}']));
+  assert.deepEqual((await store.list()).map(({ name }) => name).sort(), ['b', 'b copy', 'c']);
+  assert.deepEqual(linesOf((await store.take(ID(2))).journal), [...SAMPLE, '{"do":"undo"}']);
+  assert.deepEqual(linesOf((await store.take(HEAD.id)).journal), [...SAMPLE, '{"do":"undo"}', '{"do":"redo"}']);
+  // Begun anew it is called as its head says.
+  await store.begin({ ...HEAD, name: 'd' }, bytesOf(SAMPLE));
+  assert.equal((await store.take(HEAD.id)).name, 'd');
+  await rename(store, HEAD.id, 'e');
+  const put = (name, bytes) => {
+    disk.files = new Map([...disk.seen, [name, bytes]]);
+    disk.pending = [];
+    disk.looked = -1;
+  };
+  const whole = disk.seen.get(`${HEAD.id}.name`).slice();
+  const seen = new Set();
+  for (let size = 0; size <= whole.length; size++) {
+    put(`${HEAD.id}.name`, whole.slice(0, size));
+    const { name, journal } = await new Store(disk).take(HEAD.id);
+    seen.add(name);
+    assert.deepEqual(linesOf(journal), SAMPLE);
+  }
+  assert.deepEqual([...seen], ['d', 'e']);
+  // What is damaged is not copied, and what is deleted leaves no name.
+  put(`${ID(2)}.1`, disk.seen.get(`${ID(2)}.1`).map((byte, at) => byte ^ Number(at === 200)));
+  await assert.rejects(copy(new Store(disk), { ...HEAD, id: ID(4) }, ID(2)));
+  await assert.rejects(rename(store, ID(9), 'x'));
+  await store.remove(HEAD.id);
+  assert.deepEqual((await disk.names()).filter((name) => name.startsWith(HEAD.id) || name.startsWith(ID(4))), []);
 });

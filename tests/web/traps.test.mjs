@@ -128,7 +128,7 @@ test('memory that never suffices: the page says so, and offers the journal', asy
   await trip(page, hand);
   await page.waitForSelector('[data-about=trap] >> text=cannot go on');
   await page.click('[data-about=trap] button >> text=copy');
-  await page.waitForSelector('#notice-text >> text=No copy could be made');
+  await page.waitForSelector('[data-about=uncopied] >> text=No copy could be made');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-about=trap] button >> text=journal')]);
   assert.equal((await downloaded(download)).length, steps);
   await context.close();

@@ -13,6 +13,7 @@ import shutil
 import sys
 import tempfile
 
+import commands
 import headers
 import pages
 import sessions
@@ -21,6 +22,8 @@ import tour
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The pages of each section, in order; the rest of docs/ follows in "More".
 SECTIONS = [
+    ("The papers", ["docs/papers/README.md", "docs/papers/tangents-1994.md", "docs/papers/sketch-2005.md", "docs/papers/levels-2016.md",
+                    "docs/papers/errors.md"]),
     ("Why", ["docs/why/faster.md", "docs/why/cubics.md", "docs/why/frames.md"]),
     ("How fast", ["docs/benchmarks.md", "docs/user-test.md", "docs/jobs.md"]),
     ("Packages", ["bindings/js/core/README.md", "bindings/js/editor/README.md", "docs/python.md"]),
@@ -34,21 +37,20 @@ MORE_OF_TOOLS = {"levels": "docs/levels.md", "tangents": "docs/tangents.md", "su
 
 def title_of(source):
     if source.endswith(".1"):
-        return "batten(1)"
+        return "Command line: batten(1)"
     return re.search(r"^#+ (.*)$", (ROOT / source).read_text(encoding="utf-8"), re.M)[1]
 
 
 def address_of(source):
     if source.startswith("bindings/js/"):
         return {"core": "npm.html", "editor": "npm-editor.html"}[source.split("/")[2]]
-    return re.sub(r"\.(md|1)$", ".html", source.removeprefix("docs/"))
+    return re.sub(r"\.(md|1)$", ".html", source.removeprefix("docs/").replace("README", "index"))
 
 
 def tools():
     """Names, titles, help and keys of the tools, from the editor's tables."""
-    words = (ROOT / "src/editor/tables/strings.def").read_text(encoding="utf-8")
     table = (ROOT / "src/editor/tables/commands.def").read_text(encoding="utf-8")
-    said = dict(re.findall(r'^(?:TEXT|HELP)\(\w+, "([^"]+)", "((?:[^"\\]|\\.)*)"', words, re.M))
+    said, _ = commands.strings(ROOT)
     found = re.findall(r'^COMMAND\(TOOL_\w+, "tool-([\w-]+)", "([^"]*)"', table, re.M)
     return [(name, said[f"command.tool-{name}"], said[f"command.tool-{name}.help"], key) for name, key in found]
 
@@ -94,6 +96,8 @@ def main(program, folder, bare):
     shown = {} if bare else sessions.sessions(program, ROOT)
     for name, title, text, key in tools():
         manual.plan(f"tools/{name}.html", title, "Tools", body=tool_page(name, title, text, key, name in shown, manual))
+    body, rows = commands.page(ROOT)
+    manual.plan("commands.html", "Commands and keys", "Tools", body=body, rows=rows)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         for name, lines in shown.items():
             (folder / "tools" / f"{name}.journal").write_text("".join(json.dumps(line) + "\n" for line in lines))

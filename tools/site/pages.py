@@ -26,9 +26,9 @@ class Manual:
         self.root, self.folder = root, folder
         self.pages, self.sources, self.index = {}, {}, []
 
-    def plan(self, address, title, section, source=None, body=None):
-        """A page of a Markdown file below the root, or of HTML."""
-        self.pages[address] = {"title": title, "section": section, "source": source, "body": body}
+    def plan(self, address, title, section, source=None, body=None, rows=None):
+        """A page of a Markdown file below the root, or of HTML; rows: what the search knows of it, if not its headings."""
+        self.pages[address] = {"title": title, "section": section, "source": source, "body": body, "rows": rows}
         if source:
             self.sources[source] = address
 
@@ -56,9 +56,18 @@ class Manual:
             return f"{depth}files/{place.name}"
         return None
 
+    def _editor(self, address, target, title):
+        """The editor's address for a drawing or a journal of the manual: where a link leads whose title is "editor", or "study"."""
+        depth = "../" * address.count("/")
+        kind = "study" if title == "study" else "play" if target.endswith(".journal") else "open"
+        return f"{depth}../#{kind}={self.folder.name}/{target.removeprefix(depth)}"
+
     def _relink(self, page, address, body):
         def anchor(match):
             target = self._target(page, address, html.unescape(match[1]))
+            title = re.search(r'title="(editor|study)"', match[0])
+            if target is not None and title:
+                target = self._editor(address, target, title[1])
             if target is None:
                 return f"<span class=\"file\">{match[2]}</span>"
             return f'<a href="{html.escape(target)}">{match[2]}</a>'
@@ -80,7 +89,10 @@ class Manual:
         return "".join(parts) + "</ul></details>"
 
     def _note(self, address, page, body):
-        """What the search knows of a page: a row for each heading."""
+        """What the search knows of a page: a row for each heading, and how soon it is shown."""
+        if page["rows"] is not None:
+            self.index += [[page["title"], title, address + mark, text, rank(address)] for title, mark, text in page["rows"]]
+            return
         pieces = re.split(r"<h([1-4])([^>]*)>(.*?)</h\1>", body, flags=re.S)
         rows = [(page["title"], "", pieces[0])]
         for i in range(1, len(pieces), 4):
@@ -89,7 +101,7 @@ class Manual:
         for title, mark, text in rows:
             words = plain(text)[:1200]
             if title or words:
-                self.index.append([page["title"], title, address + mark, words])
+                self.index.append([page["title"], title, address + mark, words, rank(address)])
 
     def write(self):
         for address, page in self.pages.items():
@@ -109,6 +121,16 @@ class Manual:
                 '<input type="search" id="search" placeholder="Search" aria-label="Search the manual"></header>\n'
                 f'<nav aria-label="Pages">{self._nav(address)}</nav>\n'
                 f'<main><ol id="found" hidden></ol><article>{body}</article></main>\n</body>\n</html>\n', encoding="utf-8")
+
+
+# How soon the search shows a page: what one does in the editor first, then what users read, what developers read, the C interface.
+FIRST, LAST = r"commands\.html|tools/|tour\.html", r"api/"
+DEVELOPERS = (r"(math|why|papers)/|(architecture|benchmarks|coverage|design|hand|interface|journal|jobs|npm|npm-editor|packages|python|references|"
+              r"reliability|site|testing|user-test|batten|format)\.html")
+
+
+def rank(address):
+    return 3 if re.match(FIRST, address) else 0 if re.match(LAST, address) else 1 if re.match(DEVELOPERS, address) else 2
 
 
 def plain(text):

@@ -13,17 +13,48 @@
     document.head.append(script);
   });
 
-  /** How well a row holds all the words; 0: not at all. */
-  function worth([page, title, , text], words) {
-    let sum = 0;
-    for (const word of words) {
-      const [inTitle, inPage, inText] = [title, page, text].map((part) => part.toLowerCase().includes(word));
-      if (!inTitle && !inPage && !inText) {
-        return 0;
-      }
-      sum += 6 * inTitle + 2 * inPage + 1 * inText + 6 * (title.toLowerCase() === word);
+  // What people type and what is written here: another spelling, or another program's word.
+  const SAME = { color: 'colour', center: 'centre', gray: 'grey', autosave: 'unsaved', hotkeys: 'keys', offline: 'network', hotkey: 'key', shortcut: 'key', shortcuts: 'keys',
+    cli: 'shell', terminal: 'shell' };
+  const EMPTY = new Set(['a', 'an', 'and', 'can', 'do', 'does', 'for', 'how', 'i', 'in', 'is', 'it', 'my', 'of', 'on', 'or', 'the', 'to', 'what', 'where', 'with']);
+
+  /** The words of a question that say something; all of them where none does. */
+  function wordsOf(question) {
+    const all = question.toLowerCase().split(/[\s?!,;]+/).filter(Boolean);
+    const said = all.filter((word) => !EMPTY.has(word));
+    return (said.length ? said : all).map((word) => SAME[word] ?? word).map((word) => (word.length > 4 ? word.replace(/s$/, '') : word));
+  }
+
+  /** How well a text holds a word: as a word of its own, at the beginning of one, anywhere, not at all. */
+  function held(text, word) {
+    const at = text.indexOf(word);
+    if (at < 0) {
+      return 0;
     }
-    return sum;
+    const words = text.split(/[^\p{L}\p{N}+#.-]+/u);
+    return words.some((one) => one === word || one === `${word}s`) ? 3 : words.some((one) => one.startsWith(word)) ? 2 : 1;
+  }
+
+  /** How well a row answers: titles before pages before text, what one does in the editor before what is for programmers. */
+  function worth([page, title, address, text, rank], words) {
+    const [inTitle, inPage, inText] = [title, page, text].map((part) => part.toLowerCase());
+    const name = address.includes('#') ? '' : address.replace(/^.*\/|\.html$/g, ''); // of a whole page
+    let [sum, hits] = [0, 0];
+    for (const word of words) {
+      const one = 4 * held(inTitle, word) + 1.5 * held(inPage, word) + 2 * held(inText, word) + 8 * (held(name, word) > 1);
+      sum += one;
+      hits += one > 0;
+    }
+    // A title that says the question and nothing else; of a long text a word says less.
+    const more = inTitle.split(/\s+/).length - words.length;
+    const exact = words.every((word) => held(inTitle, word) === 3) && more < 2 ? 1.5 - 0.5 * more : 0;
+    return hits === 0 ? 0 : (sum + 6 * exact) * (1 + 0.5 * rank) * (hits / words.length) ** 3;
+  }
+
+  /** The rows that answer a question, the best first. */
+  function ranked(rows, question) {
+    const words = wordsOf(question);
+    return rows.map((row) => [worth(row, words), row]).filter(([sum]) => sum > 0).sort((a, b) => b[0] - a[0]).slice(0, MOST).map(([, row]) => row);
   }
 
   /** A piece of the text around the word. */
@@ -33,14 +64,14 @@
   }
 
   async function search() {
-    const words = field.value.toLowerCase().split(/\s+/).filter(Boolean);
-    found.hidden = words.length === 0;
-    if (!words.length) {
+    const question = field.value.trim();
+    found.hidden = !question;
+    if (!question) {
       return;
     }
-    const rows = (await fetched()).map((row) => [worth(row, words), row]).filter(([sum]) => sum > 0)
-      .sort((a, b) => b[0] - a[0]).slice(0, MOST);
-    found.replaceChildren(...rows.map(([, [page, title, address, text]]) => {
+    const rows = ranked(await fetched(), question);
+    const words = wordsOf(question);
+    found.replaceChildren(...rows.map(([page, title, address, text]) => {
       const item = document.createElement('li');
       const link = document.createElement('a');
       link.href = depth + address;
@@ -55,6 +86,7 @@
     }
   }
 
+  globalThis.manualSearch = async (question) => ranked(await fetched(), question).map((row) => row[2]); // for tests
   field.addEventListener('input', search);
   field.addEventListener('focus', fetched);
 })();

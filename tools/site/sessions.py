@@ -4,16 +4,17 @@ import importlib.machinery
 import importlib.util
 import json
 import math
+import pathlib
 import subprocess
+import sys
 
 from PIL import Image
 
-WINDOW, PAGE = (1280, 800), (1000, 420)
-ZOOM = min((WINDOW[0] - 64) / PAGE[0], (WINDOW[1] - 64) / PAGE[1])
-CORNER = [PAGE[k] / 2 - WINDOW[k] / 2 / ZOOM for k in (0, 1)]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from pen import CORNER, WINDOW, ZOOM, document, path, straight, strokes, style  # noqa: E402
+
 FRAMES, SIZE, COLOURS = 22, (640, 269), 32
-STYLE = {"stroked": True, "stroke": "#22262bff", "width": 3, "cap": "round", "join": "round", "miter_limit": 4, "filled": False,
-         "fill": "#00000000", "even_odd": False, "opacity": 1}
+STYLE = style(3)
 
 
 def animate(root):
@@ -35,30 +36,8 @@ def wave(noise=0.0):
     return [(120 + 4 * i, 220 - 70 * math.sin(i / 30) + noise * math.sin(i * 0.9) + noise * math.sin(i * 0.37)) for i in range(191)]
 
 
-def drawing(program, curves, first=1):
-    objects = [{"id": first + i, "kind": "path", "name": "line", "style": STYLE, "curves": [curve]} for i, curve in enumerate(curves)]
-    return {"batten": 1, "page": [0, 0, *PAGE], "next": len(objects) + 1, "objects": objects}
-
-
-def pen(ways, gap=2500, step=8):
-    lines, time = [], 0
-    for way in ways:
-        time += gap
-        for i, place in enumerate(way):
-            x, y = (round((place[k] - CORNER[k]) * ZOOM, 2) for k in (0, 1))
-            lines.append({"pointer": "move" if i else "down", "device": "pen", "id": 1, "buttons": 1, "x": x, "y": y,
-                          "pressure": 0.5, "time": time})
-            time += step
-        lines.append({**lines[-1], "pointer": "up", "buttons": 0, "pressure": 0})
-    return lines
-
-
-def straight(*points, step=5.0):
-    way = [points[0]]
-    for a, b in zip(points, points[1:]):
-        count = max(2, round(math.dist(a, b) / step))
-        way += [tuple(a[k] + (b[k] - a[k]) * i / count for k in (0, 1)) for i in range(1, count + 1)]
-    return way
+def drawing(program, curves):
+    return document(*(path(1 + i, "line", curve, STYLE) for i, curve in enumerate(curves)))
 
 
 def tap(*place):
@@ -68,7 +47,7 @@ def tap(*place):
 def session(document, tool, ways, *after):
     head = [{"journal": "batten", "version": 1, "name": f"{tool}.svg", "document": document}, {"resize": [*WINDOW, 1]},
             {"set": "tolerance", "value": 1}, {"command": f"tool-{tool}"}]
-    return head + pen(ways) + list(after)
+    return head + strokes(ways) + list(after)
 
 
 def sessions(program, root):

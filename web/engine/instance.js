@@ -258,9 +258,7 @@ export class Instance {
     for (let start = 0; start < STARTS; start++) {
       try {
         this.#start();
-        return steps.play((line, first) => this.lend(line, (text, size) => (first ?
-          this.wasm.editor_replay(this.editor, text, size, 0, this.scratch) :
-          this.wasm.editor_replay_line(this.editor, text, size, this.scratch))) === OK) ? steps.left : null;
+        return steps.play((line, first) => (first ? this.#replayed(line) : this.replayLine(line)) === OK) ? steps.left : null;
       } catch (error) {
         if (error instanceof Missing) {
           this.halt(error);
@@ -293,6 +291,16 @@ export class Instance {
     return copy;
   }
 
+  /** @param {Uint8Array} journal @returns {number} the status */
+  #replayed(journal) {
+    return this.lend(journal, (text, size) => this.wasm.editor_replay(this.editor, text, size, 0, this.scratch));
+  }
+
+  /** Runs one line more of a journal. @param {Uint8Array} line @returns {number} the status */
+  replayLine(line) {
+    return this.lend(line, (text, size) => this.wasm.editor_replay_line(this.editor, text, size, this.scratch));
+  }
+
   /**
    * Replaces the document by replaying a journal from its first line.
    * @param {Uint8Array} journal
@@ -300,8 +308,7 @@ export class Instance {
    */
   replay(journal) {
     this.begun(journal); // to be brought back if it traps
-    const status = this.guard(() => this.afresh(this.lend(journal, (text, size) =>
-      this.wasm.editor_replay(this.editor, text, size, 0, this.scratch))), FAILS);
+    const status = this.guard(() => this.afresh(this.#replayed(journal)), FAILS);
     if (status === FAILS && this.scarce && !this.dead) { // a new instance has all its memory, and takes a line at a time
       this.bring(journal, null);
     }

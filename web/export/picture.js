@@ -31,16 +31,21 @@ export async function pictureOf(svg, { width, white }) {
 /** Opens the browser's print window with it alone, on a page of its size. @param {Uint8Array} svg */
 export async function print(svg) {
   const image = await isolated(svg);
+  printAlone(image, `@page { size: ${image.width}px ${image.height}px; margin: 0 }
+    @media print { #print { width: ${image.width}px; height: ${image.height}px } }`);
+}
+
+/** Opens the browser's print window with that element alone, as `#print`. @param {HTMLElement} element @param {string} css of the print */
+export function printAlone(element, css) {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(`@page { size: ${image.width}px ${image.height}px; margin: 0 }
-    @media print { body > :not(#print) { display: none !important } html, body { overflow: visible !important }
-    #print { display: block; width: ${image.width}px; height: ${image.height}px } }
+  sheet.replaceSync(`${css}
+    @media print { body > :not(#print) { display: none !important } html, body { overflow: visible !important; background: #fff !important } #print { display: block } }
     @media screen { #print { display: none } }`);
-  image.id = 'print';
-  document.body.append(image);
+  element.id = 'print';
+  document.body.append(element);
   document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
   window.addEventListener('afterprint', () => {
-    image.remove();
+    element.remove();
     document.adoptedStyleSheets = document.adoptedStyleSheets.filter((other) => other !== sheet);
   }, { once: true });
   window.print();

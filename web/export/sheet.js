@@ -7,10 +7,11 @@ import { row, select } from './fields.js';
 import { pictureOf, print } from './picture.js';
 import { FORMATS, PNG } from '../sheets/formats.js';
 import { Space, standing } from './space.js';
+import { PaperFields, printTiled } from './tiles.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
-/** @typedef {{ format: string, part: number, width: number, white: boolean, tolerance: number, cap: boolean }} Choice */
+/** @typedef {{ format: string, part: number, width: number, white: boolean, tolerance: number, cap: boolean } & import('./tiles.js').Paper} Choice */
 
 const STORE = 'batten-export';
 const WIDEST = 16384; // pixels that browsers paint
@@ -20,7 +21,7 @@ const SELECTION = 2;
 
 /** @returns {Choice} */
 function remembered() {
-  const usual = { format: 'svg', part: 0, width: 0, white: true, tolerance: 0, cap: false };
+  const usual = { format: 'svg', part: 0, width: 0, white: true, tolerance: 0, cap: false, paper: '', sheet: /** @type {[number, number]} */ ([210, 297]), overlap: 10 };
   try {
     return { ...usual, ...JSON.parse(localStorage.getItem(STORE) ?? '{}') };
   } catch {
@@ -45,20 +46,23 @@ function fields(engine, choice, selected, floor) {
   hint.textContent = word('shell.print');
   const picture = [row('width', word('number.width'), width, word('unit.px')), row('white', word('shell.white'), white)];
   const space = new Space(engine, choice.tolerance, choice.cap, floor === true);
+  const paper = new PaperFields(choice);
   const show = () => {
     space.show(FORMATS.find(({ of }) => of === format.value), Number(part.value));
     picture.forEach((control) => { control.hidden = format.value !== 'png'; });
     hint.hidden = format.value !== 'pdf';
+    paper.show(!hint.hidden);
   };
   format.addEventListener('change', show);
   part.addEventListener('change', show);
+  paper.paper.addEventListener('change', show);
   show();
   const box = document.createElement('div');
   box.className = 'export';
-  box.append(row('format', word('shell.format'), format), row('part', word('shell.part'), part), ...picture, ...space.rows, hint);
+  box.append(row('format', word('shell.format'), format), row('part', word('shell.part'), part), ...picture, ...space.rows, ...paper.rows, hint);
   const read = () => ({ format: format.value, part: Number(part.value), white: white.checked,
     width: Math.max(0, Math.min(WIDEST, Math.round(Number(width.value) || 0))) });
-  return { box, read: () => ({ ...read(), tolerance: space.tolerance, cap: space.cap }), space };
+  return { box, read: () => ({ ...read(), tolerance: space.tolerance, cap: space.cap, ...paper.read() }), space };
 }
 
 /** Carries it out. @param {Shell} shell @param {Choice} choice @param {Space} model @param {boolean} copied to the clipboard, as a picture */
@@ -71,7 +75,8 @@ async function carryOut({ engine, files, notices }, choice, model, copied) {
   } else if (space) {
     files.deliver(model.made(), end, type);
   } else if (of === 'pdf') {
-    await print(excerpt(engine, 'plain', choice.part));
+    const svg = excerpt(engine, 'plain', choice.part);
+    await (choice.paper ? printTiled(svg, choice) : print(svg));
   } else if (of === 'png') {
     const picture = await pictureOf(excerpt(engine, 'plain', choice.part), choice);
     files.deliver(new Uint8Array(await picture.arrayBuffer()), end, type);

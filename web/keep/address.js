@@ -1,8 +1,9 @@
 // What the page's address asks for, after "?" or "#": open=ADDRESS, a file of the page's own server; journal=ADDRESS, a
-// journal, which is replayed into a drawing of its own; play=ADDRESS, the drawing that a journal begins with. Fetched when
-// an address asks.
+// journal, which is replayed into a drawing of its own; play=ADDRESS and study=ADDRESS, the drawing that a journal
+// begins with; replay=TEXT, the journal that the address itself carries (export/link.js). Fetched when an address asks.
 
 import { bytesOf } from './gzip.js';
+import { want } from '../page/build.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('./drawings.js').Drawings} Drawings */
@@ -50,20 +51,43 @@ async function openFile(drawings, asked) {
 async function openJournal(drawings, asked, whole) {
   const { file, name } = await fetched(asked);
   const bytes = await bytesOf(file);
-  const journal = whole ? bytes : startOf(bytes);
+  return run(drawings, asked, name.replace(/\.[a-z]+$/i, ''), whole ? bytes : startOf(bytes), !whole);
+}
+
+/**
+ * Replays a journal into a drawing of its own.
+ * @param {Drawings} drawings @param {string} asked what is named when it cannot be opened @param {string} name without its ending
+ * @param {Uint8Array} journal @param {boolean} given the page shows it, the visitor did not bring it
+ */
+async function run(drawings, asked, name, journal, given) {
   const { engine, files } = drawings;
   await drawings.whole.complete();
-  await drawings.openNew(name.replace(/\.[a-z]+$/i, '') || undefined);
+  await drawings.openNew(name || undefined);
   const [width, height, ratio] = engine.size;
   const done = engine.replay(journal);
   engine.resize(width, height, ratio); // the journal's window had another
   engine.command('view-fit');
-  files.given = !whole;
+  files.given = given;
   drawings.wake();
   if (!done) {
     drawings.notices.say(`${word('shell.not-opened', asked)} ${word('shell.damaged')}`);
   }
   return true; // what could be replayed is there, in a drawing of its own
+}
+
+/** How somebody drew something: shown once, and then it is the visitor's drawing. @param {Drawings} drawings @param {string} text */
+async function openReplay(drawings, text) {
+  const [{ journalOf }, { playOver }] = await Promise.all([want(import('../export/link.js')), want(import('../export/film.js'))]);
+  const journal = await journalOf(text);
+  const { name = '' } = JSON.parse(new TextDecoder().decode(journal).split('\n', 1)[0]);
+  await run(drawings, String(name), String(name).replace(/\.[a-z]+$/i, ''), journal, false);
+  history.replaceState(null, '', location.pathname + location.search); // a reload brings back the drawing, not another one
+  const play = () => void playOver(journal);
+  drawings.notices.ask('replayed', word('shell.replayed'), [{ label: word('shell.play-again'), run: play }]);
+  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    play();
+  }
+  return true;
 }
 
 /**
@@ -72,13 +96,14 @@ async function openJournal(drawings, asked, whole) {
  */
 export async function openAsked(drawings, words) {
   const asked = new URLSearchParams(words.replace(/[?#]/g, '&'));
-  const [kind] = ['open', 'journal', 'play'].filter((word) => asked.get(word));
+  const [kind] = ['open', 'journal', 'play', 'study', 'replay'].filter((word) => asked.get(word));
   const address = asked.get(kind) ?? '';
   try {
     return kind !== undefined && await (kind === 'open' ? openFile(drawings, address) :
-      openJournal(drawings, address, kind === 'journal'));
+      kind === 'replay' ? openReplay(drawings, address) : openJournal(drawings, address, kind === 'journal'));
   } catch (error) {
-    drawings.notices.say(`${word('shell.not-opened', address)} ${error instanceof Error ? error.message : ''}`);
+    const name = kind === 'replay' ? word('shell.share') : address;
+    drawings.notices.say(`${word('shell.not-opened', name)} ${error instanceof Error ? error.message : ''}`);
     return false;
   }
 }

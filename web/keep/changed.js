@@ -39,7 +39,7 @@ async function saveBeside(files) {
 /** @param {Files} files */
 async function overwrite(files) {
   try {
-    await files.save((await files.place.look()).tag);
+    files.saveNow((await files.place.look()).tag);
   } catch (error) {
     files.complain(error);
   }
@@ -52,7 +52,7 @@ async function compareBoth(files, text) {
     const file = await files.place.look();
     const answer = await compare(files.engine, file);
     if (answer === 'overwrite') {
-      await files.save(file.tag); // overwrites the version that was compared, nothing newer
+      files.saveNow(file.tag); // overwrites the version that was compared, nothing newer
     } else if (answer === 'beside') {
       await saveBeside(files);
     } else {

@@ -52,8 +52,13 @@ export class Disk {
     const writable = await this.handle.createWritable().catch((/** @type {unknown} */ error) => {
       throw new Error(word('shell.not-allowed', this.handle.name), { cause: error });
     });
-    await writable.write(bytes);
-    await writable.close();
+    try {
+      await writable.write(bytes);
+      await writable.close();
+    } catch (error) {
+      const full = error instanceof DOMException && error.name === 'QuotaExceededError';
+      throw full ? new Error(word('shell.disk-full'), { cause: error }) : error;
+    }
     this.tag = await this.hear();
   }
 

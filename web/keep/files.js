@@ -1,7 +1,7 @@
 // Files: opened by drop, picker or server; saved to where they came from, or as a download.
 
 import { want } from '../page/build.js';
-import { Changed, Unsaved } from './server.js';
+import { Changed } from './server.js';
 import { isNative, isPlain, isQuick, readInto } from '../engine/reading.js';
 import { counted, word } from '../page/words.js';
 
@@ -24,6 +24,9 @@ const JSON_TYPE = 'application/json';
 
 /** @param {import('../engine/losses.js').Losses} losses */
 export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
+
+/** @param {unknown} error */
+const textOf = (error) => (error instanceof Error ? error.message : String(error));
 
 /** @param {string} name */
 const stemOf = (name) => name.replace(/\.[a-z]{2,6}$/i, '');
@@ -63,6 +66,8 @@ export class Files {
     /** The page is being reloaded and will restore what is not saved. */
     this.leaving = false;
     this.saving = false;
+    /** The version that the save which was asked for is to overwrite. @type {string | undefined} */
+    this.over = undefined;
     this.picker = /** @type {HTMLInputElement} */ (document.getElementById('picker'));
     this.#listen();
   }
@@ -189,6 +194,7 @@ export class Files {
       if (lost) {
         this.notices.say(counted(this.engine.keeps ? 'shell.unshown' : 'shell.loses', lost));
       }
+      this.notices.over('unsaved', 'uncopied'); // of another drawing
       this.name = name;
       this.opened = bytes;
       this.asked = this.given = false;
@@ -215,10 +221,11 @@ export class Files {
    * Saves to its place, else as a download.
    * @param {string} [over] the version to overwrite, when not the one that the drawing was opened from
    */
-  async save(over) {
+  async save(over = this.over) {
     const native = isNative(this.name);
+    this.over = undefined;
     if (!this.bound) {
-      if (this.download(native)) {
+      if (this.download(native, () => this.saveNow())) {
         this.engine.saved();
         this.wake();
       }
@@ -241,7 +248,7 @@ export class Files {
       this.notices.over('kept', 'unkept', 'changed', 'unsaved');
       this.notices.say(word('shell.saved', this.name));
     } catch (error) {
-      this.complain(error);
+      this.#tellUnsaved(error, over);
     } finally {
       this.saving = false;
       this.wake();
@@ -278,13 +285,36 @@ export class Files {
     return answer === 'lose' || answer === 'save';
   }
 
-  /** Saves a copy in the browser's download folder. @param {boolean} [native] @returns {boolean} */
-  download(native = isNative(this.name)) {
+  /** Saves the drawing as it is now. @param {string} [over] the version to overwrite, as for save() */
+  saveNow(over) {
+    this.over = over;
+    this.engine.command('save'); // the state that is asked for anew
+    this.wake();
+  }
+
+  /** Says why the drawing is not saved, until it is or the user closes it. @param {unknown} error @param {string} [over] */
+  #tellUnsaved(error, over) {
+    if (error instanceof Changed) {
+      this.complain(error);
+      return;
+    }
+    this.notices.over('silent'); // says the same
+    this.notices.ask('unsaved', word('shell.not-saved', textOf(error)), [
+      { label: word('shell.again'), run: () => this.saveNow(over) },
+      { label: word('shell.copy'), run: () => {
+        this.#tellUnsaved(error, over); // a copy is not the file
+        this.download();
+      } }]);
+  }
+
+  /** Saves a copy in the browser's download folder. @param {boolean} [native] @param {() => void} [again] @returns {boolean} */
+  download(native = isNative(this.name), again = () => void this.download(native)) {
     try {
       this.deliver(this.engine.save(native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG);
+      this.notices.over('uncopied');
       return true;
     } catch (error) {
-      this.complain(error);
+      this.notices.ask('uncopied', word('shell.not-saved', textOf(error)), [{ label: word('shell.again'), run: again }]);
       return false;
     }
   }
@@ -296,13 +326,13 @@ export class Files {
 
   /**
    * Into the browser's download folder, named as the drawing. @param {Uint8Array} bytes
-   * @param {string} end of its name @param {string} type
+   * @param {string} end of its name @param {string} type @param {string} [name]
    */
-  deliver(bytes, end, type) {
+  deliver(bytes, end, type, name = this.name) {
     const address = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)], { type }));
     const link = document.createElement('a');
     link.href = address;
-    link.download = `${stemOf(this.name)}.${end}`;
+    link.download = `${stemOf(name)}.${end}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(address), 10000);
   }
@@ -314,13 +344,10 @@ export class Files {
 
   /** @param {unknown} error */
   complain(error) {
-    const text = error instanceof Error ? error.message : String(error);
     if (error instanceof Changed) {
-      void this.#tellChanged(text);
-    } else if (error instanceof Unsaved) {
-      this.notices.ask('unsaved', text, [{ label: word('shell.copy'), run: () => void this.download() }]);
+      void this.#tellChanged(error.message);
     } else {
-      this.notices.say(text);
+      this.notices.say(textOf(error));
     }
   }
 

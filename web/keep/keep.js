@@ -13,7 +13,7 @@ import { addressOf } from '../page/build.js';
 export class Unread extends Error {}
 
 /** An id that no other drawing has. */
-const newId = () => Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+export const newId = () => Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, '0')).join('');
 
 export class Keeper {
   constructor() {
@@ -103,12 +103,12 @@ export class Keeper {
 
   /** What is kept of a drawing. Throws Unread. @param {string} id @returns {Promise<Kept | null>} */
   async take(id) {
-    return this.#read('take', id);
+    return this.ask('take', id);
   }
 
   /** All drawings kept, the latest first, and those that the user deleted. Throws Unread. @returns {Promise<Listed[]>} */
   async list() {
-    return this.#read('list');
+    return this.ask('list');
   }
 
   /** The latest that is kept under a name, unless it was put aside. @param {string} name @returns {Promise<Kept | null>} null also when nothing can be read */
@@ -145,8 +145,8 @@ export class Keeper {
     await this.settled();
   }
 
-  /** @param {import('./keeping.js').Job['call']} call @param {...unknown} values @returns {Promise<any>} */
-  async #read(call, ...values) {
+  /** The answer of a call. Throws Unread. @param {import('./keeping.js').Job['call']} call @param {...unknown} values @returns {Promise<any>} */
+  async ask(call, ...values) {
     const answer = await /** @type {Promise<Answer>} */ (new Promise((resolve) => this.#send(call, values, resolve)));
     if (answer.fault) {
       throw new Unread(answer.why);

@@ -3,7 +3,8 @@
 import { Opfs } from './opfs.js';
 import { Cleared, Full, Store } from './store.js';
 
-/** A call of the store. @typedef {{ call: 'list' | 'take' | 'begin' | 'append' | 'release' | 'remove' | 'mark' | 'purge', with: any[] }} Job */
+/** A call of the store, or of manage.js. @typedef {{ call: 'list' | 'take' | 'begin' | 'append' | 'release' | 'remove' | 'mark' | 'purge' | 'rename' | 'copy',
+ * with: any[] }} Job */
 /** @typedef {{ value?: unknown, fault: import('./keep.js').Fault | '', why?: string }} Answer */
 
 const EARLIER = 'journals'; // the folder of earlier versions
@@ -29,8 +30,9 @@ const faultOf = (error) => (error instanceof Full ? 'no-room' : error instanceof
 /** @param {Promise<Store>} store @param {Job} job @returns {Promise<Answer>} */
 async function answer(store, job) {
   try {
-    const work = /** @type {Record<string, (...values: any[]) => Promise<unknown>>} */ (/** @type {unknown} */ (await store));
-    return { value: await work[job.call](...job.with), fault: '' };
+    const work = /** @type {any} */ (await store);
+    const more = /** @type {any} */ (work[job.call] ? null : await import('./manage.js'));
+    return { value: await (more ? more[job.call](work, ...job.with) : work[job.call](...job.with)), fault: '' };
   } catch (error) {
     return { fault: faultOf(error), why: String(error) };
   }

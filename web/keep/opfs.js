@@ -12,6 +12,8 @@ export class Opfs {
   /** @param {FileSystemDirectoryHandle} root */
   constructor(root) {
     this.root = root;
+    /** Those that were there when names were last asked for. @type {Map<string, FileSystemFileHandle>} */
+    this.seen = new Map();
     /** Those that are open here. @type {Map<string, Sync>} */
     this.open_ = new Map();
   }
@@ -32,11 +34,11 @@ export class Opfs {
   }
 
   async names() {
-    const names = [];
-    for await (const name of (await this.#folder()).keys()) {
-      names.push(name);
+    this.seen = new Map();
+    for await (const [name, handle] of /** @type {any} */ (await this.#folder()).entries()) {
+      this.seen.set(name, handle);
     }
-    return names;
+    return [...this.seen.keys()];
   }
 
   /** @param {string} name */
@@ -46,7 +48,7 @@ export class Opfs {
 
   /** @param {string} name */
   async #file(name) {
-    return (await (await this.#folder()).getFileHandle(name)).getFile();
+    return (this.seen.get(name) ?? await (await this.#folder()).getFileHandle(name)).getFile();
   }
 
   /** @param {string} name */

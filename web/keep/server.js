@@ -5,14 +5,13 @@ import { word } from '../page/words.js';
 /** The file changed on disk after it was opened. */
 export class Changed extends Error {}
 
-/** The drawing could not be saved where it belongs; a copy can. */
-export class Unsaved extends Error {}
-
 /** @typedef {{ name: string, bytes: Uint8Array, tag: string }} FileBytes tag: identifies this version of the file */
 
 const PATIENCE = 10000; // milliseconds: whoever has not answered by then does not answer
 const FORBIDDEN = 403;
 const CHANGED = 412;
+/** What the page says better than the server. @type {Record<number, string>} */
+const REASONS = { 413: 'shell.too-heavy', 507: 'shell.disk-full' };
 const TOKEN = /name="batten-token" content="([0-9a-f]+)"/;
 
 /** @param {Response} response */
@@ -57,10 +56,7 @@ export class Server {
    * @param {string} [over] the tag of the version that they replace
    */
   async save(bytes, type, over = this.tag) {
-    const response = await this.#ask('PUT', { 'Content-Type': type, 'If-Match': over }, bytes)
-      .catch((/** @type {Error} */ error) => {
-        throw error instanceof Changed ? error : new Unsaved(error.message);
-      });
+    const response = await this.#ask('PUT', { 'Content-Type': type, 'If-Match': over }, bytes);
     this.tag = response.headers.get('ETag') ?? '';
   }
 
@@ -97,7 +93,8 @@ export class Server {
     }
     if (!response.ok) {
       // The server gives its reason in one line of plain text.
-      const reason = (await response.text()).trim();
+      const known = REASONS[response.status];
+      const reason = known ? word(known) : (await response.text()).trim();
       throw new Error(reason || word('shell.answered', `${response.status} ${response.statusText}`));
     }
     return response;

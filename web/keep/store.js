@@ -1,7 +1,7 @@
 // The drawings that a browser keeps, in a room of files (opfs.js, database.js). Each has an id and a file, ID.GENERATION, to
 // which the lines of its journal are added as records (records.js). A shorter journal goes into a new generation; the one
-// before is removed only when that has been read back. Empty files beside it say more of a drawing: ID.aside, ID.gone. There is
-// no other directory: what the files say is all.
+// before is removed only when that has been read back. Small files beside it say more of a drawing: ID.aside, ID.gone, and ID.name
+// (manage.js). There is no other directory: what the files say is all.
 
 import { endOf, headOf, joined, read, readyOf, recordsOf } from './records.js';
 
@@ -38,6 +38,8 @@ export class Store {
     this.now = now;
     /** The file that is being written. @type {{ id: string, file: string, access: Access, number: number, end: number } | null} */
     this.open = null;
+    /** The heads of files, which never change. @type {Map<string, Head>} */
+    this.heads = new Map();
   }
 
   /** The generations of each drawing, the latest first. @param {string[]} names @returns {Map<string, number[]>} */
@@ -71,13 +73,23 @@ export class Store {
   async #listed(id, generations, names) {
     const listed = { id, name: '', place: '', time: 0, aside: names.includes(`${id}.aside`), gone: names.includes(`${id}.gone`), broken: false };
     try {
-      listed.time = await this.room.time(`${id}.${generations[0]}`);
-      const { head } = read(await this.room.read(`${id}.${generations[0]}`, HEAD));
+      const file = `${id}.${generations[0]}`;
+      listed.time = await this.room.time(file);
+      const head = this.heads.get(file) ?? read(await this.room.read(file, HEAD)).head;
+      if (head) {
+        this.heads.set(file, head);
+      }
       const { name, place } = head ?? (await this.#latest(id, generations)).content.head ?? { name: '', place: '' };
-      return { ...listed, name, place, broken: name === '' };
+      return { ...listed, name: await this.#given(id, generations[0], names) || name, place, broken: name === '' };
     } catch {
       return { ...listed, broken: true }; // it is there, and may be read another time
     }
+  }
+
+  /** The name that the user gave it since that generation was begun; '' without one. @param {string} id @param {number} generation @param {string[]} names */
+  async #given(id, generation, names) {
+    const { head } = read(names.includes(`${id}.name`) ? await this.room.read(`${id}.name`).catch(() => new Uint8Array(0)) : new Uint8Array(0));
+    return head && Number(head.place) >= generation ? head.name : '';
   }
 
   /** All drawings, the latest first; those that the user deleted, too. @returns {Promise<Listed[]>} */
@@ -96,7 +108,7 @@ export class Store {
     }
     const listed = await this.#listed(id, generations, names);
     const { raw, content: { head, journal, whole } } = await this.#latest(id, generations);
-    return { ...listed, name: head?.name ?? listed.name, place: head?.place ?? listed.place, broken: !head, journal, whole, raw };
+    return { ...listed, name: listed.name || head?.name || '', place: head?.place ?? listed.place, broken: !head, journal, whole, raw };
   }
 
   /**
@@ -123,6 +135,7 @@ export class Store {
     const title = headOf(head);
     const { bytes, number } = recordsOf(journal, 1);
     const ready = readyOf(number);
+    this.heads.delete(file);
     this.open = { id, file, access: await this.room.open(file), number, end: 0 };
     try {
       await this.#put(joined([title, bytes]));

@@ -35,7 +35,7 @@ export function watch(files, notices) {
         files.tellOf(tag);
       }
     } catch (error) {
-      if (!pause) {
+      if (!pause && !notices.asks('unsaved')) {
         notices.ask('silent', error instanceof Error ? error.message : String(error),
           [{ label: word('shell.copy'), run: () => void files.download() }]);
       }

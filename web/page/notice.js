@@ -79,6 +79,11 @@ export class Notices {
     this.asked.append(box);
   }
 
+  /** Whether a notice about it is shown. @param {string} about */
+  asks(about) {
+    return this.asked.querySelector(`[data-about="${about}"]`) !== null;
+  }
+
   /** Removes the notices about things that are settled. @param {...string} abouts */
   over(...abouts) {
     for (const about of abouts) {

@@ -14,8 +14,8 @@
 
   function show() {
     var box = document.getElementById('failed');
-    if (!box) {
-      return; // the page is not read that far
+    if (!box || !box.nextSibling) {
+      return; // the page is not read that far: what stands in the box may still be missing
     }
     var ready = Boolean(root.dataset.ready);
     box.hidden = ready || !(failed || late);

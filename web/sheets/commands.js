@@ -3,6 +3,7 @@
 
 import { found } from './finder.js';
 import { shortcutOf } from './keys.js';
+import { made } from '../page/elements.js';
 import { keyName, tell, word } from '../page/words.js';
 
 /** @typedef {import('../engine/types.js').CommandRow} CommandRow */
@@ -10,23 +11,9 @@ import { keyName, tell, word } from '../page/words.js';
 /** @typedef {import('../page/settings.js').Settings} Settings */
 /** What can be found beside commands. @typedef {{ name: string, label: string, of: string, words: string, help: string, run: () => void }} Other */
 
-/**
- * @template {keyof HTMLElementTagNameMap} K
- * @param {K} tag
- * @param {string} style class
- * @param {...(Node | string)} content
- * @returns {HTMLElementTagNameMap[K]}
- */
-function make(tag, style, ...content) {
-  const element = document.createElement(tag);
-  element.className = style;
-  element.append(...content);
-  return element;
-}
-
 /** @param {string} label @param {() => void} act @param {...(Node | string)} content */
 function button(label, act, ...content) {
-  const one = make('button', '', ...content);
+  const one = made('button', '', ...content);
   one.type = 'button';
   one.setAttribute('aria-label', label);
   one.title = label;
@@ -80,11 +67,11 @@ export class CommandSheet {
     this.pressed = '';
     this.refused = false;
     this.last = lastUsed();
-    this.search = make('input', 'search');
+    this.search = made('input', 'search');
     this.search.type = 'search';
     this.search.addEventListener('input', () => this.fill());
-    this.body = make('div', 'command-list');
-    sheet.replaceChildren(tell(make('h2', ''), { text: 'shell.menu' }), this.search, this.body);
+    this.body = made('div', 'command-list');
+    sheet.replaceChildren(tell(made('h2', ''), { text: 'shell.menu' }), this.search, this.body);
     /** Whether it is shown: it is built for that, and for nothing else. */
     this.open = sheet.matches(':popover-open');
     sheet.addEventListener('beforetoggle', (event) => {
@@ -121,12 +108,12 @@ export class CommandSheet {
   #all() {
     const last = this.last.flatMap((name) => this.commands.filter((row) => row.name === name));
     /** @type {HTMLElement[]} */
-    const parts = last.length > 0 ? [make('h3', '', word('shell.last-used')), make('ul', 'commands last', ...last.map((row) => this.#row(row)))] : [];
+    const parts = last.length > 0 ? [made('h3', '', word('shell.last-used')), made('ul', 'commands last', ...last.map((row) => this.#row(row)))] : [];
     let section = '';
     for (const row of this.commands) {
       if (row.section !== section) {
         section = row.section;
-        parts.push(make('h3', '', word(section)), make('ul', 'commands'));
+        parts.push(made('h3', '', word(section)), made('ul', 'commands'));
       }
       parts[parts.length - 1].append(this.#row(row));
     }
@@ -146,7 +133,7 @@ export class CommandSheet {
     const entries = found([...commands, ...others].map((one) => ({ ...one, label: one.label.toLowerCase(), more: one.help.toLowerCase() })),
       this.search.value).map((one) => one.make());
     entries[0]?.classList.add('best');
-    return entries.length > 0 ? [make('ul', 'commands', ...entries)] : [make('p', 'none', word('shell.found-nothing', this.search.value.trim()))];
+    return entries.length > 0 ? [made('ul', 'commands', ...entries)] : [made('p', 'none', word('shell.found-nothing', this.search.value.trim()))];
   }
 
   /** Leaves the sheet, and what has the focus in it: or the next key is the hidden sheet's. */
@@ -162,10 +149,10 @@ export class CommandSheet {
     const label = button(other.label, () => {
       this.#leave();
       other.run();
-    }, other.label, make('small', '', other.of));
+    }, other.label, made('small', '', other.of));
     label.title = other.help;
     label.dataset.command = other.name;
-    return make('li', '', make('div', 'command', label));
+    return made('li', '', made('div', 'command', label));
   }
 
   /** @param {CommandRow} row */
@@ -181,7 +168,7 @@ export class CommandSheet {
     label.dataset.command = row.name;
     const editing = row.name === this.editing;
     const names = row.keys.map(keyName);
-    const caps = names.flatMap((name) => [make('kbd', '', name), ' ']);
+    const caps = names.flatMap((name) => [made('kbd', '', name), ' ']);
     const keys = button(`${names.join(' ')} ${brief(editing ? 'press' : 'rebind', row.label)}`, () => {
       this.editing = editing ? '' : row.name;
       this.pressed = '';
@@ -190,7 +177,7 @@ export class CommandSheet {
     keys.className = 'keys';
     keys.dataset.focus = row.name;
     keys.setAttribute('aria-pressed', String(editing));
-    const entry = make('li', '', make('div', 'command', label, keys));
+    const entry = made('li', '', made('div', 'command', label, keys));
     if (editing) {
       entry.append(this.#editor(row));
     }
@@ -199,8 +186,8 @@ export class CommandSheet {
 
   /** The editor of a command's keys, with the outcome of the last key pressed. @param {CommandRow} row */
   #editor(row) {
-    const box = make('div', 'rebinding', make('p', '', word('shell.press.help', row.label)));
-    const status = make('p', 'told');
+    const box = made('div', 'rebinding', made('p', '', word('shell.press.help', row.label)));
+    const status = made('p', 'told');
     status.setAttribute('role', 'status');
     box.append(status);
     if (this.refused) {
@@ -213,12 +200,12 @@ export class CommandSheet {
         other.keys.filter((key) => key !== this.pressed).join(' ')])), brief('key-only')));
     }
     for (const key of row.keys) {
-      const cross = make('span', '', '✕');
+      const cross = made('span', '', '✕');
       cross.ariaHidden = 'true';
       box.append(button(brief('key-remove', keyName(key)), () => {
         this.pressed = '';
         this.#bind([[row.name, row.keys.filter((other) => other !== key).join(' ')]]);
-      }, make('kbd', '', keyName(key)), ' ', cross));
+      }, made('kbd', '', keyName(key)), ' ', cross));
     }
     if (row.name in this.settings.kept.keys) {
       box.append(button(brief('key-default'), () => {

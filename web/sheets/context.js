@@ -7,7 +7,7 @@ import { Menu } from './menu.js';
 /** @typedef {import('../main.js').Shell} Shell */
 
 /** For what is selected, a line of the menu's rules between them: those that the engine offers. */
-const CHOSEN = [/^(un)?group$|^combine$|^release$|^isolate$/, /^region-/, /^order-/, /^curve-|^to-page$|^mirror-(across|down)$/,
+const CHOSEN = [/^(un)?group$|^combine$|^release$|^isolate$/, /^region-/, /^order-/, /^curve-|^to-page$|^mirror-(across|down)$|^array$/,
   /^(surface|wire)-|^camera-along$|^body-path$/, /^delete$/];
 /** Always possible while something is selected. */
 const ALWAYS = ['isolate'];
@@ -63,6 +63,6 @@ export class Context {
   #chosen(offered) {
     const names = this.shell.panel.tables.commands.map(({ name }) => name);
     const groups = CHOSEN.map((family) => names.filter((name) => family.test(name) && (offered.includes(name) || ALWAYS.includes(name))));
-    return [['cut', 'copy', 'paste', 'duplicate'], ...groups.slice(0, -1), ['calm'], groups[groups.length - 1]];
+    return [['cut', 'copy', 'paste', 'duplicate', 'repeat'], ...groups.slice(0, -1), ['calm'], groups[groups.length - 1]];
   }
 }

@@ -1,6 +1,7 @@
 // The menu of the logo: drawings and files, and what concerns the editor as a whole. Fetched when it is first opened.
 
 import { Menu } from './menu.js';
+import { actsOf } from './others.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 
@@ -15,16 +16,17 @@ export class MainMenu {
 
   /** @param {Shell} shell @param {HTMLElement} logo */
   constructor(shell, logo) {
-    const { drawings, theme } = shell;
+    const acts = actsOf(shell);
+    const act = (/** @type {string} */ name) => ({ name, key: `shell.${name}`, run: acts[name] });
     this.menu = new Menu(shell, 'main-menu', 'shell.main-menu');
     this.menu.opener = logo;
     /** @type {(string | import('./menu.js').Act)[][]} */
     this.groups = [
-      [{ name: 'new', key: 'shell.new', run: () => void drawings.openNew() }, 'open', 'open-kept'],
-      ['save', 'download-svg', 'download-native', 'export'],
+      [act('new'), 'open', 'open-kept'],
+      ['save', act('save-as'), act('duplicate')],
+      ['download-svg', 'download-native', 'export', act('share')],
       ['history', 'losses'],
-      ['shortcuts', { name: 'settings', key: 'shell.settings', run: () => document.getElementById('settings')?.showPopover() },
-        { name: 'theme', key: 'shell.theme', run: () => theme.toggle() }],
+      ['shortcuts', act('settings'), act('theme')],
     ];
   }
 

@@ -1,8 +1,9 @@
-// Position, size and rotation of the selection, entered as text: a section of the inspector. The engine's table lists the
-// numbers; the engine formats and parses them.
+// Position, size and rotation of the selection, entered as text, or without one the size of the page: a section of the
+// inspector. The engine's table lists the numbers; the engine formats and parses them.
 
 import { tell } from '../page/words.js';
 import { Measure } from '../page/measure.js';
+import { PageSize } from './page_size.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 
@@ -21,7 +22,8 @@ class NumbersSheet {
    * @param {Panel} panel
    * @param {HTMLElement} sheet
    */
-  constructor({ engine, wake, buttons, tables: { numbers: names } }, sheet) {
+  constructor(panel, sheet) {
+    const { engine, wake, buttons, tables: { numbers: names } } = panel;
     this.engine = engine;
     this.row = tell(document.createElement('div'), { label: 'shell.arrange' });
     this.row.className = 'line-up';
@@ -80,8 +82,8 @@ class NumbersSheet {
         delete sheet.dataset.asked;
       }
     });
-    this.none = tell(document.createElement('p'), { text: 'notice.select-first' });
-    sheet.append(this.row, ...this.rows.map((row) => row.box), this.none);
+    this.page = new PageSize(panel);
+    sheet.append(this.row, ...this.rows.map((row) => row.box), this.page.box);
     this.show();
   }
 
@@ -101,7 +103,10 @@ class NumbersSheet {
         input.removeAttribute('aria-invalid');
       }
     }
-    this.none.hidden = some;
+    this.page.box.hidden = some;
+    if (!some) {
+      this.page.show();
+    }
   }
 }
 

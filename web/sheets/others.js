@@ -22,17 +22,30 @@ function formats(shell) {
     help: '', run: async () => (await want(import('../export/sheet.js'))).exportDrawing(shell, of) }));
 }
 
-/** @param {Shell} shell @returns {Other[]} */
-function page({ drawings, panel, theme }) {
-  /** @type {Record<string, () => void>} */
-  const all = {
-    new: () => void drawings.openNew(),
+/** Begins a new drawing; the gallery has a picture of the one that is left. @param {Shell} shell */
+async function fresh(shell) {
+  await import('../gallery/pictured.js').then(({ pictureOpen }) => pictureOpen(shell)).catch(() => {}); // a picture fewer
+  await shell.drawings.openNew();
+}
+
+/** What the page itself does, by the names of its words. @param {Shell} shell @returns {Record<string, () => void>} */
+export function actsOf(shell) {
+  const { panel, theme } = shell;
+  return {
+    new: () => void fresh(shell),
+    'save-as': async () => (await want(import('../keep/copies.js'))).saveAs(shell),
+    duplicate: async () => (await want(import('../keep/copies.js'))).duplicateOpen(shell),
     settings: () => document.getElementById('settings')?.showPopover(),
     theme: () => theme.toggle(),
+    share: () => void want(import('../export/share.js')).then((part) => part.share(shell)),
     layers: () => void panel.dock.reveal('layers'),
     numbers: () => void panel.dock.reveal('numbers'),
   };
-  return Object.entries(all).map(([name, run]) => ({ name, label: word(`shell.${name}`), of: '', words: word(`shell.${name}.words`), help: '', run }));
+}
+
+/** @param {Shell} shell @returns {Other[]} */
+function page(shell) {
+  return Object.entries(actsOf(shell)).map(([name, run]) => ({ name, label: word(`shell.${name}`), of: '', words: word(`shell.${name}.words`), help: '', run }));
 }
 
 /** @param {Shell} shell */

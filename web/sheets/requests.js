@@ -16,7 +16,7 @@ export class Requests {
     this.clipboard = null;
     /** @type {import('./commands.js').CommandSheet | undefined} */
     this.commands = undefined;
-    /** @type {import('./kept.js').KeptSheet | undefined} */
+    /** @type {Promise<import('../gallery/kept.js').KeptSheet> | undefined} */
     this.keptSheet = undefined;
     /** @type {Promise<import('./context.js').Context> | undefined} */
     this.context = undefined;
@@ -78,9 +78,8 @@ export class Requests {
   }
 
   async #kept() {
-    const { KeptSheet } = await want(import('./kept.js'));
-    this.keptSheet ??= new KeptSheet(this.shell);
-    await this.keptSheet.show();
+    this.keptSheet ??= want(import('../gallery/kept.js')).then(({ KeptSheet }) => KeptSheet.make(this.shell));
+    await (await this.keptSheet).show();
   }
 
   /** @param {number} x @param {number} y @param {boolean} there */

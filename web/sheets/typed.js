@@ -33,14 +33,14 @@ export function keepTyped({ requests, words }) {
       end();
     }
   }, true);
-  menu.addEventListener('toggle', (event) => {
-    if (/** @type {ToggleEvent} */ (event).newState === 'open' && typed !== null) {
-      const search = requests.commands?.search;
-      if (search && typed) {
-        search.value = typed + search.value;
-        search.dispatchEvent(new Event('input'));
-      }
-      end();
+  // Its search has the focus as soon as the sheet is open, before any event tells that it is.
+  menu.addEventListener('focusin', ({ target }) => {
+    const search = requests.commands?.search;
+    if (typed === null || !search || target !== search) {
+      return;
     }
+    search.value = typed + search.value;
+    end();
+    search.dispatchEvent(new Event('input'));
   });
 }

@@ -1,6 +1,7 @@
 // The front page of a static host: under the editor a card says what to try and leads on, and a ghost pen shows it once.
 
 import { want } from '../page/build.js';
+import { ready } from '../page/ready.js';
 import { learn, say } from './words.js';
 
 /** @typedef {import('./ghost.js').Ghost} Ghost */
@@ -10,12 +11,11 @@ const SECONDS = 6;
 const LINKS = [['hairs', '#play=demos/hairs.journal'], ['crocodile', '#play=demos/crocodile.journal'],
   ['race', 'race.html'], ['manual', 'manual/']];
 
-/** What is played: the journal that the address names, else the one of the car. */
-function playOf() {
-  const asked = new URLSearchParams(location.hash.slice(1));
-  const address = asked.get('play') ?? (asked.has('open') || asked.has('journal') ? '' : 'demos/car.journal');
+/** What is played: the journal that the address names, else the one of the car. @param {URLSearchParams} asked */
+function playOf(asked) {
+  const address = asked.get('play') ?? (['open', 'journal', 'study'].some((word) => asked.has(word)) ? '' : 'demos/car.journal');
   const name = /(\w+)\.journal$/.exec(address)?.[1] ?? '';
-  return { address, name: say(`${name}.turn`) ? name : '' };
+  return { address, name: say(`${name}.turn`) ? name : address && 'figure' };
 }
 
 /** @param {string} tag @param {Record<string, string>} attributes @param {string} [text] */
@@ -30,12 +30,12 @@ class Front {
   /** @param {Shell} shell */
   constructor(shell) {
     this.shell = shell;
-    this.play = playOf();
+    this.asked = new URLSearchParams(location.hash.slice(1));
+    this.play = playOf(this.asked);
     /** @type {Ghost | null} */
     this.ghost = null;
     this.text = make('p', { role: 'status' });
-    this.again = make('button', { type: 'button' });
-    this.again.hidden = true;
+    this.again = make('button', { type: 'button', class: 'away' }, say('again'));
     this.again.addEventListener('click', () => this.#start());
     this.card = make('section', { class: 'front', 'aria-label': say('links') });
     const close = make('button', { type: 'button', 'aria-label': say('close'), class: 'close' }, '×');
@@ -45,16 +45,24 @@ class Front {
     });
     const links = make('nav', { 'aria-label': say('links') });
     links.append(...LINKS.map(([key, href]) => make('a', { href }, say(key))));
-    const told = make('div', { class: 'told' });
-    told.append(this.text, this.again);
-    this.card.append(told, links, close);
+    // There is room for all that will be said, so that no link moves under a pointer that comes down.
+    const words = make('div', { class: 'words' });
+    words.append(this.text, ...['ghost', 'turn'].map((part) => make('span', { 'aria-hidden': 'true' }, say(`${this.play.name}.${part}`))));
+    this.told = make('div', { class: 'told' });
+    this.told.append(words, this.again);
+    this.card.append(this.told, links, close);
     document.querySelector('.notices')?.append(this.card);
   }
 
   /** Shows the ghost at once, or offers to where motion is to be reduced. */
   async begin() {
+    if (this.asked.has('study')) {
+      await (await want(import('./study.js'))).begin(this.shell, this.told);
+      return;
+    }
     if (!this.play.name || !this.shell.files.given) {
-      return; // the visitor's own drawing is open
+      this.told.remove(); // the visitor's own drawing is open
+      return;
     }
     const { Ghost } = await want(import('./ghost.js'));
     if (!await this.shell.whole.complete()) {
@@ -76,7 +84,7 @@ class Front {
   }
 
   #start() {
-    this.again.hidden = true;
+    this.again.className = 'away';
     this.text.textContent = say(`${this.play.name}.ghost`);
     this.ghost?.start();
   }
@@ -88,19 +96,9 @@ class Front {
   #ended() {
     this.text.textContent = say(`${this.play.name}.turn`);
     this.again.textContent = say('again');
-    this.again.hidden = false;
+    this.again.className = '';
     document.documentElement.dataset.turn = 'yes';
   }
-}
-
-/** Waits until the editor is there. @returns {Promise<Shell>} */
-function ready() {
-  const root = document.documentElement;
-  return new Promise((resolve) => {
-    const look = () => root.dataset.ready === 'yes' && resolve(/** @type {any} */ (globalThis).batten);
-    new MutationObserver(look).observe(root, { attributeFilter: ['data-ready'] });
-    look();
-  });
 }
 
 const [shell] = await Promise.all([ready(), learn('front')]);

@@ -12,9 +12,9 @@ import { tell } from '../page/words.js';
  * @property {number} chosen
  * @property {number} amount from 0, raw, to 1, fair; -1: the stroke can no longer be refitted
  * @property {string[]} words empty: it has no other reading
- * @property {string} [of] what was done to a selection and can be chosen otherwise: simplify, earlier, offset
+ * @property {string} [of] what was done to a selection and can be chosen otherwise: simplify, earlier, offset, array
  * @property {number} [ways] how many of the words are chosen one instead of another; what follows them does something
- * @property {string} [typed] the property that can also be typed
+ * @property {string} [typed] the properties that can also be typed
  * @property {number} [step] of the slider
  * @property {number[]} [around] what they must not lie over: x0, y0, x1, y1
  * @property {string} [said] what it has come to
@@ -42,8 +42,8 @@ export class Chips {
     this.refit.className = 'refit';
     this.ends = [document.createElement('span'), document.createElement('span')];
     this.points = document.createElement('output');
-    this.typed = '';
-    this.measure = this.#field();
+    /** What can be typed, by property. @type {Map<string, Measure>} */
+    this.fields = new Map();
     this.refit.append(this.ends[0], this.amount, this.ends[1], this.points);
     this.shown = '';
     void dress('styles/chips.css').then(() => { // unstyled, it would push the stage aside
@@ -63,17 +63,23 @@ export class Chips {
     this.box.hidden = amount < 0;
     this.amount.step = String(step);
     this.amount.valueAsNumber = amount;
-    const shown = [of, ...words].join('\n');
+    const shown = [of, typed, ...words].join('\n');
     if (shown !== this.shown || !(of || this.box.contains(document.activeElement))) { // a slider in use stays where it is
       this.shown = shown;
-      this.#dress(of && `command.curve-${of}`, of || 'refit');
-      this.typed = typed;
-      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i)), ...typed ? [this.measure.box] : [], this.refit);
+      this.#dress(of && `command.${of === 'array' ? of : `curve-${of}`}`, of || 'refit');
+      const names = typed.split(' ').filter(Boolean);
+      const held = this.#held();
+      this.fields = new Map(names.map((name) => [name, this.#field(name, names.length > 1)]));
+      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i)), ...[...this.fields.values()].map(({ box }) => box), this.refit);
+      if (held >= 0) { // the chip that was pressed, though it may say something else by now
+        this.box.querySelectorAll('button')[held]?.focus();
+      }
     }
-    if (typed && document.activeElement !== this.measure.input) { // not over what is being typed
-      tell(this.measure.input, { label: `property.${typed}` });
-      this.measure.show(this.engine.number(typed));
-      this.measure.input.removeAttribute('aria-invalid');
+    for (const [name, measure] of this.fields) {
+      if (document.activeElement !== measure.input) { // not over what is being typed
+        measure.show(this.engine.number(name));
+        measure.input.removeAttribute('aria-invalid');
+      }
     }
     this.box.querySelectorAll('button').forEach((chip, i) => chosen < 0 || i >= ways || chip.setAttribute('aria-pressed', String(i === chosen)));
     this.points.textContent = said;
@@ -107,15 +113,25 @@ export class Chips {
     return slider;
   }
 
-  /** What the slider chooses, as text: seen while it is typed. */
-  #field() {
+  /** The place among the chips of the one that has the focus; -1: none has. */
+  #held() {
+    return [...this.box.querySelectorAll('button')].indexOf(/** @type {HTMLButtonElement} */ (document.activeElement));
+  }
+
+  /** A property as text: seen while it is typed. @param {string} name @param {boolean} labelled it is one of several */
+  #field(name, labelled) {
     const input = document.createElement('input');
-    Object.assign(input, { id: 'refit-typed', type: 'text', autocomplete: 'off' });
+    Object.assign(input, { id: labelled ? `refit-${name}` : 'refit-typed', type: 'text', autocomplete: 'off' });
+    tell(input, { label: `property.${name}` });
     const measure = new Measure(input);
     measure.box.classList.add('control');
+    if (labelled) {
+      measure.box.prepend(tell(document.createElement('span'), { text: `label.${name}` }));
+      measure.box.classList.add('labelled');
+    }
     input.addEventListener('focus', () => input.select());
     input.addEventListener('input', () => {
-      input.setAttribute('aria-invalid', String(!this.engine.enter(this.typed, input.value)));
+      input.setAttribute('aria-invalid', String(!this.engine.enter(name, input.value)));
       this.wake();
     });
     input.addEventListener('keydown', (event) => {

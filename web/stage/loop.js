@@ -69,7 +69,7 @@ export class Loop {
   }
 
   #frame() {
-    const { painter, panel, mirror, settings, words, requests } = this.shell;
+    const { files, painter, panel, mirror, settings, words, requests } = this.shell;
     this.due = false;
     const start = performance.now();
     const frame = this.#glide(start);
@@ -78,6 +78,7 @@ export class Loop {
       return;
     }
     const made = performance.now();
+    frame.name &&= files.name; // the user may have named it since its journal was begun
     if (frame.tilt || frame.surfaces || frame.moves) {
       void this.#deepen(frame.tilt + frame.moves !== 0);
     }

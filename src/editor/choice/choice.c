@@ -12,10 +12,12 @@ void bat_choice_follow(bat_context *c) {
 void bat_choice_free(bat_choice *choice) {
     bat_selection_free(&choice->selection);
     bat_selection_free(&choice->isolation.kept);
+    bat_selection_free(&choice->repetition.of);
 }
 
 void bat_choice_forget(bat_context *c) {
     bat_selection_clear(&c->choice->selection);
     bat_isolate_end(c);
     c->choice->layer = c->choice->entered = 0;
+    c->choice->repetition.count = 0;
 }

@@ -3,6 +3,7 @@
 #define BATTEN_EDITOR_CHOICE_CHOICE_H
 
 #include "editor/choice/isolation.h"
+#include "editor/choice/repetition.h"
 #include "editor/choice/selection.h"
 #include "editor/session/context.h"
 #include "editor/tables/tables.h"
@@ -12,6 +13,7 @@ typedef struct bat_choice {
     bat_id entered; /* the group whose members a click selects; 0: none */
     bat_id layer;   /* the active layer, where new curves go; 0: none */
     bat_isolation isolation;
+    bat_repetition repetition;
     bat_tool_id tool; /* the chosen tool */
     unsigned wanted;  /* trait of a tool to be chosen when the event is over; 0: none */
 } bat_choice;

@@ -11,6 +11,7 @@ void bat_selection_free(bat_selection *selection) {
 void bat_selection_clear(bat_selection *selection) {
     selection->version += selection->count > 0;
     selection->count = selection->loose = 0;
+    selection->last = 0;
 }
 
 /* The index of the id, or where it would be inserted, among those in order. */
@@ -48,6 +49,7 @@ bat_status bat_selection_add(bat_selection *selection, bat_id id) {
     memmove(selection->ids + at + 1, selection->ids + at,
             (size_t)(selection->count - at) * sizeof *selection->ids);
     selection->ids[at] = id;
+    selection->last = id;
     selection->count++;
     selection->version++;
     return BAT_OK;
@@ -58,6 +60,7 @@ bat_status bat_selection_append(bat_selection *selection, bat_id id) {
     if (at < selection->count - selection->loose && selection->ids[at] == id) return BAT_OK;
     if (make_room(selection) != BAT_OK) return BAT_MEMORY;
     selection->ids[selection->count++] = id;
+    selection->last = 0;
     selection->loose++;
     selection->version++;
     return BAT_OK;

@@ -12,6 +12,7 @@ typedef struct bat_selection {
     int count, room;
     int loose;        /* at the end, unsorted: between bat_selection_append and bat_selection_sort */
     uint32_t version; /* grows with every change */
+    bat_id last;      /* added last, by itself; 0: several at once were. It may have left since */
 } bat_selection;
 
 void bat_selection_free(bat_selection *selection);

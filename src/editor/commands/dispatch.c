@@ -20,13 +20,16 @@ static const row functions[BAT_COMMAND_COUNT] = {
 #include "editor/tables/commands.def"
 };
 
+bool bat_command_faces(const bat_context *c, bat_command_id id) {
+    if (bat_command_at(id)->when != BAT_WHEN_FACE_ON) return true;
+    /* A tool that works in a tilted view knows what its commands mean there. */
+    return functions[id].function == bat_command_to_tool ? bat_toolbox_faces(c) : !bat_stage_tilted(c->stage);
+}
+
 bat_status bat_command_run(bat_context *c, bat_command_id id, bool down) {
     if (bat_command_at(id)->when != BAT_WHEN_ANYTIME && (bat_toolbox_busy(c) || c->session->transaction.open))
         return BAT_STATE;
-    /* A tool that works in a tilted view knows what its commands mean there. */
-    const bool faces = functions[id].function == bat_command_to_tool ? bat_toolbox_faces(c)
-                                                                     : !bat_stage_tilted(c->stage);
-    if (bat_command_at(id)->when == BAT_WHEN_FACE_ON && !faces) return BAT_STATE;
+    if (!bat_command_faces(c, id)) return BAT_STATE;
     bat_views_arrive(c->views, &c->stage->view);
     c->session->freed = BAT_STRING_COUNT;
     c->session->refused = false;
@@ -38,7 +41,7 @@ bat_status bat_command_do(bat_context *c, const char *name) {
     bat_command_id id = bat_command_named(name);
     if (id == BAT_COMMAND_COUNT) return BAT_UNSUPPORTED;
     bat_status status = bat_command_run(c, id, true);
-    if (status == BAT_STATE && bat_command_at(id)->when == BAT_WHEN_FACE_ON) bat_notice_tilted(c);
+    if (status == BAT_STATE && !bat_command_faces(c, id)) bat_notice_tilted(c);
     /* Called by name, the command acts at once; while its key is held, its reach is shown. */
     return id == BAT_COMMAND_CALM && status == BAT_OK ? bat_command_run(c, id, false) : status;
 }

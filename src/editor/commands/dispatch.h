@@ -5,6 +5,8 @@
 #include "editor/session/context.h"
 #include "editor/tables/tables.h"
 
+/* Whether the view is one in which it works: most change the page, and work face-on. */
+bool bat_command_faces(const bat_context *c, bat_command_id id);
 bat_status bat_command_run(bat_context *c, bat_command_id id, bool down);
 /* See the calls of the same names in the public header. */
 bat_status bat_command_do(bat_context *c, const char *name);

@@ -156,26 +156,12 @@ static bat_status keep(bat_context *c) {
     return status;
 }
 
-/* The box in view pixels of a box on the page. */
-static void look(const bat_stage *stage, const double box[4], double seen[4]) {
-    for (int k = 0; k < 4; k++) {
-        const double corner[3] = {box[k & 1 ? 2 : 0], box[k & 2 ? 3 : 1], 0};
-        double at[2], pixel[2];
-        bat_stage_look(stage, 3, corner, at);
-        bat_stage_project(stage, at, pixel);
-        for (int j = 0; j < 2; j++) {
-            seen[j] = k ? fmin(seen[j], pixel[j]) : pixel[j];
-            seen[j + 2] = k ? fmax(seen[j + 2], pixel[j]) : pixel[j];
-        }
-    }
-}
-
 static bat_status choose(bat_context *c, int way) { return way > 0 ? BAT_ARGUMENT : keep(c); }
 
 static void write(bat_context *c, bat_text *text) {
     shapes all;
     double seen[4];
-    look(c->stage, c->tuning->around, seen);
+    bat_tuning_look(c->stage, c->tuning->around, seen);
     bat_text_string(text, ",\"of\":\"earlier\",\"around\":");
     bat_line_numbers(text, seen, 4, 1);
     if (find(c, bat_object_id(c->tuning->before[0]), &all) == BAT_OK && all.count > 1) {
@@ -191,7 +177,8 @@ static void write(bat_context *c, bat_text *text) {
     bat_text_json_string(text, bat_word(c, BAT_STRING_EARLIER_KEEP));
 }
 
-static const bat_tuning_kind earlier = {BAT_STRING_COMMAND_CURVE_EARLIER, again, choose, NULL, write, keep};
+static const bat_tuning_kind earlier = {
+    BAT_STRING_COMMAND_CURVE_EARLIER, again, choose, NULL, write, keep, NULL};
 
 /* The one object that is selected, or in the group that is; BAT_STATE: there is no such one. */
 static bat_status one_selected(bat_context *c, int *index) {

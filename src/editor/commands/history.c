@@ -15,6 +15,8 @@ static void follow(bat_context *c, bool undone) {
     const bat_history *history = &c->session->history;
     const bat_step *step = &history->steps[undone ? history->done : history->done - 1];
     bat_choice_follow(c);
+    if (step->page)
+        c->settings->values[BAT_PROPERTY_UNIT] = undone ? step->page->shown_before : step->page->shown_after;
     if (bat_toolbox_has(c, BAT_DRAWS)) return;
     bool cleared = false;
     for (int i = 0; i < step->count; i++) {

@@ -15,7 +15,6 @@
 #include "editor/tables/commands.h"
 #include "editor/tables/settings.h"
 #include <math.h>
-#include <stdlib.h>
 
 enum { SIDES = BAT_OFFSET_BOTH + 1 };
 
@@ -154,43 +153,18 @@ static void write(bat_context *c, bat_text *text) {
     }
 }
 
-static const bat_tuning_kind offsetting = {BAT_STRING_STEP_CURVE_OFFSET, again, choose, way, write, keep};
+static const bat_tuning_kind offsetting = {
+    BAT_STRING_STEP_CURVE_OFFSET, again, choose, way, write, keep, show};
 
-void bat_offset_follow(bat_context *c) {
-    if (!bat_tuning_holds(c) || c->tuning->kind != &offsetting) return;
-    const bat_status status = show(c);
-    if (status == BAT_OK) return;
-    bat_tuning_free(c->tuning);
-    bat_notice_failure(c, status);
+void bat_offset_follow(bat_context *c, bat_property_id property) {
+    if (property == BAT_PROPERTY_OFFSET_DISTANCE || property == BAT_PROPERTY_OFFSET_SIDE)
+        bat_tuning_follow(c, &offsetting);
 }
 
 /* ---- the command ---- */
 
-/* Those that it is about; BAT_STATE: there are none. */
-static bat_status begin(bat_context *c) {
-    bat_tuning *t = c->tuning;
-    int *members = NULL, count = 0;
-    bat_status status = bat_arrange_members(c, &members, &count);
-    if (status != BAT_OK) return status;
-    t->before = malloc((size_t)(count > 0 ? count : 1) * sizeof *t->before);
-    for (int i = 0; i < count && t->before; i++)
-        if (is_possible(c->session->document, members[i]))
-            t->before[t->count++] = bat_object_retain(bat_document_at(c->session->document, members[i]));
-    free(members);
-    if (!t->before) return BAT_MEMORY;
-    return t->count > 0 ? BAT_OK : BAT_STATE;
-}
-
 bat_status bat_command_curve_offset(bat_context *c, bat_command_id id) {
     (void)id;
     bat_tuning_free(c->tuning);
-    bat_status status = begin(c);
-    if (status == BAT_OK) {
-        bat_tuning_mark(c, &offsetting, false);
-        status = show(c);
-    }
-    if (status == BAT_OK) return BAT_OK;
-    bat_tuning_free(c->tuning);
-    return bat_notice_refuse(c, status,
-                             status == BAT_STATE ? BAT_STRING_NOTICE_SELECT_FLAT : BAT_STRING_COUNT);
+    return bat_tuning_start(c, &offsetting, bat_tuning_gather(c, is_possible), BAT_STRING_NOTICE_SELECT_FLAT);
 }

@@ -1,5 +1,6 @@
 /* Property values: numbers within the ranges of the table. */
 #include "editor/tools/span.h"
+#include "editor/commands/array.h"
 #include "editor/commands/dispatch.h"
 #include "editor/commands/offset.h"
 #include "editor/commands/tuning.h"
@@ -34,8 +35,8 @@ bat_status bat_property_set(bat_context *c, const char *property, double value) 
     if (id == BAT_PROPERTY_FIRST_HINTS) c->settings->followed = 0;
     c->settings->values[id] = value;
     if (id == BAT_PROPERTY_PERSPECTIVE) bat_perspective_follow(c);
-    if ((id == BAT_PROPERTY_OFFSET_DISTANCE || id == BAT_PROPERTY_OFFSET_SIDE) && bat_tuning_holds(c))
-        bat_offset_follow(c);
+    bat_offset_follow(c, id);
+    bat_array_follow(c, id);
     if (id == BAT_PROPERTY_SPLINE_MODE) return bat_splining_set_mode(c, value);
     return bat_property_at(id)->group == BAT_GROUP_LEVELS ? bat_leveling_set(c, id, value) : BAT_OK;
 }

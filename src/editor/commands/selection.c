@@ -2,6 +2,9 @@
 #include "document/nesting.h"
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
+#include "editor/choice/repetition.h"
+#include "editor/edit/repeat.h"
+#include "base/matrix.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/commands/dispatch.h"
@@ -29,8 +32,16 @@ static bat_status told(bat_context *c, bat_status status) {
 
 bat_status bat_command_duplicate(bat_context *c, bat_command_id id) {
     (void)id;
-    double off = 10 * bat_stage_pixel(c->stage);
-    return told(c, bat_arrange_duplicate(c, off, off));
+    double off = 10 * bat_stage_pixel(c->stage), matrix[6];
+    if (!bat_repetition_of_copies(c, matrix)) bat_matrix_translation(off, off, matrix);
+    return told(c, bat_arrange_duplicate(c, matrix));
+}
+
+bat_status bat_command_repeat(bat_context *c, bat_command_id id) {
+    (void)id;
+    if (c->choice->selection.count && !bat_repetition_is_known(c))
+        return bat_notice_refuse(c, BAT_STATE, BAT_STRING_NOTICE_NOTHING_TO_REPEAT);
+    return told(c, bat_repeat(c));
 }
 
 bat_status bat_command_group(bat_context *c, bat_command_id id) {

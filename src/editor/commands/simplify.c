@@ -232,23 +232,18 @@ static void counted(bat_text *text, const char *what, const size_t count[2]) {
 
 static void write(bat_context *c, bat_text *text) {
     const bat_simplifying *s = c->simplifying;
-    char numbers[64];
+    char numbers[64], said[BAT_NOTICE_ROOM];
+    const bat_string words = told(s, numbers);
+    bat_word_fill(c, words, 1, (const char *const[]){numbers}, said, sizeof said);
     bat_text_string(text, ",\"of\":\"simplify\"");
     counted(text, "points", s->sum.points);
     counted(text, "cubics", s->sum.cubics);
-    const char *words = bat_word(c, told(s, numbers)), *hole = strchr(words, '%');
-    bat_text said = {0};
-    bat_text_add(&said, words, hole ? (size_t)(hole - words) : strlen(words));
-    if (hole) bat_text_string(&said, numbers), bat_text_string(&said, hole + 1);
-    bat_text_add(&said, "", 1);
     bat_text_string(text, ",\"said\":");
-    bat_text_json_string(text, said.failed ? "" : said.data);
-    text->failed = text->failed || said.failed;
-    bat_text_free(&said);
+    bat_text_json_string(text, said);
     bat_text_string(text, ",\"words\":[");
     bat_text_json_string(text, bat_word(c, BAT_STRING_SIMPLIFY_C2));
     bat_text_string(text, ",");
     bat_text_json_string(text, bat_word(c, BAT_STRING_SIMPLIFY_G1));
 }
 
-static const bat_tuning_kind simplifying = {BAT_STRING_STEP_SIMPLIFY, again, join, way, write, NULL};
+static const bat_tuning_kind simplifying = {BAT_STRING_STEP_SIMPLIFY, again, join, way, write, NULL, NULL};

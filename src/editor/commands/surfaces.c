@@ -1,4 +1,5 @@
 /* Commands that make surfaces from the selected curves. */
+#include "editor/edit/flip.h"
 #include "editor/edit/making.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/surfaces.h"
@@ -17,25 +18,35 @@ static bat_recipe_kind kind_of(bat_command_id id) {
 }
 
 bool bat_surface_command_fits(const bat_context *c, bat_command_id id) {
+    if (id == BAT_COMMAND_SURFACE_FLIP) return bat_flip_fits(c);
     if (id == BAT_COMMAND_SURFACE_FREE) return bat_making_can_free(c);
     return bat_making_fits(c, kind_of(id), id == BAT_COMMAND_SURFACE_CLOSE);
 }
 
+/* Says why nothing was done: with `refusal` where nothing fits. */
+static bat_status told(bat_context *c, bat_status status, bat_string refusal) {
+    if (status == BAT_STATE)
+        bat_notice(c, refusal);
+    else if (status != BAT_OK)
+        bat_notice_failure(c, status);
+    return status;
+}
+
+static bat_string none_fits(const bat_context *c) {
+    return c->choice->selection.count ? BAT_STRING_NOTICE_NOT_THESE : BAT_STRING_NOTICE_SELECT_FIRST;
+}
+
 bat_status bat_command_surface(bat_context *c, bat_command_id id) {
-    if (!bat_surface_command_fits(c, id)) {
-        bat_notice(c,
-                   c->choice->selection.count ? BAT_STRING_NOTICE_NOT_THESE : BAT_STRING_NOTICE_SELECT_FIRST);
-        return BAT_STATE;
-    }
+    if (!bat_surface_command_fits(c, id)) return told(c, BAT_STATE, none_fits(c));
     return bat_making_make(c, kind_of(id), id == BAT_COMMAND_SURFACE_CLOSE);
 }
 
 bat_status bat_command_surface_free(bat_context *c, bat_command_id id) {
     (void)id;
-    const bat_status status = bat_making_free(c);
-    if (status == BAT_STATE)
-        bat_notice(c, BAT_STRING_NOTICE_NOTHING_FOLLOWS);
-    else if (status != BAT_OK)
-        bat_notice_failure(c, status);
-    return status;
+    return told(c, bat_making_free(c), BAT_STRING_NOTICE_NOTHING_FOLLOWS);
+}
+
+bat_status bat_command_surface_flip(bat_context *c, bat_command_id id) {
+    (void)id;
+    return told(c, bat_flip(c), none_fits(c));
 }

@@ -1,4 +1,5 @@
 /* Commands that choose a tool, and those passed on to the tool in force. */
+#include "editor/show/inspect.h"
 #include "editor/show/moves.h"
 #include "editor/commands/three.h"
 #include "editor/choice/choice.h"
@@ -35,8 +36,8 @@ bat_status bat_command_accept(bat_context *c, bat_command_id id) {
 
 bat_status bat_command_cancel(bat_context *c, bat_command_id id) {
     if (bat_moves_leave(c) || bat_orbit_cancel(c) || bat_three_cancel(c) || bat_toolbox_drop(c) ||
-        (c->moves->camera && bat_gazes_leave(c)) || bat_tuning_cancel(c) || bat_isolate_end(c) ||
-        bat_arrange_leave(c))
+        (c->moves->camera && bat_gazes_leave(c)) || bat_tuning_cancel(c) ||
+        bat_deviating_end(&c->insight->deviating) || bat_isolate_end(c) || bat_arrange_leave(c))
         return BAT_OK;
     return bat_command_deselect(c, id);
 }

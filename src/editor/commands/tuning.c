@@ -1,10 +1,13 @@
 #include "editor/commands/tuning.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
+#include "editor/edit/arrange.h"
 #include "editor/scene/path.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/undo.h"
+#include "editor/view/stage.h"
+#include <math.h>
 #include <stdlib.h>
 
 static const float WIDTH = 2;
@@ -32,6 +35,41 @@ bat_status bat_tuning_add(bat_tuning *t, bat_curve *curve) {
     t->fit = more;
     t->fit[t->shown++] = curve;
     return BAT_OK;
+}
+
+bat_status bat_tuning_gather(bat_context *c, bool (*wanted)(const bat_document *document, int index)) {
+    const bat_document *document = c->session->document;
+    bat_tuning *t = c->tuning;
+    int *members = NULL, count = 0;
+    bat_status status = bat_arrange_members(c, &members, &count);
+    if (status != BAT_OK) return status;
+    t->before = malloc((size_t)(count > 0 ? count : 1) * sizeof *t->before);
+    for (int i = 0; i < count && t->before; i++)
+        if (!wanted || wanted(document, members[i]))
+            t->before[t->count++] = bat_object_retain(bat_document_at(document, members[i]));
+    free(members);
+    if (!t->before) return BAT_MEMORY;
+    return t->count > 0 ? BAT_OK : BAT_STATE;
+}
+
+bat_status bat_tuning_start(bat_context *c, const bat_tuning_kind *kind, bat_status gathered,
+                            bat_string none) {
+    bat_status status = gathered;
+    if (status == BAT_OK) {
+        bat_tuning_mark(c, kind, false);
+        status = kind->show(c);
+    }
+    if (status == BAT_OK) return BAT_OK;
+    bat_tuning_free(c->tuning);
+    return bat_notice_refuse(c, status, status == BAT_STATE ? none : BAT_STRING_COUNT);
+}
+
+void bat_tuning_follow(bat_context *c, const bat_tuning_kind *kind) {
+    if (!bat_tuning_holds(c) || c->tuning->kind != kind) return;
+    const bat_status status = kind->show(c);
+    if (status == BAT_OK) return;
+    bat_tuning_free(c->tuning);
+    bat_notice_failure(c, status);
 }
 
 void bat_tuning_mark(bat_context *c, const bat_tuning_kind *kind, bool stepped) {
@@ -75,4 +113,17 @@ void bat_tuning_show(bat_context *c, bat_overlay *overlay) {
     if (t->shown == 0 || !bat_tuning_holds(c)) return;
     bat_overlay_item(overlay, BAT_ROLE_FIT, BAT_ITEM_STROKED, WIDTH);
     for (int i = 0; i < t->shown; i++) bat_path_curve(&overlay->path, t->fit[i]);
+}
+
+void bat_tuning_look(const bat_stage *stage, const double box[4], double seen[4]) {
+    for (int k = 0; k < 4; k++) {
+        const double corner[3] = {box[k & 1 ? 2 : 0], box[k & 2 ? 3 : 1], 0};
+        double at[2], pixel[2];
+        bat_stage_look(stage, 3, corner, at);
+        bat_stage_project(stage, at, pixel);
+        for (int j = 0; j < 2; j++) {
+            seen[j] = k ? fmin(seen[j], pixel[j]) : pixel[j];
+            seen[j + 2] = k ? fmax(seen[j + 2], pixel[j]) : pixel[j];
+        }
+    }
 }

@@ -22,6 +22,8 @@ typedef struct bat_tuning_kind {
     void (*write)(bat_context *c, bat_text *text);
     bat_status (*accept)(
         bat_context *c); /* Enter; NULL: it stays as it is. A failure: it can still be chosen */
+    /* Shows it with the properties in force; NULL: it has none. A failure leaves what was shown. */
+    bat_status (*show)(bat_context *c);
 } bat_tuning_kind;
 
 /* What was last found out about the history of one object. All zero: nothing. */
@@ -53,6 +55,13 @@ void bat_tuning_free(bat_tuning *tuning);
 void bat_tuning_unshow(bat_tuning *tuning);
 /* Shows one curve more, which is taken over whatever it returns. */
 bat_status bat_tuning_add(bat_tuning *tuning, bat_curve *curve);
+/* What it is about: the objects that are selected, or in selected groups, as far as they are wanted (NULL: all). BAT_STATE: none. */
+bat_status bat_tuning_gather(bat_context *c, bool (*wanted)(const bat_document *document, int index));
+/* Begins what is only shown, if what it is about was gathered; else, or when it cannot be shown, refuses. none: of BAT_STATE. */
+bat_status bat_tuning_start(bat_context *c, const bat_tuning_kind *kind, bat_status gathered,
+                            bat_string none);
+/* Shows it anew, after one of its properties has changed; it ends where that fails. */
+void bat_tuning_follow(bat_context *c, const bat_tuning_kind *kind);
 /* From now on this is the last thing done. */
 void bat_tuning_mark(bat_context *c, const bat_tuning_kind *kind, bool stepped);
 /* Whether it is still the last thing done. */
@@ -63,6 +72,8 @@ uint32_t bat_tuning_version(const bat_context *c);
 bool bat_tuning_cancel(bat_context *c);
 bool bat_tuning_accept(bat_context *c);
 void bat_tuning_show(bat_context *c, bat_overlay *overlay);
+/* The box in view pixels of a box on the page. */
+void bat_tuning_look(const struct bat_stage *stage, const double box[4], double seen[4]);
 /* Whether one curve is selected that had another shape. Asked again it looks only through the steps made since. */
 bool bat_tuning_has_earlier(bat_context *c);
 

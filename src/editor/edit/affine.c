@@ -7,6 +7,10 @@
 
 #include <math.h>
 
+bool bat_affine_moves(const bat_object *object) {
+    return !bat_object_is_group(object) || bat_object_clip(object);
+}
+
 static bat_status image_of(const bat_object *object, const double matrix[6], bat_object **out) {
     const bat_kind_type *type = bat_object_type(object);
     bat_object *path = NULL;

@@ -4,6 +4,8 @@
 
 #include <batten/document.h>
 
+/* Whether a matrix changes it: not groups, unless they are clipped. */
+bool bat_affine_moves(const bat_object *object);
 /* The object's image under a matrix of base/matrix.h; every curve is as bat_curve_transform makes it. A spline stays
  * a spline when its points give exactly that curve (to rounding); otherwise it becomes a path. strokes: the line
  * width grows with the square root of the area. Of a group, what is seen of it is mapped. BAT_ARGUMENT: objects of this kind have no image. */

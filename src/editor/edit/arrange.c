@@ -2,10 +2,10 @@
 #include "base/box.h"
 #include "document/clip.h"
 #include "document/document.h"
-#include "document/follow.h"
 #include "document/nesting.h"
 #include "document/object.h"
 #include "editor/edit/affine.h"
+#include "editor/edit/copies.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
 #include "editor/session/context.h"
@@ -16,7 +16,6 @@
 #include "editor/session/reorder.h"
 #include "base/matrix.h"
 #include "document/kind.h"
-#include <batten/recipe.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,10 +43,6 @@ bat_status bat_arrange_roots(const bat_context *c, int **roots, int *count) {
     return BAT_OK;
 }
 
-bool bat_arrange_moves(const bat_object *object) {
-    return !bat_object_is_group(object) || bat_object_clip(object);
-}
-
 static bool is_member(const bat_object *object) { return !bat_object_is_group(object); }
 
 /* What is selected, or in something that is, as far as it is wanted. */
@@ -73,7 +68,7 @@ bat_status bat_arrange_members(const bat_context *c, int **members, int *count) 
 }
 
 bat_status bat_arrange_moving(const bat_context *c, int **members, int *count) {
-    return collect(c, bat_arrange_moves, members, count);
+    return collect(c, bat_affine_moves, members, count);
 }
 
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]) {
@@ -150,7 +145,7 @@ static bat_status transform_range(bat_context *c, int first, int end, const doub
     for (int i = first; i < end; i++) {
         const bat_object *before = bat_document_at(c->session->document, i);
         bat_object *after = NULL;
-        if (!bat_arrange_moves(before)) continue;
+        if (!bat_affine_moves(before)) continue;
         bat_status status = bat_affine_object(before, matrix, strokes, &after);
         if (status == BAT_OK) status = bat_transaction_replace(c, i, after);
         bat_object_release(after);
@@ -161,14 +156,17 @@ static bat_status transform_range(bat_context *c, int first, int end, const doub
 
 bat_status bat_arrange_transform(bat_context *c, const double matrix[6], bat_string label) {
     int *roots, count;
+    double box[4];
     bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
+    bat_arrange_selection_box(c, box);
     status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         for (int i = 0; i < count && status == BAT_OK; i++)
             status = transform_range(c, roots[i], bat_document_end(c->session->document, roots[i]), matrix);
         status = bat_transaction_end(c, status, label);
     }
+    if (status == BAT_OK) bat_repetition_note(c, matrix, box, label);
     free(roots);
     return status;
 }
@@ -205,66 +203,6 @@ bat_status bat_arrange_delete(bat_context *c) {
     return apply(c, &listing, BAT_STRING_STEP_DELETE);
 }
 
-/* Adds copies of the objects first to end, transformed, with new ids, which `made` is told by the objects' places; parents
- * among them are mapped to their copies. */
-static void copy_range(bat_context *c, bat_listing *listing, int first, int end, const double matrix[6],
-                       bat_id *made) {
-    const bat_document *document = c->session->document;
-    int start = listing->count;
-    for (int i = first; i < end && !listing->failed; i++) {
-        const bat_object *object = bat_document_at(document, i);
-        bat_object *copy = NULL, *placed = NULL, *moved = NULL;
-        bat_id parent = bat_object_parent(object);
-        if (i > first) { /* the group is one of those just copied */
-            int at = bat_document_find(document, parent);
-            parent = bat_object_id(listing->objects[start + at - first]);
-        }
-        bat_status status = bat_object_with_id(object, bat_document_new_id(c->session->document), &copy);
-        if (status == BAT_OK) status = bat_object_with_parent(copy, parent, &placed);
-        if (status == BAT_OK && bat_arrange_moves(placed))
-            status = bat_affine_object(placed, matrix, false, &moved);
-        bat_object_release(copy);
-        if (moved) {
-            bat_object_release(placed);
-            placed = moved;
-        }
-        if (status != BAT_OK) {
-            bat_object_release(placed);
-            placed = NULL;
-        }
-        if (placed) made[i] = bat_object_id(placed);
-        bat_listing_take(listing, placed);
-    }
-}
-
-/* The copy of an object, to follow copies of what that follows. A camera whose curve was not copied follows the one there is, a
- * surface of whose curves not all were copied is free. */
-static bat_status lead(const bat_document *document, const bat_object *object, const bat_id *made,
-                       bat_object **out) {
-    const bat_id *from, followed = bat_object_followed(object);
-    bat_id ids[BAT_RECIPE_CURVES] = {0};
-    const int count = bat_object_sources(object, &from);
-    *out = NULL;
-    if (followed) ids[0] = made[bat_document_find(document, followed)];
-    if (followed && !ids[0]) return BAT_OK;
-    for (int i = 0; i < count; i++) ids[i] = made[bat_document_find(document, from[i])];
-    return bat_object_renumbered(object, ids, out);
-}
-
-/* made: the copies' ids, by the places of what they are copies of. */
-static void lead_copies(const bat_context *c, bat_listing *listing, const bat_id *made) {
-    const bat_document *document = c->session->document;
-    if (!bat_document_has_followers(document)) return;
-    for (int i = 0; i < listing->count && !listing->failed; i++) {
-        bat_object *object = listing->objects[i], *led = NULL;
-        if (bat_document_find(document, bat_object_id(object)) >= 0) continue;
-        if (lead(document, object, made, &led) != BAT_OK)
-            listing->failed = true;
-        else if (led)
-            bat_object_release(object), listing->objects[i] = led;
-    }
-}
-
 bool bat_arrange_entered(const bat_context *c, int index) {
     const bat_object *whole = bat_document_at(c->session->document, bat_arrange_whole(c, index));
     return !c->choice->entered || bat_object_parent(whole) == c->choice->entered;
@@ -282,50 +220,52 @@ bool bat_arrange_leave(bat_context *c) {
     return true;
 }
 
-/* Within the open transaction, or as a step of its own. */
-static bat_status duplicate(bat_context *c, double dx, double dy, bool open) {
-    const bat_document *document = c->session->document;
-    int *roots, count, at = 0;
+/* Within the open transaction, or as a step of that name. all: the originals are selected with the copies. */
+static bat_status copy(bat_context *c, int copies, const double (*matrices)[6], bool all, bool open,
+                       bat_string label) {
+    int *roots, count;
     bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     bat_listing listing = {0};
-    double matrix[6];
-    bat_matrix_translation(dx, dy, matrix);
-    bat_id *copies = malloc((size_t)count * sizeof *copies);
-    bat_id *made = calloc((size_t)bat_document_count(document) + 1, sizeof *made);
-    if (!copies || !made) listing.failed = true;
-    for (int i = 0; i < count && !listing.failed; i++) {
-        int end = bat_document_end(document, roots[i]);
-        bat_listing_range(&listing, document, at, end);
-        int first = listing.count;
-        copy_range(c, &listing, roots[i], end, matrix, made);
-        if (!listing.failed) copies[i] = bat_object_id(listing.objects[first]);
-        at = end;
-    }
-    bat_listing_range(&listing, document, at, bat_document_count(document));
-    if (made && !listing.failed) lead_copies(c, &listing, made);
-    free(made);
+    const int heads_count = count * copies;
+    bat_id *heads = malloc((size_t)heads_count * sizeof *heads);
+    if (!heads) listing.failed = true;
+    if (heads) bat_copies_list(c, count, roots, copies, matrices, &listing, heads);
     if (open) {
         status = bat_listing_apply(&listing, c);
         bat_listing_free(&listing);
     } else {
-        status = apply(c, &listing, BAT_STRING_STEP_DUPLICATE);
+        status = apply(c, &listing, label);
     }
-    if (status == BAT_OK && copies) {
-        bat_selection_clear(&c->choice->selection);
-        for (int i = 0; i < count; i++) bat_selection_append(&c->choice->selection, copies[i]);
+    if (status == BAT_OK && heads) {
+        if (!all) bat_selection_clear(&c->choice->selection);
+        for (int i = 0; i < heads_count; i++) bat_selection_append(&c->choice->selection, heads[i]);
         bat_selection_sort(&c->choice->selection);
     }
-    free(copies);
+    free(heads);
     free(roots);
     return status;
 }
 
-bat_status bat_arrange_duplicate(bat_context *c, double dx, double dy) { return duplicate(c, dx, dy, false); }
+bat_status bat_arrange_copies(bat_context *c, int copies, const double (*matrices)[6], bat_string label) {
+    return copy(c, copies, matrices, true, false, label);
+}
+
+bat_status bat_arrange_duplicate(bat_context *c, const double matrix[6]) {
+    double box[4];
+    bat_arrange_selection_box(c, box);
+    double one[1][6];
+    memcpy(one[0], matrix, sizeof one[0]);
+    const bat_status status = copy(c, 1, (const double(*)[6])one, false, false, BAT_STRING_STEP_DUPLICATE);
+    if (status == BAT_OK) bat_repetition_note_copies(c, matrix, box);
+    return status;
+}
 
 bat_status bat_arrange_lift(bat_context *c) {
+    double matrix[1][6];
+    bat_matrix_identity(matrix[0]);
     bat_status status = bat_transaction_begin(c);
-    return status == BAT_OK ? duplicate(c, 0, 0, true) : status;
+    return status == BAT_OK ? copy(c, 1, (const double(*)[6])matrix, false, true, BAT_STRING_COUNT) : status;
 }
 
 static void add_with_parent(bat_listing *listing, const bat_object *object, bat_id parent) {

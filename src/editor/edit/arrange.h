@@ -15,8 +15,6 @@ bat_status bat_arrange_roots(const bat_context *c, int **roots, int *count);
 bat_status bat_arrange_members(const bat_context *c, int **members, int *count);
 /* Those that move with it: its members, and the groups in it that are clipped. */
 bat_status bat_arrange_moving(const bat_context *c, int **members, int *count);
-/* Whether a matrix changes it: not groups, unless they are clipped. */
-bool bat_arrange_moves(const bat_object *object);
 /* The exact box of the outlines of objects first to end. False: there are none. */
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]);
 /* The box of the selection. */
@@ -34,10 +32,13 @@ int bat_arrange_place(const bat_context *c, bat_id *parent);
 /* Inserts a new object there, within a transaction. */
 bat_status bat_arrange_insert(bat_context *c, const bat_object *object);
 
+/* It can be repeated then (choice/repetition.h). */
 bat_status bat_arrange_transform(bat_context *c, const double matrix[6], bat_string label);
 bat_status bat_arrange_delete(bat_context *c);
-/* Puts a copy in front of each root, moved by dx, dy; the copies are selected then. */
-bat_status bat_arrange_duplicate(bat_context *c, double dx, double dy);
+/* Puts a copy in front of each root, mapped by the matrix; the copies are selected then. */
+bat_status bat_arrange_duplicate(bat_context *c, const double matrix[6]);
+/* Puts so many copies in front of each root, each mapped by its matrix; they are selected then, too. */
+bat_status bat_arrange_copies(bat_context *c, int copies, const double (*matrices)[6], bat_string label);
 /* Begins a transaction with copies in the places of the roots; these are selected, to be dragged away. On failure the
  * transaction is still open. */
 bat_status bat_arrange_lift(bat_context *c);

@@ -105,7 +105,7 @@ static bat_status paste_one(bat_context *c, const bat_document *document, int i,
     bat_status status = bat_object_with_parent(object, 0, &loose);
     if (status == BAT_OK) status = bat_object_with_id(loose, p->ids[i], &named);
     if (status == BAT_OK) status = bat_object_with_parent(named, parent, &placed);
-    if (status == BAT_OK && bat_arrange_moves(placed))
+    if (status == BAT_OK && bat_affine_moves(placed))
         status = bat_affine_object(placed, matrix, false, &moved);
     if (status == BAT_OK && moved) status = follow_copies(document, moved, p->ids, &led);
     if (status == BAT_OK) status = bat_transaction_insert(c, p->index++, led ? led : moved ? moved : placed);

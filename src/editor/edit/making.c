@@ -1,4 +1,5 @@
 #include "editor/edit/making.h"
+#include "editor/edit/each.h"
 #include "form/recipe/flat.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -229,34 +230,18 @@ bat_status bat_making_make(bat_context *c, bat_recipe_kind kind, bool closing) {
 
 /* ---- free ---- */
 
-bool bat_making_can_free(const bat_context *c) {
-    const bat_selection *selection = &c->choice->selection;
-    const bat_document *document = c->session->document;
-    for (int i = 0; i < selection->count && bat_document_has_followers(document); i++) {
-        const bat_object *object = bat_document_at(document, bat_document_find(document, selection->ids[i]));
-        if (object && bat_object_recipe(object)) return true;
-    }
-    return false;
+static bool is_made(const bat_object *object) { return bat_object_recipe(object) != NULL; }
+
+static bat_status freed(const bat_object *object, bat_object **out) {
+    return bat_object_with_surface(object, bat_object_surface(object), out);
 }
 
-static bat_status free_one(bat_context *c, int index) {
-    const bat_object *object = bat_document_at(c->session->document, index);
-    bat_object *made = NULL;
-    if (!bat_object_recipe(object)) return BAT_OK;
-    bat_status status = bat_object_with_surface(object, bat_object_surface(object), &made);
-    if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
-    bat_object_release(made);
-    return status;
+bool bat_making_can_free(const bat_context *c) {
+    return bat_document_has_followers(c->session->document) && bat_each_any(c, is_made);
 }
 
 bat_status bat_making_free(bat_context *c) {
-    const bat_selection *selection = &c->choice->selection;
-    if (!bat_making_can_free(c)) return BAT_STATE;
-    bat_status status = bat_transaction_begin(c);
-    if (status != BAT_OK) return status;
-    for (int i = 0; i < selection->count && status == BAT_OK; i++)
-        status = free_one(c, bat_document_find(c->session->document, selection->ids[i]));
-    return bat_transaction_end(c, status, BAT_STRING_STEP_SURFACE_FREE);
+    return bat_each_replace(c, is_made, freed, BAT_STRING_STEP_SURFACE_FREE);
 }
 
 /* ---- numbers ---- */

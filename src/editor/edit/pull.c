@@ -239,3 +239,15 @@ bat_status bat_pull_point(const bat_curve *curve, int index, const double *delta
     }
     return bat_curve_finish(moved, out);
 }
+
+bat_status bat_pull_points(const bat_curve *curve, const unsigned char *marks, const double *delta,
+                           bat_curve **out) {
+    bat_curve *moved = NULL;
+    const bat_status status = begin(curve, &moved);
+    if (status != BAT_OK) return status;
+    double *points = bat_curve_own_points(moved);
+    const int size = curve->dimension;
+    for (int i = 0; i < curve->count; i++)
+        for (int k = 0; k < size && marks[i]; k++) points[(ptrdiff_t)size * i + k] += delta[k];
+    return bat_curve_finish(moved, out);
+}

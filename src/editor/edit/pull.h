@@ -20,5 +20,8 @@ bat_status bat_pull(const bat_curve *curve, int count, const double *u, const do
  */
 bat_status bat_pull_point(const bat_curve *curve, int index, const double *delta, bool alone,
                           bat_curve **out);
+/* Moves each control point whose mark (one for each) is not 0 by delta, and nothing else. */
+bat_status bat_pull_points(const bat_curve *curve, const unsigned char *marks, const double *delta,
+                           bat_curve **out);
 
 #endif

@@ -8,6 +8,7 @@
 #include "editor/edit/binding.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/dispatch.h"
+#include "editor/panels/page.h"
 #include "editor/panels/panels.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
@@ -145,6 +146,7 @@ bat_status bat_panel_enter(bat_context *c, const char *name, const char *text) {
     bat_number_id id = bat_number_named(name);
     double from, to;
     if (!name || !text) return BAT_ARGUMENT;
+    if (bat_page_names(name)) return bat_page_enter(c, name, text);
     if (id == BAT_NUMBER_COUNT) return enter_property(c, name, text);
     if (bat_toolbox_busy(c) || c->session->transaction.open || !bat_number_now(c, id, &from))
         return BAT_STATE;
@@ -174,6 +176,10 @@ const char *bat_panel_number(bat_context *c, const char *name) {
     if (name && !strcmp(name, "missed")) { /* by how much the fit that is shown misses the tolerance */
         const bat_readout made = bat_toolbox_readout(c);
         if (made.report) bat_unit_about(c, made.report->max_error, text);
+        return text;
+    }
+    if (bat_page_names(name)) {
+        bat_page_number(c, name, text);
         return text;
     }
     bat_property_id property = bat_property_named(name);

@@ -56,9 +56,34 @@ static bat_status find(const bat_context *c, facts *f) {
     return BAT_OK;
 }
 
+static bool possible_surface(bat_context *c, const facts *f, bat_command_id id) {
+    switch (id) {
+    case BAT_COMMAND_SURFACE_SWEEP:
+    case BAT_COMMAND_SURFACE_RULED:
+    case BAT_COMMAND_SURFACE_REVOLVE:
+    case BAT_COMMAND_SURFACE_COONS:
+    case BAT_COMMAND_SURFACE_CLOSE:
+    case BAT_COMMAND_SURFACE_LOFT: return f->roots > 1 && bat_surface_command_fits(c, id);
+    case BAT_COMMAND_SURFACE_FREE:
+        return bat_document_has_followers(c->session->document) && bat_surface_command_fits(c, id);
+    case BAT_COMMAND_SURFACE_FLIP: return f->open + f->closed == 0 && bat_surface_command_fits(c, id);
+    case BAT_COMMAND_SURFACE_MEET:
+    case BAT_COMMAND_WIRE_MEET:
+        return f->roots == 2 && f->open + f->closed == 0 && bat_wire_command_fits(c, id);
+    case BAT_COMMAND_WIRE_BIND: return f->roots > 1 && bat_wire_command_fits(c, id);
+    case BAT_COMMAND_WIRE_DOMAIN:
+    case BAT_COMMAND_WIRE_FRAMES:
+    case BAT_COMMAND_WIRE_BAKE:
+    case BAT_COMMAND_WIRE_REVERT:
+        return bat_document_has_followers(c->session->document) && bat_wire_command_fits(c, id);
+    default: return false;
+    }
+}
+
 static bool possible(bat_context *c, const facts *f, bat_command_id id, bool point) {
     switch (id) {
     case BAT_COMMAND_DELETE:
+    case BAT_COMMAND_ARRAY:
     case BAT_COMMAND_ORDER_FRONT:
     case BAT_COMMAND_ORDER_FORWARD:
     case BAT_COMMAND_ORDER_BACKWARD:
@@ -87,24 +112,6 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
     case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;
     case BAT_COMMAND_BODY_PATH: return f->roots <= 2 && bat_command_body_path_fits(c);
-    case BAT_COMMAND_SURFACE_SWEEP:
-    case BAT_COMMAND_SURFACE_RULED:
-    case BAT_COMMAND_SURFACE_REVOLVE:
-    case BAT_COMMAND_SURFACE_COONS:
-    case BAT_COMMAND_SURFACE_CLOSE:
-    case BAT_COMMAND_SURFACE_LOFT: return f->roots > 1 && bat_surface_command_fits(c, id);
-    case BAT_COMMAND_SURFACE_FREE:
-        return bat_document_has_followers(c->session->document) && bat_surface_command_fits(c, id);
-    case BAT_COMMAND_SURFACE_MEET:
-    case BAT_COMMAND_WIRE_MEET:
-        return f->roots == 2 && f->open + f->closed == 0 && bat_wire_command_fits(c, id);
-    case BAT_COMMAND_WIRE_DOMAIN:
-    case BAT_COMMAND_WIRE_FRAMES:
-        return bat_document_has_followers(c->session->document) && bat_wire_command_fits(c, id);
-    case BAT_COMMAND_WIRE_BIND: return f->roots > 1 && bat_wire_command_fits(c, id);
-    case BAT_COMMAND_WIRE_BAKE:
-    case BAT_COMMAND_WIRE_REVERT:
-        return bat_document_has_followers(c->session->document) && bat_wire_command_fits(c, id);
     case BAT_COMMAND_CURVE_OFFSET:
     case BAT_COMMAND_CURVE_OUTLINE: return f->open + f->closed > f->space;
     case BAT_COMMAND_MIRROR_LINE: return f->roots > 1 && f->open > 0;
@@ -113,7 +120,7 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;
     case BAT_COMMAND_CURVE_SPLIT: return point && f->open + f->closed > 0;
-    default: return false;
+    default: return possible_surface(c, f, id);
     }
 }
 

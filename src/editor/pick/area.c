@@ -170,6 +170,25 @@ int bat_pick_object(bat_scene *scene, const double point[2], double within) {
     return found;
 }
 
+bat_status bat_pick_all(bat_scene *scene, const double point[2], double within, int **out, int *count) {
+    int *found = malloc(((size_t)scene->count + 1) * sizeof *found), n = 0;
+    if (!found) return BAT_MEMORY;
+    int *above = find_groups(scene);
+    for (int i = scene->count - 1; i >= 0; i--) {
+        const bat_scene_entry *entry = &scene->entries[i];
+        if (entry->hidden || entry->locked || bat_object_is_group(entry->object)) continue;
+        double near_box[4] = {point[0], point[1], point[0], point[1]};
+        if (apart(entry->box, near_box, fmax(within, reach(entry)))) continue;
+        if (line_away(scene, above, i, point, within) < INFINITY ||
+            (fills(scene, entry, point) && is_left(scene, above, i, point)))
+            found[n++] = i;
+    }
+    free(above);
+    *out = found;
+    *count = n;
+    return BAT_OK;
+}
+
 typedef struct area {
     const bat_stage *stage;
     const double *origin; /* of the lines' coordinates */

@@ -26,6 +26,8 @@ bat_pick bat_pick_end(bat_scene *scene, const double point[2], double within, ba
 /* The index of what a click at the point picks; -1: nothing. It is the nearest line within reach (or whose width
  * covers the point), unless a fill in front of it covers the point. What clips cut away is not there. */
 int bat_pick_object(bat_scene *scene, const double point[2], double within);
+/* The indices of everything that is there, however it is covered, the front first; release with free. */
+bat_status bat_pick_all(bat_scene *scene, const double point[2], double within, int **out, int *count);
 /* Whether part of the entry's outline or fill lies in the box of the view (pixels: low x, low y, high x, high y);
  * tested on the flattened path. Never when it is hidden or locked. */
 bool bat_pick_touches(const bat_scene *scene, int entry, const bat_stage *stage, const double box[4]);

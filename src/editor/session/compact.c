@@ -1,20 +1,24 @@
 /* Compacts the journal: the document before the first step that can still be undone, then all steps. */
+#include "editor/session/page.h"
 #include "editor/session/record.h"
 #include "editor/session/session.h"
 
 static bat_status write_step(bat_session *session, const bat_step *step, bat_document *document) {
     bat_text line = {0};
-    bat_status status = bat_deltas_apply(step->deltas, step->count, document, true);
+    bat_status status = bat_step_apply(step, document, true);
     for (int i = 0; i < step->count && status == BAT_OK; i++)
         status = bat_session_keep_pictures(session, step->deltas[i].after);
     if (status != BAT_OK) return status;
-    bat_change_write(step->deltas, step->count, (bat_string)step->label, &line);
+    if (step->page)
+        bat_page_write(&step->page->after, &line);
+    else
+        bat_change_write(step->deltas, step->count, (bat_string)step->label, &line);
     return bat_session_log(session, &line, document);
 }
 
 static bat_status write_undo(bat_session *session, const bat_step *step, bat_document *document) {
     bat_text line = {0};
-    bat_status status = bat_deltas_apply(step->deltas, step->count, document, false);
+    bat_status status = bat_step_apply(step, document, false);
     if (status != BAT_OK) return status;
     bat_text_string(&line, "{\"do\":\"undo\"");
     return bat_session_log(session, &line, document);
@@ -33,7 +37,7 @@ static bat_status write_all(bat_session *session, bat_document *document) {
     const bat_history *history = &session->history;
     bat_status status = BAT_OK;
     for (int i = history->done - 1; i >= 0 && status == BAT_OK; i--) {
-        status = bat_deltas_apply(history->steps[i].deltas, history->steps[i].count, document, false);
+        status = bat_step_apply(&history->steps[i], document, false);
     }
     if (status == BAT_OK)
         status = bat_session_begin_journal(document, session->name, &session->journal, &session->pictures);

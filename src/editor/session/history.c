@@ -24,6 +24,11 @@ bat_status bat_deltas_apply(const bat_delta *deltas, int count, bat_document *do
     return BAT_OK;
 }
 
+bat_status bat_step_apply(const bat_step *step, bat_document *document, bool forwards) {
+    if (step->page) return bat_sheet_put(document, forwards ? &step->page->after : &step->page->before);
+    return bat_deltas_apply(step->deltas, step->count, document, forwards);
+}
+
 /* The index, after all deltas, of what was at `place` after delta i. */
 static int place_now(const bat_delta *deltas, int count, int i, int place) {
     for (i++; i < count; i++) {
@@ -72,6 +77,7 @@ void bat_deltas_free(bat_delta *deltas, int count) {
 static void drop_steps(bat_history *history, int first, int count) {
     for (int i = first; i < first + count; i++) {
         bat_deltas_free(history->steps[i].deltas, history->steps[i].count);
+        free(history->steps[i].page);
         history->bytes -= history->steps[i].bytes;
     }
     memmove(history->steps + first, history->steps + first + count,
@@ -108,14 +114,22 @@ static int excess(const bat_history *history, size_t bytes) {
     return drop;
 }
 
-void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas, size_t bytes) {
+static void push(bat_history *history, bat_step step) {
     if (history->count > history->done) drop_steps(history, history->done, history->count - history->done);
-    drop_steps(history, 0, excess(history, bytes));
-    uint64_t after = ++history->states;
-    history->steps[history->count++] = (bat_step){label, count, deltas, bytes, history->state, after};
-    history->bytes += bytes;
+    drop_steps(history, 0, excess(history, step.bytes));
+    step.before = history->state, step.after = ++history->states;
+    history->steps[history->count++] = step;
+    history->bytes += step.bytes;
     history->done = history->count;
-    history->state = after;
+    history->state = step.after;
+}
+
+void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas, size_t bytes) {
+    push(history, (bat_step){.label = label, .count = count, .deltas = deltas, .bytes = bytes});
+}
+
+void bat_history_push_page(bat_history *history, int label, bat_page_change *page, size_t bytes) {
+    push(history, (bat_step){.label = label, .page = page, .bytes = bytes});
 }
 
 bool bat_history_can_undo(const bat_history *history) { return history->done > 0; }
@@ -124,7 +138,7 @@ bool bat_history_can_redo(const bat_history *history) { return history->done < h
 bat_status bat_history_undo(bat_history *history, bat_document *document) {
     if (!bat_history_can_undo(history)) return BAT_STATE;
     const bat_step *step = &history->steps[history->done - 1];
-    bat_status status = bat_deltas_apply(step->deltas, step->count, document, false);
+    bat_status status = bat_step_apply(step, document, false);
     if (status != BAT_OK) return status;
     history->state = step->before;
     history->done--;
@@ -136,7 +150,7 @@ bat_status bat_history_before(const bat_history *history, const bat_document *do
     if (!bat_history_can_undo(history)) return BAT_STATE;
     const bat_step *step = &history->steps[history->done - 1];
     bat_status status = bat_document_copy(document, &before);
-    if (status == BAT_OK) status = bat_deltas_apply(step->deltas, step->count, before, false);
+    if (status == BAT_OK) status = bat_step_apply(step, before, false);
     if (status == BAT_OK)
         *out = before;
     else
@@ -147,7 +161,7 @@ bat_status bat_history_before(const bat_history *history, const bat_document *do
 bat_status bat_history_redo(bat_history *history, bat_document *document) {
     if (!bat_history_can_redo(history)) return BAT_STATE;
     const bat_step *step = &history->steps[history->done];
-    bat_status status = bat_deltas_apply(step->deltas, step->count, document, true);
+    bat_status status = bat_step_apply(step, document, true);
     if (status != BAT_OK) return status;
     history->state = step->after;
     history->done++;

@@ -5,7 +5,7 @@
 #ifndef BATTEN_EDITOR_SESSION_HISTORY_H
 #define BATTEN_EDITOR_SESSION_HISTORY_H
 
-#include <batten/document.h>
+#include "document/sheet.h"
 
 /* The least number of steps kept, and the most; the oldest are dropped when there is no more room. They are dropped
  * earlier where the steps are large: above so many bytes, of which a quarter is then freed; but some are always kept. */
@@ -18,10 +18,17 @@ typedef struct bat_delta {
     bat_object *before, *after; /* retained, or NULL */
 } bat_delta;
 
+/* Another page: what the step of one change of it takes back. */
+typedef struct bat_page_change {
+    bat_sheet before, after;
+    int shown_before, shown_after; /* the unit that numbers are given in: the property's value */
+} bat_page_change;
+
 typedef struct bat_step {
     int label; /* what the step did: a number of the string table */
     int count;
     bat_delta *deltas;      /* owned */
+    bat_page_change *page;  /* owned; NULL: the page stayed as it was */
     size_t bytes;           /* of its change as a line of a compacted journal: what it costs to keep it */
     uint64_t before, after; /* serial numbers of the states before and after it */
 } bat_step;
@@ -40,6 +47,8 @@ void bat_history_clear(bat_history *history);
 bat_status bat_history_reserve(bat_history *history);
 /* Takes ownership of the deltas; drops the steps that could have been redone. Call reserve first. */
 void bat_history_push(bat_history *history, int label, int count, bat_delta *deltas, size_t bytes);
+/* The same for a step that changes the page alone; takes ownership of the change. */
+void bat_history_push_page(bat_history *history, int label, bat_page_change *page, size_t bytes);
 /* BAT_STATE: nothing to undo. BAT_MEMORY: nothing changed. */
 bat_status bat_history_undo(bat_history *history, bat_document *document);
 bat_status bat_history_redo(bat_history *history, bat_document *document);
@@ -52,6 +61,8 @@ bool bat_history_can_redo(const bat_history *history);
 bat_status bat_delta_apply(const bat_delta *delta, bat_document *document, bool forwards);
 /* Applies `count` deltas (backwards: last first); when one fails, those already applied are reverted. */
 bat_status bat_deltas_apply(const bat_delta *deltas, int count, bat_document *document, bool forwards);
+/* The same for all that a step changed. */
+bat_status bat_step_apply(const bat_step *step, bat_document *document, bool forwards);
 void bat_deltas_free(bat_delta *deltas, int count);
 /* Whether the document's groups are well formed, given that they were before these deltas were applied. O(count) for
  * the changes of a stroke, which are checked alone; otherwise O(objects). */

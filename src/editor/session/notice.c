@@ -6,6 +6,19 @@
 
 const char *bat_word(const bat_context *c, bat_string text) { return bat_settings_word(c->settings, text); }
 
+void bat_word_fill(const bat_context *c, bat_string text, int count, const char *const *values, char *out,
+                   size_t room) {
+    const char *at = bat_word(c, text);
+    for (int i = 0; room > 0 && at; i++) {
+        const char *hole = i < count ? strchr(at, '%') : NULL;
+        snprintf(out, room, "%.*s%s", (int)(hole ? (size_t)(hole - at) : strlen(at)), at,
+                 hole ? values[i] : "");
+        const size_t used = strlen(out);
+        out += used, room -= used;
+        at = hole ? hole + 1 : NULL;
+    }
+}
+
 void bat_notice_value(bat_context *c, bat_string text, const char *value) {
     if (c->session->freed != BAT_STRING_COUNT) text = c->session->freed;
     if (c->session->refused) text = BAT_STRING_NOTICE_READ_ONLY;
@@ -14,12 +27,7 @@ void bat_notice_value(bat_context *c, bat_string text, const char *value) {
     c->notices->notice = text;
     c->notices->offer = text == BAT_STRING_NOTICE_MEMORY ? BAT_COMMAND_DOWNLOAD_SVG : BAT_COMMAND_COUNT;
     if (text == BAT_STRING_COUNT) return;
-    const char *words = bat_word(c, text), *hole = value ? strchr(words, '%') : NULL;
-    if (hole)
-        snprintf(c->notices->notice_text, BAT_NOTICE_ROOM, "%.*s%s%s", (int)(hole - words), words, value,
-                 hole + 1);
-    else
-        snprintf(c->notices->notice_text, BAT_NOTICE_ROOM, "%s", words);
+    bat_word_fill(c, text, value ? 1 : 0, &value, c->notices->notice_text, BAT_NOTICE_ROOM);
     c->notices->notice_version++;
 }
 

@@ -17,6 +17,9 @@ typedef struct bat_notices {
 
 /* In the language in force. */
 const char *bat_word(const bat_context *c, bat_string text);
+/* The same with its first `count` "%" replaced by the values, one each; cut when there is no room. */
+void bat_word_fill(const bat_context *c, bat_string text, int count, const char *const *values, char *out,
+                   size_t room);
 /* One that says that memory ran out offers a copy of the drawing. */
 void bat_notice(bat_context *c, bat_string text);
 /* Sets the notice to the text with its first "%" replaced by the value. */

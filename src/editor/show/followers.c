@@ -233,11 +233,9 @@ void bat_followers_show(const bat_context *c, bat_followers *f, bat_overlay *ove
 
 /* Adds the word, the number in its hole. */
 static void say(const bat_context *c, bat_string word, const char *number, char text[BAT_FOLLOWERS_ROOM]) {
+    if (*text) snprintf(text + strlen(text), BAT_FOLLOWERS_ROOM - strlen(text), ", ");
     const size_t used = strlen(text);
-    const char *form = bat_word(c, word), *hole = strchr(form, '%');
-    if (!hole) return;
-    snprintf(text + used, BAT_FOLLOWERS_ROOM - used, "%s%.*s%s%s", used ? ", " : "", (int)(hole - form), form,
-             number, hole + 1);
+    bat_word_fill(c, word, 1, &number, text + used, BAT_FOLLOWERS_ROOM - used);
 }
 
 static void say_recipe(const bat_context *c, const bat_recipe *recipe, char text[BAT_FOLLOWERS_ROOM]) {

@@ -133,7 +133,7 @@ static const bat_curve *look(bat_context *c) {
         double point[2];
         bat_stage_seen(c->stage, c->input->pen, point);
         bat_pick pick = bat_pick_nearest(c->scene, point, REACH * bat_stage_pixel(c->stage));
-        if (pick.object) *insight = (bat_insight){pick.object, pick.curve};
+        if (pick.object) insight->object = pick.object, insight->curve = pick.curve;
     }
     const bat_curve *curve = insight->object
                                  ? bat_edit_target(c->session->document, insight->object, insight->curve)

@@ -6,12 +6,14 @@
 #define BATTEN_EDITOR_SHOW_INSPECT_H
 
 #include "editor/session/context.h"
+#include "editor/show/deviate.h"
 #include "editor/show/overlay.h"
 #include "editor/view/stage.h"
 
 typedef struct bat_insight {
     bat_id object; /* 0: none yet */
     int curve;
+    bat_deviating deviating;
 } bat_insight;
 
 /* Teeth along the normals, their length proportional to the curvature, scaled so that typical ones are readable at

@@ -35,6 +35,15 @@ void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *poin
     for (size_t i = 1; i < count; i++) bat_path_line(&overlay->path, points[2 * i], points[2 * i + 1]);
 }
 
+void bat_overlay_window_box(bat_overlay *overlay, const bat_stage *stage, const double from[2],
+                            const double to[2]) {
+    const double pixels[4][2] = {{from[0], from[1]}, {to[0], from[1]}, {to[0], to[1]}, {from[0], to[1]}};
+    double corners[8];
+    for (int i = 0; i < 4; i++) bat_stage_seen(stage, pixels[i], corners + (ptrdiff_t)2 * i);
+    bat_overlay_polyline(overlay, 4, corners);
+    bat_path_close(&overlay->path);
+}
+
 void bat_overlay_page_line(bat_overlay *overlay, double x0, double y0, double x1, double y1) {
     bat_path_polygon(&overlay->path, 2, 2, (double[]){x0, y0, x1, y1}, false);
 }

@@ -4,6 +4,8 @@
 
 #include "editor/scene/path.h"
 
+struct bat_stage;
+
 enum { BAT_OVERLAY_ITEMS = 48, BAT_OVERLAY_LABELS = 128, BAT_LABEL_ROOM = 96 };
 
 typedef struct bat_overlay {
@@ -22,6 +24,9 @@ void bat_overlay_begin(bat_overlay *overlay, const double origin[2], const doubl
 /* Starts a new item; what is added to overlay->path from now on is its path. width: view pixels. */
 void bat_overlay_item(bat_overlay *overlay, bat_role role, uint32_t flags, float width);
 void bat_overlay_polyline(bat_overlay *overlay, size_t count, const double *points);
+/* Adds the box between two of its corners, in view pixels. */
+void bat_overlay_window_box(bat_overlay *overlay, const struct bat_stage *stage, const double from[2],
+                            const double to[2]);
 /* Adds the straight line between two points of the page. */
 void bat_overlay_page_line(bat_overlay *overlay, double x0, double y0, double x1, double y1);
 /* Adds the stretch u0..u1 of the curve; nothing if it cannot be cut out. */

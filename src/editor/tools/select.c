@@ -3,12 +3,13 @@
  *
  * IDLE --down on a handle--> SCALING, ROTATING --up--> IDLE (committed)
  * IDLE --down on an object--> PRESSED --move--> MOVING --up--> IDLE (committed); PRESSED --up--> IDLE (a click)
- * With Alt held at the start, a move makes copies. A double click enters a group; Esc, or a click outside, leaves it.
+ * With Alt held at the start, a move makes copies, and a click selects what lies below what is selected. A double click enters a group; Esc, or a click outside, leaves it.
  * IDLE --down on nothing--> MARQUEE --up--> IDLE
  * cancel: to IDLE from any state, nothing changed. A drag holds a transaction open from its first change to its end.
  */
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
+#include "editor/choice/repetition.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
@@ -25,6 +26,7 @@
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/select.h"
+#include "editor/pick/stack.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
@@ -96,6 +98,11 @@ static bat_id object_at(bat_context *c, const double pixel[2], bat_device device
     if (index < 0) return 0;
     if (!deep) index = bat_arrange_whole(c, index);
     return bat_object_id(bat_document_at(c->session->document, index));
+}
+
+static bat_status stack_at(bat_context *c, const bat_selecting *s, bat_device device, unsigned modifiers,
+                           bat_stack *out) {
+    return bat_stack_at(c, s->point, reach(device) * bat_stage_pixel(c->stage), modifiers & BAT_CTRL, out);
 }
 
 static bool hits(bat_context *c, void *state, const bat_pointer *event) {
@@ -187,6 +194,7 @@ static bat_status take_hold(bat_context *c, bat_selecting *s) {
     for (; s->count < count; s->count++)
         s->before[s->count] = bat_object_retain(bat_document_at(document, s->indices[s->count]));
     bat_arrange_selection_box(c, s->box);
+    bat_matrix_identity(s->matrix);
     find_sources(c, s);
     return c->session->transaction.open ? BAT_OK : bat_transaction_begin(c);
 }
@@ -268,7 +276,7 @@ static void snap_handle(bat_context *c, bat_selecting *s, const double from[2], 
 }
 
 static bat_status change(bat_context *c, bat_selecting *s) {
-    double from[2], to[2], matrix[6];
+    double from[2], to[2], *matrix = s->matrix;
     if (!bat_stage_on_page(c->stage, s->start, from) || !bat_stage_on_page(c->stage, s->at, to))
         return BAT_OK;
     bat_seen_sync(c);
@@ -326,6 +334,10 @@ static void press(bat_context *c, bat_selecting *s, const bat_pointer *event) {
         c->choice->entered = s->pressed;
         s->pressed = object_at(c, s->start, event->device, false);
     }
+    s->below = event->modifiers & BAT_ALT;
+    bat_stack there;
+    if (s->below && stack_at(c, s, event->device, event->modifiers, &there) == BAT_OK && there.selected)
+        s->pressed = there.selected;
     s->was_selected = s->pressed && bat_selection_has(selection, s->pressed);
     bool adds = event->modifiers & BAT_SHIFT;
     if (!s->pressed) {
@@ -387,9 +399,25 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     s->due = dragging(s);
 }
 
+/* Of all that lies at the place of the last press, the next below what is selected; past the last one, the front one. With Shift it
+ * is added. BAT_STATE: nothing lies there. */
+static bat_status select_below(bat_context *c, const bat_selecting *s) {
+    bat_stack there;
+    bat_status status = stack_at(c, s, s->device, c->modifiers, &there);
+    if (status != BAT_OK) return status;
+    if (!there.below) return BAT_STATE;
+    if (!(c->modifiers & BAT_SHIFT)) bat_selection_clear(&c->choice->selection);
+    return bat_selection_add(&c->choice->selection, there.below);
+}
+
 static void click(bat_context *c, bat_selecting *s) {
     bat_selection *selection = &c->choice->selection;
     if (!s->was_selected) return;
+    if (s->below) {
+        bat_status status = select_below(c, s);
+        if (status != BAT_OK) bat_notice_failure(c, status);
+        return;
+    }
     if (c->modifiers & BAT_SHIFT) {
         bat_selection_remove(selection, s->pressed);
         return;
@@ -440,6 +468,10 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
             give_up(c, s, status);
             return;
         }
+        if (s->originals)
+            bat_repetition_note_copies(c, s->matrix, s->box);
+        else
+            bat_repetition_note(c, s->matrix, s->box, labels[was]);
     }
     forget_drag(s);
     if (event->device != BAT_DEVICE_TOUCH) hover(c, s, event);
@@ -496,12 +528,20 @@ static bat_status turn_or_scale(bat_context *c, bat_command_id id, double matrix
     return bat_arrange_transform(c, matrix, turns ? BAT_STRING_STEP_ROTATE : BAT_STRING_STEP_SCALE);
 }
 
+static bat_status select_below_pressed(bat_context *c, const bat_selecting *s) {
+    const bat_status status = s->has_point ? select_below(c, s) : BAT_STATE;
+    return status == BAT_OK
+               ? status
+               : bat_notice_refuse(c, status,
+                                   status == BAT_STATE ? BAT_STRING_NOTICE_NOTHING_BELOW : BAT_STRING_COUNT);
+}
+
 /* Nudges: one document unit, with Shift ten. */
 static bat_status command(bat_context *c, void *state, bat_command_id id) {
-    (void)state;
     double step = c->modifiers & BAT_SHIFT ? 10 : 1, matrix[6];
     if (id == BAT_COMMAND_POINT_NEXT) return step_object(c, 1);
     if (id == BAT_COMMAND_POINT_PREVIOUS) return step_object(c, -1);
+    if (id == BAT_COMMAND_SELECT_BELOW) return select_below_pressed(c, state);
     if (id >= BAT_COMMAND_ROTATE_LEFT && id <= BAT_COMMAND_SCALE_DOWN) {
         bat_status status = turn_or_scale(c, id, matrix);
         if (status != BAT_OK && status != BAT_STATE) bat_notice_failure(c, status);
@@ -559,15 +599,6 @@ static void show_page_box(bat_overlay *overlay, const double box[4]) {
     bat_path_close(&overlay->path);
 }
 
-/* A box in pixels. */
-static void show_box(bat_overlay *overlay, const bat_stage *stage, const double box[4]) {
-    double corners[10] = {box[0], box[1], box[2], box[1], box[2], box[3], box[0], box[3], box[0], box[1]};
-    for (int i = 0; i < 5; i++)
-        bat_stage_seen(stage, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
-    bat_overlay_polyline(overlay, 5, corners);
-    bat_path_close(&overlay->path);
-}
-
 static void show_selection(const bat_context *c, const bat_selecting *s, bat_overlay *overlay) {
     const bat_stage *stage = c->stage;
     double box[4], place[2], line[4];
@@ -614,10 +645,8 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     }
     show_selection(c, s, list);
     if (s->state == BAT_SELECTING_MARQUEE) {
-        double box[4];
-        marquee(c, s, box);
         bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
-        show_box(list, c->stage, box);
+        bat_overlay_window_box(list, c->stage, s->start, s->at);
     }
 }
 

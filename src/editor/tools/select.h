@@ -28,6 +28,7 @@ typedef struct bat_selecting {
 
     bat_id pressed;    /* 0: on nothing */
     bool was_selected; /* before the press: a click then selects it alone */
+    bool below;        /* with Alt: a click selects what lies below */
     bool replaced;     /* the press has begun a new selection; `earlier` is the previous one */
     bat_selection earlier;
     bat_id entered; /* before the press */
@@ -37,7 +38,8 @@ typedef struct bat_selecting {
     int count;
     bat_id *originals; /* when dragging copies: the previous selection; otherwise NULL */
     int original_count;
-    bool due; /* the drag has moved since the objects were last updated */
+    double matrix[6]; /* how the drag maps them at present */
+    bool due;         /* the drag has moved since the objects were last updated */
 
     double clicked[2], clicked_at;             /* view pixels, time: of the last press, for double clicks */
     bat_snap_source sources[BAT_SNAP_SOURCES]; /* what may snap of the moving objects */

@@ -17,6 +17,8 @@
 /* What a tool is making, for those parts that display it. */
 typedef struct bat_readout {
     const bat_curve *curve;                /* preview; NULL: nothing to show */
+    bat_id object;                         /* that it is to replace a curve of; 0: none */
+    int number;                            /* of that curve */
     const bat_sketch_report *report;       /* of the curve's fit; NULL: none */
     const struct bat_followers *followers; /* what follows it, as it will be; NULL: none */
     bool waits;                            /* it awaits confirmation */

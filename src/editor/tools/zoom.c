@@ -81,12 +81,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_zooming *z = state;
     if (!drawn(z)) return;
     bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
-    double corners[8] = {z->start[0], z->start[1], z->at[0],    z->start[1],
-                         z->at[0],    z->at[1],    z->start[0], z->at[1]};
-    for (int i = 0; i < 4; i++)
-        bat_stage_seen(c->stage, (double[]){corners[2 * i], corners[2 * i + 1]}, corners + 2 * i);
-    bat_overlay_polyline(list, 4, corners);
-    bat_path_close(&list->path);
+    bat_overlay_window_box(list, c->stage, z->start, z->at);
 }
 
 static bat_string hint(const bat_context *c, const void *state) {

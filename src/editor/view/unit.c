@@ -21,11 +21,24 @@ double bat_unit_size(const bat_context *c) {
     return SIZES[(int)c->settings->values[BAT_PROPERTY_UNIT]] * px_of(c);
 }
 
-void bat_unit_adopt(bat_context *c) {
+int bat_unit_way(bat_unit unit) {
     static const signed char ways[] = {[BAT_UNIT_MM] = 1, [BAT_UNIT_CM] = 1, [BAT_UNIT_IN] = 2,
                                        [BAT_UNIT_PT] = 1, [BAT_UNIT_PC] = 1, [BAT_UNIT_NONE] = 0};
-    const bat_unit unit = bat_document_unit(c->session->document);
-    if (ways[unit]) c->settings->values[BAT_PROPERTY_UNIT] = ways[unit];
+    return ways[unit];
+}
+
+bat_unit bat_unit_in_force(const bat_context *c) {
+    static const bat_unit units[] = {BAT_UNIT_PX, BAT_UNIT_MM, BAT_UNIT_IN};
+    return units[(int)c->settings->values[BAT_PROPERTY_UNIT]];
+}
+
+bool bat_unit_is_shown_as(bat_unit unit, bat_unit shown) {
+    return unit != BAT_UNIT_NONE && bat_unit_way(unit) == bat_unit_way(shown);
+}
+
+void bat_unit_adopt(bat_context *c) {
+    const int way = bat_unit_way(bat_document_unit(c->session->document));
+    if (way) c->settings->values[BAT_PROPERTY_UNIT] = way;
 }
 
 void bat_unit_number(double value, char out[BAT_UNIT_ROOM]) {

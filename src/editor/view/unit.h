@@ -10,6 +10,12 @@ enum { BAT_UNIT_ROOM = 32 };
 
 /* Document units per unit in force. */
 double bat_unit_size(const bat_context *c);
+/* The value of the property in which a document of that unit is shown. */
+int bat_unit_way(bat_unit unit);
+/* px, mm or in: the unit in force. */
+bat_unit bat_unit_in_force(const bat_context *c);
+/* Whether lengths of a document in that unit are shown so: those in cm, pt and pc are shown in mm. */
+bool bat_unit_is_shown_as(bat_unit unit, bat_unit shown);
 /* Takes the unit in which the document says its size, if it is one of paper. */
 void bat_unit_adopt(bat_context *c);
 /* "12.5 mm": at most three decimals. */

@@ -22,6 +22,17 @@ struct bat_surface_finder {
 bool bat_finder_span(const bat_surface_finder *finder, int i, int j, int span[2]);
 /* The net of a span, as bat_cell_gather gave it, as that of a cell. */
 void bat_finder_share(const bat_surface_finder *finder, const int span[2], double *net);
+/* The closest point within a distance, to 1e-12 of it, for many queries that follow each other. Where more than BAT_NEAR_CELLS
+ * pieces are nearly as close (on the axis of a tube), it is within 1e-6 of the closest. *found: whether there is one; out is
+ * filled in then. hints NULL: bat_surface_finder_nearest. */
+enum { BAT_NEAR_CELLS = 2000 };
+typedef struct bat_near_hints {
+    double within;    /* may be INFINITY */
+    const double *at; /* u and v where it is expected; NULL: not known */
+    size_t *pieces;   /* how many were looked at is added; NULL: nobody asks */
+} bat_near_hints;
+bat_status bat_finder_near(const bat_surface_finder *finder, const double point[3],
+                           const bat_near_hints *hints, bat_surface_point *out, bool *found);
 /* Room for the surface in other coordinates: knots, but no points yet. */
 bat_status bat_finder_seen(const bat_surface_finder *finder, bat_surface **out);
 /* Fills in the points of a span: axes . (point - origin); axes: 3 rows, or NULL: the identity. */

@@ -1,7 +1,8 @@
 /*
  * The closest point of a surface (docs/math/surfaces.md). The squared distance f is a polynomial in Bernstein
- * form on each Bézier cell; its least coefficient is a lower bound. A cell that cannot be nearer than the best
- * point so far is dropped; others are halved. Each better point starts a descent by Newton steps within its span.
+ * form on each Bézier cell; its least coefficient is a lower bound. Of all cells of all spans the one with the least
+ * bound is halved next, until no cell can be nearer than the best point so far by more than rounding. Each better
+ * point starts a descent by Newton steps within its span.
  */
 #include "form/surface/finder.h"
 #include "base/vec.h"
@@ -11,7 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELLS_MAX = 100000, HALVINGS = 52, STEPS = 60, MOST = BAT_DEGREE_MAX + 1 };
+static const double NEED = 1 - 1e-12;
+static const double TIE =
+    1 - 1e-6; /* of squares: cells with bounds above this are nearly as close as the best point */
+enum { CELLS_MAX = 100000, TIES_MAX = 20000, HALVINGS = 104, STEPS = 60, MOST = BAT_DEGREE_MAX + 1 };
 
 /* f and half its derivatives at x, and in which directions x cannot move because it would leave the span. */
 typedef struct place {
@@ -20,15 +24,31 @@ typedef struct place {
     double slope; /* half the slope of f per unit length on the surface, in the free directions */
 } place;
 
+/* A cell that waits. */
+typedef struct queued {
+    double bound;
+    int cell, span[2]; /* its number in the pool */
+} queued;
+
 typedef struct search {
-    bat_surface *seen;                    /* with the given point as the origin */
-    int degree[2], span[2], best_span[2]; /* best_span: the span of `best` */
+    bat_surface *seen;           /* with the given point as the origin */
+    int degree[2], best_span[2]; /* best_span: the span of `best` */
     place best;
     double weight[2][MOST],
         share[2][2 * MOST]; /* binomials of the degree; reciprocals of those of twice it */
-    int cells;
-    bat_cells waiting;
+    double need;            /* a point must be nearer by so much to be sought: 1, or a bit less; of squares */
+    double rounding;        /* and by so much as distance */
+    const bat_near_hints *hints;
+    bat_cells pool;
+    queued *heap; /* those that wait, the one with the least bound first; then those that are free */
+    int waiting, room;
+    int cells, ties;
 } search;
+
+/* Whether a point with this f, or a bound on it, would be nearer than the best one by more than rounding. */
+static bool is_worth(const search *s, double f) {
+    return f < s->best.f * s->need && sqrt(fmax(f, 0)) + s->rounding < sqrt(s->best.f);
+}
 
 /* ---- Descent ---- */
 
@@ -102,14 +122,13 @@ static double binomial(int n, int k) {
     return c;
 }
 
-/* The least Bernstein coefficient of f, minus a bound on the rounding error. */
+/* The least Bernstein coefficient of f. */
 static double bound_of(const search *s, const double *net) {
     const int p = s->degree[0], q = s->degree[1];
-    double f[4 * MOST * MOST] = {0}, greatest = 0, least = INFINITY, scaled[3 * BAT_CELL_POINTS];
+    double f[4 * MOST * MOST] = {0}, least = INFINITY, scaled[3 * BAT_CELL_POINTS];
     for (int i = 0, n = 0; i <= p; i++)
         for (int j = 0; j <= q; j++, n++) {
             const vec a = vec_load(net + 3 * n, 3);
-            greatest = fmax(greatest, vec_dot(a, a));
             vec_store(vec_scale(a, s->weight[0][i] * s->weight[1][j]), scaled + 3 * n);
         }
     for (int i = 0, n = 0; i <= p; i++)
@@ -122,17 +141,17 @@ static double bound_of(const search *s, const double *net) {
     for (int k = 0; k <= 2 * p; k++)
         for (int l = 0; l <= 2 * q; l++)
             least = fmin(least, f[k * (2 * q + 1) + l] * s->share[0][k] * s->share[1][l]);
-    return least + 16 * DBL_EPSILON * greatest;
+    return least;
 }
 
 /* Starts a descent from each corner that is better than the best point so far. */
-static void try_corners(search *s, const bat_cell *cell) {
+static void try_corners(search *s, const int span[2], const bat_cell *cell) {
     const int p = s->degree[0], q = s->degree[1];
     for (int k = 0; k < 4; k++) {
         const double *a = cell->net + 3 * ((k & 2 ? p * (q + 1) : 0) + (k & 1 ? q : 0));
-        if (!(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] < s->best.f)) continue;
-        descend(s, s->span, bat_span_parameter(s->seen, 0, s->span[0], (k & 2 ? cell->high : cell->low)[0]),
-                bat_span_parameter(s->seen, 1, s->span[1], (k & 1 ? cell->high : cell->low)[1]));
+        if (!is_worth(s, a[0] * a[0] + a[1] * a[1] + a[2] * a[2])) continue;
+        descend(s, span, bat_span_parameter(s->seen, 0, span[0], (k & 2 ? cell->high : cell->low)[0]),
+                bat_span_parameter(s->seen, 1, span[1], (k & 1 ? cell->high : cell->low)[1]));
     }
 }
 
@@ -149,21 +168,66 @@ static int longer(const search *s, const double *net) {
     return way[0] < way[1];
 }
 
-/* Whether there was memory. */
-static bool search_span(search *s) {
-    int top = 0;
-    if (!bat_cells_hold(&s->waiting, 1)) return false;
-    bat_cell_of(s->seen, s->span, s->waiting.at);
-    descend(s, s->span, bat_span_parameter(s->seen, 0, s->span[0], 0.5),
-            bat_span_parameter(s->seen, 1, s->span[1], 0.5));
-    while (top >= 0 && s->cells++ < CELLS_MAX) {
-        if (!bat_cells_hold(&s->waiting, top + 2)) return false;
-        bat_cell *cell = s->waiting.at + top--;
-        try_corners(s, cell);
-        if (cell->halvings == HALVINGS || !(bound_of(s, cell->net) < s->best.f)) continue;
-        bat_cell_halve(s->degree, longer(s, cell->net), cell, cell + 1);
-        top += 2;
+/* ---- Cells that wait: a heap; behind it, the numbers of those that are free ---- */
+
+/* Room for two more; false without memory. */
+static bool hold(search *s) {
+    if (s->waiting + 2 <= s->room) return true;
+    if (!bat_cells_hold(&s->pool, s->waiting + 2)) return false;
+    queued *heap = realloc(s->heap, (size_t)s->pool.room * sizeof *heap);
+    if (!heap) return false;
+    for (s->heap = heap; s->room < s->pool.room; s->room++) heap[s->room].cell = s->room;
+    return true;
+}
+
+/* Puts the free cell that stands at `from` into the heap, unless it need not be looked at. */
+static void wait(search *s, int from, const int span[2]) {
+    const int cell = s->heap[from].cell;
+    const double bound = bound_of(s, s->pool.at[cell].net);
+    if (!is_worth(s, bound)) return;
+    int at = s->waiting++;
+    s->heap[from].cell = s->heap[at].cell;
+    for (; at > 0 && bound < s->heap[(at - 1) / 2].bound; at = (at - 1) / 2)
+        s->heap[at] = s->heap[(at - 1) / 2];
+    s->heap[at] = (queued){bound, cell, {span[0], span[1]}};
+}
+
+/* The first cell becomes the first free one. */
+static queued next_cell(search *s) {
+    const queued first = s->heap[0], last = s->heap[--s->waiting];
+    int at = 0;
+    for (int below; (below = 2 * at + 1) < s->waiting; at = below) {
+        if (below + 1 < s->waiting && s->heap[below + 1].bound < s->heap[below].bound) below++;
+        if (!(s->heap[below].bound < last.bound)) break;
+        s->heap[at] = s->heap[below];
     }
+    s->heap[at] = last;
+    s->heap[s->waiting].cell = first.cell;
+    return first;
+}
+
+/* Both return whether there was memory. */
+static bool begin_span(search *s, const int span[2]) {
+    if (!hold(s)) return false;
+    bat_cell *cell = &s->pool.at[s->heap[s->waiting].cell];
+    bat_cell_of(s->seen, span, cell);
+    if (s->hints && !is_worth(s, bound_of(s, cell->net))) return true;
+    descend(s, span, bat_span_parameter(s->seen, 0, span[0], 0.5),
+            bat_span_parameter(s->seen, 1, span[1], 0.5));
+    wait(s, s->waiting, span);
+    return true;
+}
+
+static bool halve_next(search *s) {
+    const queued next = next_cell(s);
+    if (!hold(s)) return false;
+    bat_cell *lower = s->pool.at + next.cell, *upper = s->pool.at + s->heap[s->waiting + 1].cell;
+    try_corners(s, next.span, lower);
+    if (lower->halvings == HALVINGS || !is_worth(s, next.bound)) return true;
+    bat_cell_halve(s->degree, longer(s, lower->net), lower, upper);
+    const int other = s->waiting + 1;
+    wait(s, s->waiting, next.span);
+    wait(s, other, next.span);
     return true;
 }
 
@@ -193,64 +257,125 @@ static double near_and_far(const bat_box *box, const double point[3], double *fa
     return near;
 }
 
-/* Spans that can hold the closest point: none is nearer than the farthest point of another's box. */
-static size_t collect(const bat_surface_finder *f, const double point[3], patch *patches) {
-    double least = INFINITY, far;
-    size_t count = 0;
+typedef struct gathering {
+    const double *point;
+    double least; /* no closest point is further away */
+    size_t count;
+    patch *patches;
+} gathering;
+
+static void collect_block(const bat_surface_finder *f, int block, gathering *g) {
+    const int first[2] = {block / f->blocks[1] * BAT_FINDER_BLOCK, block % f->blocks[1] * BAT_FINDER_BLOCK};
+    double far;
     int span[2];
-    for (int i = 0; i < f->spans[0]; i++)
-        for (int j = 0; j < f->spans[1]; j++) {
-            const double bound = near_and_far(&f->span[i * f->spans[1] + j], point, &far);
-            if (!(bound <= least) || !bat_finder_span(f, i, j, span)) continue;
-            least = fmin(least, far * (1 + 1e-14));
-            patches[count++] = (patch){bound, {span[0], span[1]}};
+    for (int i = first[0]; i < first[0] + BAT_FINDER_BLOCK && i < f->spans[0]; i++)
+        for (int j = first[1]; j < first[1] + BAT_FINDER_BLOCK && j < f->spans[1]; j++) {
+            const double bound = near_and_far(&f->span[i * f->spans[1] + j], g->point, &far);
+            if (!(bound <= g->least) || !bat_finder_span(f, i, j, span)) continue;
+            g->least = fmin(g->least, far * (1 + 1e-14));
+            g->patches[g->count++] = (patch){bound, {span[0], span[1]}};
         }
+}
+
+/* Spans that can hold the closest point: none is nearer than the farthest point of another's box, nor than `least`. */
+static size_t collect(const bat_surface_finder *f, const double point[3], double least, patch *patches) {
+    gathering g = {point, least, 0, patches};
+    const int count = f->blocks[0] * f->blocks[1];
+    double nearest = INFINITY, far;
+    int first = 0;
+    for (int b = 0; b < count && count > 1; b++) {
+        const double bound = near_and_far(&f->block[b], point, &far);
+        if (bound < nearest) nearest = bound, first = b;
+    }
+    collect_block(f, first, &g);
+    for (int b = 0; b < count; b++)
+        if (b != first && near_and_far(&f->block[b], point, &far) <= g.least) collect_block(f, b, &g);
     size_t kept = 0;
-    for (size_t i = 0; i < count; i++)
-        if (patches[i].bound <= least) patches[kept++] = patches[i];
+    for (size_t i = 0; i < g.count; i++)
+        if (patches[i].bound <= g.least) patches[kept++] = patches[i];
     return kept;
+}
+
+/* From where the closest point is expected. */
+static void try_hint(search *s, const bat_surface_finder *f, const double point[3]) {
+    int span[2];
+    for (int d = 0; d < 2; d++) span[d] = bat_span(&f->surface->axis[d], s->hints->at[d], -1);
+    bat_finder_see(f, span, point, NULL, s->seen);
+    descend(s, span, s->hints->at[0], s->hints->at[1]);
+}
+
+/* Whether the search goes on with a cell of this bound: cells that are nearly as close as the best point, and all together,
+ * are counted. */
+static bool goes_on(search *s, double bound) {
+    if (!is_worth(s, bound)) return false;
+    if (bound >= s->best.f * TIE) s->ties++;
+    return s->ties <= (s->hints ? BAT_NEAR_CELLS : TIES_MAX) && s->cells++ < CELLS_MAX;
 }
 
 static bat_status search_all(search *s, const bat_surface_finder *f, const double point[3]) {
     patch *patches = malloc((size_t)f->spans[0] * (size_t)f->spans[1] * sizeof *patches);
     if (!patches) return BAT_MEMORY;
     bool held = true;
-    const size_t count = collect(f, point, patches);
+    if (s->hints && s->hints->at) try_hint(s, f, point);
+    const size_t count = collect(f, point, s->best.f, patches);
     qsort(patches, count, sizeof *patches, by_bound); /* no ties */
-    for (size_t i = 0; i < count && held && patches[i].bound < s->best.f; i++) {
-        memcpy(s->span, patches[i].span, sizeof s->span);
-        bat_finder_see(f, s->span, point, NULL, s->seen);
-        held = search_span(s);
+    for (size_t i = 0; held;) {
+        const double box = i < count ? patches[i].bound : INFINITY;
+        const double cell = s->waiting ? s->heap[0].bound : INFINITY;
+        if (!(fmin(box, cell) < INFINITY) || !goes_on(s, fmin(box, cell))) break;
+        if (box <= cell) {
+            bat_finder_see(f, patches[i].span, point, NULL, s->seen);
+            held = begin_span(s, patches[i++].span);
+        } else {
+            held = halve_next(s);
+        }
     }
     free(patches);
     return held ? BAT_OK : BAT_MEMORY;
 }
 
-bat_status bat_surface_finder_nearest(const bat_surface_finder *finder, const double point[3],
-                                      bat_surface_point *out) {
-    if (!finder || !point || !out) return BAT_ARGUMENT;
+/* What rounding does to distances from the point. */
+static double rounding_of(const bat_surface_finder *f, const double point[3]) {
+    double most = 0;
+    for (int c = 0; c < 3; c++)
+        most = fmax(fmax(most, fabs(point[c])), fmax(fabs(f->whole.low[c]), fabs(f->whole.high[c])));
+    return 32 * DBL_EPSILON * most;
+}
+
+bat_status bat_finder_near(const bat_surface_finder *finder, const double point[3],
+                           const bat_near_hints *hints, bat_surface_point *out, bool *found) {
     for (int c = 0; c < 3; c++)
         if (!(fabs(point[c]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     const bat_surface *surface = finder->surface;
     bat_surface *seen;
     bat_status status = bat_finder_seen(finder, &seen);
     if (status != BAT_OK) return status;
-    search s = {.seen = seen, .best = {.f = INFINITY, .slope = INFINITY}};
+    search s = {.seen = seen, .best = {.f = INFINITY, .slope = INFINITY}, .best_span = {-1, -1}, .need = 1};
+    s.rounding = rounding_of(finder, point);
+    if (hints) s.hints = hints, s.need = NEED, s.best.f = hints->within * hints->within;
     for (int d = 0; d < 2; d++) {
         const int p = s.degree[d] = surface->axis[d].degree;
         for (int i = 0; i <= p; i++) s.weight[d][i] = binomial(p, i);
         for (int i = 0; i <= 2 * p; i++) s.share[d][i] = 1 / binomial(2 * p, i);
     }
     status = search_all(&s, finder, point);
-    if (status == BAT_OK) {
+    if (hints && hints->pieces) *hints->pieces += (size_t)s.cells;
+    *found = s.best_span[0] >= 0;
+    if (status == BAT_OK && *found) {
         bat_surface_eval_spans(surface, s.best_span, s.best.x[0], s.best.x[1], 0, out->point);
         out->u = bat_curve_reduce(&surface->axis[0], s.best.x[0]),
         out->v = bat_curve_reduce(&surface->axis[1], s.best.x[1]);
         out->distance = bat_distance(out->point, point, 3);
     }
-    free(s.waiting.at);
+    free(s.pool.at), free(s.heap);
     bat_surface_free(seen);
     return status;
+}
+
+bat_status bat_surface_finder_nearest(const bat_surface_finder *finder, const double point[3],
+                                      bat_surface_point *out) {
+    bool found;
+    return finder && point && out ? bat_finder_near(finder, point, NULL, out, &found) : BAT_ARGUMENT;
 }
 
 bat_status bat_surface_nearest(const bat_surface *surface, const double point[3], bat_surface_point *out) {

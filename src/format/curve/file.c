@@ -16,7 +16,7 @@ static bat_status finish(bat_model *from, bat_status status, bat_document **out,
     if (status == BAT_OK) {
         const int count = (int)from->curve_count;
         from->curve_count = 0; /* the call takes the curves over */
-        status = bat_document_of_curves(count, from->curves, NULL, out);
+        status = bat_document_of_curves(count, from->curves, NULL, 0, out);
         if (status != BAT_OK) bat_problem_set(problem, status, "", bat_status_message(status));
     }
     bat_model_clear(from);

@@ -321,9 +321,11 @@ bat_status bat_dxf_curve(const bat_dxf_record *entity, const bat_dxf_record *ver
     *out = NULL;
     if (i == ENTITY_COUNT) return BAT_OK;
     const bat_status status = ENTITIES[i].read(&r);
-    if (status == BAT_OK) return status;
+    /* Far from the origin, what is tiny has its points in one place. */
+    if (status == BAT_OK && !(*out && bat_curve_size(*out) == 0)) return status;
     bat_curve_free(*out);
     *out = NULL;
+    if (status == BAT_OK) return status;
     /* What cannot be held as it is, such as points that all coincide, is left out; what is wrong was said. */
     if (status != BAT_MEMORY && problem && !problem->message[0]) return BAT_OK;
     return status;

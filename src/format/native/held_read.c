@@ -199,9 +199,9 @@ static bat_status read_whole(const bat_fields *f, bat_held *out) {
     if (out->paged) status = bat_fields_numbers(f, 1, "page", 4, "x, y, width and height", out->page);
     if (status == BAT_OK) status = bat_fields_id(f, 1, "next", BAT_ID_MAX + 1, &out->next);
     if (status == BAT_OK && named) {
-        if (!bat_json_text(json, named)) return BAT_SYNTAX;
+        const char *word = bat_json_text(json, named);
+        if (!word || !bat_unit_of_word(word, &out->unit)) return BAT_SYNTAX;
         out->sized = true;
-        out->unit = bat_unit_of(bat_json_text(json, named));
         out->scale = bat_unit_millimetres(out->unit);
         status = bat_fields_number(f, 1, "scale", 1e-12, 1e12, "millimetres from 1e-12 to 1e12", &out->scale);
     }

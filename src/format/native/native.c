@@ -190,12 +190,12 @@ static bat_status read_page(const bat_fields *f, uint32_t list, bat_document *do
 static bat_status read_scale(const bat_fields *f, bat_document *document) {
     const uint32_t named = bat_json_member(f->json, 1, "unit");
     const char *word = bat_json_text(f->json, named);
-    const bat_unit unit = word ? bat_unit_of(word) : BAT_UNIT_PX;
-    double scale = bat_unit_millimetres(unit);
+    bat_unit unit = BAT_UNIT_PX;
     if (!named) return BAT_OK;
-    if (!word || strcmp(word, bat_unit_name(unit)) != 0)
-        return bat_json_complain(f->json, named, BAT_UNSUPPORTED, "unit", "px, mm, cm, in, pt or pc",
+    if (!word || !bat_unit_of_word(word, &unit))
+        return bat_json_complain(f->json, named, BAT_UNSUPPORTED, "unit", "px, mm, cm, in, pt, pc or none",
                                  f->problem);
+    double scale = bat_unit_millimetres(unit);
     const bat_status status = bat_fields_number(f, 1, "scale", 1e-12, 1e12, "millimetres from 1e-12 to 1e12",
                                                 &scale);
     return status == BAT_OK ? bat_fields_say(f, named, bat_document_set_scale(document, scale, unit))
@@ -368,9 +368,9 @@ void bat_document_to_json(const bat_document *document, bool pictures, bat_text 
         bat_text_number(text, page[i]);
     }
     bat_text_string(text, "]");
-    if (bat_unit_is_said(document)) {
+    if (bat_unit_is_kept(document)) {
         bat_text_string(text, ",\n\"unit\":\"");
-        bat_text_string(text, bat_unit_name(bat_document_unit(document)));
+        bat_text_string(text, bat_unit_word(bat_document_unit(document)));
         bat_text_string(text, "\",\"scale\":");
         bat_text_number(text, bat_document_scale(document));
     }

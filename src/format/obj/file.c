@@ -1,6 +1,8 @@
 /* Wavefront OBJ as a format of drawings: B-spline curves and surfaces with their names, and what faces and vertices there are
- * as one mesh. Everything else in a file is counted and left out. */
+ * as one mesh. Everything else in a file is counted and left out. Up is y: the page is a wall, or a
+ * floor where a plane stands on it. */
 #include "document/format.h"
+#include "format/model/drawn.h"
 #include "format/obj/obj.h"
 #include "kinds/kinds.h"
 #include "text/json.h"
@@ -31,7 +33,7 @@ static bat_status document_of(bat_obj *obj, bat_document **out) {
     const size_t count = obj->model.curve_count;
     obj->model.curve_count = 0; /* the call takes the curves over */
     bat_status status = bat_document_of_curves((int)count, obj->model.curves,
-                                               (const char *const *)obj->curve_names, &document);
+                                               (const char *const *)obj->curve_names, 0, &document);
     for (size_t i = 0; i < count; i++) free(obj->curve_names[i]);
     for (size_t i = 0; i < obj->model.surface_count && status == BAT_OK; i++)
         status = insert_surface(document, obj->surface_names[i], obj->model.surfaces[i]);
@@ -47,7 +49,9 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
                        bat_svg_report *report, bat_problem *problem) {
     (void)how;
     bat_obj obj;
-    bat_status status = bat_obj_parse(text, size, &obj, problem);
+    double way[9];
+    bat_room_way(&(bat_room){BAT_STAND_WALL, 1, true}, way);
+    bat_status status = bat_obj_parse(text, size, way, &obj, problem);
     if (status != BAT_OK) return status;
     report->lost.count[BAT_LOSS_UNKNOWN] += obj.model.left_out;
     if (obj.model.curve_count + obj.model.surface_count == 0 && !obj.model.mesh) {
@@ -79,21 +83,23 @@ static void put_name(bat_text *text, const char *name) {
 static bat_status write(const bat_document *document, char **out, size_t *size, bat_problem *problem) {
     bat_text text = {0};
     uint64_t vertices = 0;
+    double way[9];
+    bat_room_way(&(bat_room){bat_stand_of(document), 1, true}, way);
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_surface *surface = bat_object_surface(object);
         if (surface) {
             put_name(&text, bat_object_name(object));
-            vertices = bat_obj_put_surface(&text, surface, vertices);
+            vertices = bat_obj_put_surface(&text, surface, way, vertices);
         }
         const bat_polymesh *mesh = bat_object_mesh(object);
         if (mesh) {
             put_name(&text, bat_object_name(object));
-            vertices = bat_obj_put_mesh(&text, mesh, vertices);
+            vertices = bat_obj_put_mesh(&text, mesh, way, vertices);
         }
         for (int k = 0; !surface && !mesh && k < bat_object_curve_count(object); k++) {
             put_name(&text, bat_object_name(object));
-            vertices = bat_obj_put_curve(&text, bat_object_curve(object, k), vertices);
+            vertices = bat_obj_put_curve(&text, bat_object_curve(object, k), way, vertices);
         }
     }
     if (!vertices) {

@@ -28,6 +28,8 @@ typedef struct parser {
     element reading;
     const char *name; /* borrowed from the text; NULL: none */
     size_t name_size;
+    double back[9]; /* where x, y and z of the page come from; only with `turned` */
+    bool turned;
     bat_obj *out;
     bat_problem *problem;
 } parser;
@@ -55,7 +57,7 @@ static bat_status read_vertex(parser *p) {
     for (int i = 0; i < 4 && status == BAT_OK; i++) {
         if (!(fabs(v[i]) <= BAT_COORDINATE_MAX))
             return wrong(p, BAT_NUMBER, "v: expected numbers up to 1e75, found a greater one");
-        status = add(p, &p->vertices, v[i]);
+        status = add(p, &p->vertices, p->turned && i < 3 ? bat_obj_turned(p->back, i, v) : v[i]);
     }
     return status;
 }
@@ -355,13 +357,16 @@ void bat_obj_clear(bat_obj *obj) {
     bat_model_clear(&obj->model);
 }
 
-bat_status bat_obj_parse(const char *text, size_t size, bat_obj *out, bat_problem *problem) {
+bat_status bat_obj_parse(const char *text, size_t size, const double *way, bat_obj *out,
+                         bat_problem *problem) {
     bat_obj made = {.curve_names = NULL};
     parser p = {.line = bat_obj_lines(text, size, bat_format_start(text, size)),
                 .degree = {3, 3},
                 .out = &made,
+                .turned = way != NULL,
                 .problem = problem};
     bat_status status = BAT_OK;
+    for (int i = 0; way && i < 9; i++) p.back[3 * (i % 3) + i / 3] = way[i];
     while (status == BAT_OK && bat_obj_next(&p.line)) status = read_statement(&p);
     if (status == BAT_OK) status = make_mesh(&p);
     bat_numbers *const lists[] = {&p.vertices, &p.indices, &p.knots[0], &p.knots[1],
@@ -377,7 +382,7 @@ bat_status bat_obj_parse(const char *text, size_t size, bat_obj *out, bat_proble
 bat_status bat_obj_read(const char *text, size_t size, bat_model *out, bat_problem *problem) {
     if (!text || !out) return bat_problem_set(problem, BAT_ARGUMENT, "", bat_status_message(BAT_ARGUMENT));
     bat_obj obj;
-    bat_status status = bat_obj_parse(text, size, &obj, problem);
+    bat_status status = bat_obj_parse(text, size, NULL, &obj, problem);
     if (status != BAT_OK) return status;
     clear_names(&obj);
     if (!obj.model.mesh && obj.model.surface_count + obj.model.curve_count == 0)

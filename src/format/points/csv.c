@@ -50,7 +50,7 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
     if (status == BAT_OK) {
         const int count = (int)model.curve_count;
         model.curve_count = 0; /* the call takes the curves over */
-        status = bat_document_of_curves(count, model.curves, NULL, out);
+        status = bat_document_of_curves(count, model.curves, NULL, 0, out);
         if (status != BAT_OK) bat_problem_set(problem, status, "", bat_status_message(status));
     }
     bat_point_rows_clear(&rows);

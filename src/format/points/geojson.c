@@ -7,6 +7,7 @@
 #include "text/text.h"
 
 #include <batten/bezier.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -62,6 +63,15 @@ static bat_status keep(reader *r, bat_curve *curve, const char *name) {
     return BAT_OK;
 }
 
+/* Its y points up and its z towards the eye, a drawing's the other way: places of either become those of the other. */
+static void turn(size_t count, int dimension, double *points) {
+    for (size_t i = 0; i < count; i++)
+        for (int c = 1; c < dimension; c++) {
+            double *number = points + i * (size_t)dimension + c;
+            *number = 0 - *number; /* not -0 */
+        }
+}
+
 static bat_status read_line(reader *r, uint32_t places, const char *name) {
     double *points = NULL;
     size_t count = 0;
@@ -70,6 +80,7 @@ static bat_status read_line(reader *r, uint32_t places, const char *name) {
     bat_status status = bat_points_from_json(r->json, places, "coordinates", &points, &count, &dimension,
                                              r->problem);
     if (status != BAT_OK) return status;
+    turn(count, dimension, points);
     status = bat_line_of_points(dimension, count, points, &line);
     free(points);
     if (status == BAT_COUNT)
@@ -126,6 +137,22 @@ static bat_status read_any(reader *r, uint32_t node) {
     return status;
 }
 
+/* A thousandth of the map's larger side, whatever its units are; 0: it has no size. */
+static double width_of(const reader *r, size_t count) {
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (size_t i = 0; i < count; i++) {
+        const size_t stride = (size_t)bat_curve_dimension(r->curves[i]);
+        const double *points = bat_curve_points(r->curves[i]);
+        for (size_t k = 0; k < bat_curve_count(r->curves[i]); k++)
+            for (int c = 0; c < 2; c++) {
+                low[c] = fmin(low[c], points[k * stride + (size_t)c]);
+                high[c] = fmax(high[c], points[k * stride + (size_t)c]);
+            }
+    }
+    const double side = fmax(high[0] - low[0], high[1] - low[1]);
+    return side > 1e-9 && side < 1e9 ? side / 1000 : 0;
+}
+
 static bat_status read(const bat_reading *how, const char *text, size_t size, bat_document **out,
                        bat_svg_report *report, bat_problem *problem) {
     bat_json json;
@@ -140,7 +167,8 @@ static bat_status read(const bat_reading *how, const char *text, size_t size, ba
     if (status == BAT_OK) {
         const int count = (int)r.count;
         r.count = 0; /* the call takes the curves over */
-        status = bat_document_of_curves(count, r.curves, (const char *const *)r.names, out);
+        status = bat_document_of_curves(count, r.curves, (const char *const *)r.names,
+                                        width_of(&r, (size_t)count), out);
         if (status != BAT_OK) bat_problem_set(problem, status, "", bat_status_message(status));
     }
     for (size_t i = 0; i < r.count; i++) bat_curve_free(r.curves[i]);
@@ -156,6 +184,7 @@ static bat_status put_feature(bat_text *text, const bat_object *object, const ba
     double *points = NULL;
     size_t count = 0;
     const bat_status status = bat_points_of_line(curve, tolerance, &count, &points);
+    if (status == BAT_OK) turn(count, (int)width, points);
     bat_text_string(text, "{\"type\":\"Feature\",\"properties\":{");
     if (bat_object_name(object)[0]) {
         bat_text_string(text, "\"name\":");

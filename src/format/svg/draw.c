@@ -133,8 +133,7 @@ static double even(double ratio) {
 }
 
 /* A length that is none of the page's share. */
-static double given(const bat_svg_walk *w, const char *name, bat_unit *unit) {
-    const char *text = bat_svg_attribute_of(w, 1, name);
+static double given(const char *text, bat_unit *unit) {
     double value;
     if (!text || strchr(text, '%') || !bat_svg_length(text, 0, &value) || !(value > 0)) return 0;
     if (*unit == BAT_UNIT_PX) *unit = bat_unit_of(text);
@@ -143,8 +142,7 @@ static double given(const bat_svg_walk *w, const char *name, bat_unit *unit) {
 
 /* The part of the plane that paper of that size shows, where its proportions are others than the box has; and what stretches
  * the drawing, where they are made to agree. On a screen, whose size is none, the box is the page. */
-static void show(const double box[4], double wide, double high, const char *ratio, bool paper, double page[4],
-                 double stretch[6]) {
+static void show(const double box[4], double wide, double high, const char *ratio, bat_svg_root *out) {
     double m[6];
     bat_svg_fit(box, 0, 0, wide, high, ratio, m);
     if (!(m[0] > 0 && m[3] > 0) || fabs(wide * box[3] - high * box[2]) <= 1e-5 * wide * box[3]) return;
@@ -153,29 +151,40 @@ static void show(const double box[4], double wide, double high, const char *rati
     for (int i = 0; i < 4; i++)
         if (!(fabs(shown[i]) <= BAT_COORDINATE_MAX)) return;
     if (m[0] == m[3]) {
-        if (paper) memcpy(page, shown, sizeof shown);
+        if (bat_unit_is_physical(out->sheet.unit)) memcpy(out->sheet.page, shown, sizeof shown);
         return;
     }
-    stretch[0] = m[0] / s, stretch[3] = m[3] / s;
-    for (int i = 0; i < 4; i++) page[i] = box[i] * stretch[i % 2 ? 3 : 0];
+    out->stretch[0] = m[0] / s, out->stretch[1] = m[3] / s;
+    for (int i = 0; i < 4; i++) out->sheet.page[i] = box[i] * out->stretch[i % 2];
+}
+
+void bat_svg_root_read(const double box[4], bool boxed, const char *width, const char *height,
+                       const char *ratio, bat_svg_root *out) {
+    bat_svg_root root = {.stretch = {1, 1}, .pixel = 1};
+    bat_unit unit = BAT_UNIT_PX;
+    const double wide = given(width, &unit), high = given(height, &unit);
+    const double one = bat_unit_millimetres(unit);
+    memcpy(root.sheet.page, box, sizeof root.sheet.page);
+    root.sheet.unit = unit;
+    if (boxed) root.pixel = bat_svg_pixel(box, width, height, ratio);
+    if (boxed && box[2] > 0 && wide > 0 && high > 0) show(box, wide, high, ratio, &root);
+    root.sheet.scale = root.pixel == 1 ? BAT_PX_MILLIMETRES
+                                       : one * even(BAT_PX_MILLIMETRES / one / root.pixel);
+    *out = root;
 }
 
 /* Gives the document its page and its physical size; stretch: what is done to the drawing where width and height do not keep
  * its proportions. boxed: there is a viewBox, which is w->page. */
 static void size_document(bat_svg_walk *w, bool boxed, double stretch[6]) {
-    const char *ratio = bat_svg_attribute_of(w, 1, "preserveAspectRatio");
-    const double *box = w->page;
-    bat_unit unit = BAT_UNIT_PX;
-    const double wide = given(w, "width", &unit), high = given(w, "height", &unit);
-    double page[4];
-    memcpy(page, box, sizeof page);
+    bat_svg_root root;
+    bat_svg_root_read(w->page, boxed, bat_svg_attribute_of(w, 1, "width"),
+                      bat_svg_attribute_of(w, 1, "height"), bat_svg_attribute_of(w, 1, "preserveAspectRatio"),
+                      &root);
     bat_matrix_identity(stretch);
-    if (boxed && box[2] > 0 && wide > 0 && high > 0)
-        show(box, wide, high, ratio, bat_unit_is_physical(unit), page, stretch);
-    bat_document_set_page(w->document, page);
-    const double one = bat_unit_millimetres(unit);
-    const double scale = w->pixel == 1 ? BAT_PX_MILLIMETRES : one * even(BAT_PX_MILLIMETRES / one / w->pixel);
-    (void)bat_document_set_scale(w->document, scale, unit);
+    stretch[0] = root.stretch[0], stretch[3] = root.stretch[1];
+    w->pixel = root.pixel;
+    bat_document_set_page(w->document, root.sheet.page);
+    (void)bat_document_set_scale(w->document, root.sheet.scale, root.sheet.unit);
 }
 
 /* The outermost viewBox defines the user units and the page; without one, width and height define the page. */
@@ -194,10 +203,6 @@ void bat_svg_draw_root(bat_svg_walk *w) {
     if (!(page[2] > 0 && page[3] > 0)) memset(page, 0, sizeof page);
     if (page[2] > 0) none.width = page[2], none.height = page[3];
     memcpy(w->page, page, sizeof w->page);
-    w->pixel = box ? bat_svg_pixel(page, bat_svg_attribute_of(w, 1, "width"),
-                                   bat_svg_attribute_of(w, 1, "height"),
-                                   bat_svg_attribute_of(w, 1, "preserveAspectRatio"))
-                   : 1;
     bat_svg_scope s = none;
     double stretch[6], own[6];
     size_document(w, box, stretch);

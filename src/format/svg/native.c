@@ -44,7 +44,9 @@ void bat_svg_use_native(const bat_svg_reader *reader, uint64_t digest, bat_pictu
     bat_svg_page(native, written);
     const bool seen = bat_seen_view(native) && bat_seen_shown(native); /* the second comes later */
     if (memcmp(page, written, sizeof page) != 0 && !seen) bat_document_set_page(native, page);
-    if (!seen && !bat_unit_same(*document, native))
+    /* Of numbers without a size the SVG says none, too. */
+    const bool bare = bat_document_unit(native) == BAT_UNIT_NONE && !bat_unit_is_said(*document);
+    if (!seen && !bare && !bat_unit_same(*document, native))
         (void)bat_document_set_scale(native, bat_document_scale(*document), bat_document_unit(*document));
     report->edited = false;
     report->lost.count[BAT_LOSS_NATIVE] = 0;

@@ -2,6 +2,7 @@
 #ifndef BATTEN_FORMAT_SVG_SVG_H
 #define BATTEN_FORMAT_SVG_SVG_H
 
+#include "document/sheet.h"
 #include "format/svg/outline.h"
 
 #include <batten/format.h>
@@ -38,6 +39,17 @@ void bat_svg_fit(const double box[4], double x, double y, double w, double h, co
 
 /* How long a pixel is in the units of the page, at the size that a file's root gives it (any may be NULL). */
 double bat_svg_pixel(const double page[4], const char *width, const char *height, const char *ratio);
+
+/* How large a file says that its drawing is (draw.c). */
+typedef struct bat_svg_root {
+    bat_sheet sheet;
+    double stretch[2]; /* where width and height do not keep the proportions of the viewBox; else 1 */
+    double pixel;      /* as bat_svg_pixel */
+} bat_svg_root;
+
+/* From the attributes of the root, NULL where it has none. boxed: box is its viewBox; else what width and height make. */
+void bat_svg_root_read(const double box[4], bool boxed, const char *width, const char *height,
+                       const char *ratio, bat_svg_root *out);
 
 /* Reads a length into user units (px); units: px pt pc mm cm in Q em ex rem, and % of `whole`. False when it
  * does not parse or is not finite. 1 em is 16. */

@@ -1,4 +1,5 @@
 #include "hands/sketch/converge.h"
+#include "base/order.h"
 #include "base/real.h"
 #include "curve/banded.h"
 
@@ -55,23 +56,6 @@ typedef struct tangle {
 
 /* ---- strokes ---- */
 
-static double sorted_middle(double *numbers, size_t count) {
-    for (size_t i = 1; i < count; i++)
-        for (size_t k = i; k > 0 && numbers[k - 1] > numbers[k]; k--) {
-            const double swap = numbers[k];
-            numbers[k] = numbers[k - 1], numbers[k - 1] = swap;
-        }
-    return count ? numbers[count / 2] : 0;
-}
-
-/* The median of at most 101 of them, evenly chosen. */
-static double middle(const double *numbers, size_t count) {
-    double some[101];
-    const size_t n = count < 101 ? count : 101;
-    for (size_t i = 0; i < n; i++) some[i] = numbers[i * count / n];
-    return sorted_middle(some, n);
-}
-
 static double within(double value, double low, double high) { return fmin(fmax(value, low), high); }
 
 static bool usable(const bat_stroke *s, size_t i, const double *origin, double pixel, double out[2]) {
@@ -111,7 +95,7 @@ static void weigh(hair *h, bool timed, double step, double press) {
         const size_t a = i ? i - 1 : 0, b = i + 1 < h->count ? i + 1 : i;
         pace[i] = timed ? fmax(h->weight[b] - h->weight[a], 0) / (double)(b - a) : 1;
     }
-    const double usual = middle(pace, h->count);
+    const double usual = bat_middle(pace, h->count);
     for (size_t i = 0; i < h->count; i++) {
         const double s = (double)i * step,
                      end = feather > 0 ? within(fmin(s, h->length - s) / feather, 0, 1) : 1;
@@ -139,7 +123,8 @@ static bat_status take(hair *h, const bat_stroke *s, const double *origin, doubl
     if (!h->at) return BAT_MEMORY;
     h->u = h->at + 2 * room, h->weight = h->at + 3 * room;
     spread(h, s, origin, pixel, room, step);
-    const double press = s->pressure && usual > 0 ? within(middle(s->pressure, s->count) / usual, 0.5, 2) : 1;
+    const double press = s->pressure && usual > 0 ? within(bat_middle(s->pressure, s->count) / usual, 0.5, 2)
+                                                  : 1;
     weigh(h, s->time != NULL, step, press);
     return BAT_OK;
 }
@@ -479,7 +464,7 @@ bat_status bat_converge(size_t count, const bat_stroke *strokes, double pixel, b
     for (size_t j = 0; j < count; j++) {
         if (strokes[j].dimension != 2) return BAT_DIMENSION;
         if (strokes[j].pressure && strokes[j].count)
-            usual += middle(strokes[j].pressure, strokes[j].count) / (double)count;
+            usual += bat_middle(strokes[j].pressure, strokes[j].count) / (double)count;
     }
     for (size_t i = 0; i < 2 && strokes[0].count; i++)
         if (fabs(strokes[0].points[i]) < 1e150) origin[i] = strokes[0].points[i];

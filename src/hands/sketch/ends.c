@@ -3,10 +3,12 @@
 #include "base/real.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double shortest_stub = 2, corner_reach = 8;
-static const double seen_turn = 0.06; /* radians; a smaller one is not seen */
-static const double generous = 1.1;   /* the few knots of a blend need this much more room than a quintic */
+static const double seen_turn = 0.06;               /* radians; a smaller one is not seen */
+static const double corner_turn = 0.5, steep = 0.5; /* radians */
+static const double generous = 1.1; /* the few knots of a blend need this much more room than a quintic */
 
 static double angle_between(const double *a, const double *b, size_t m) {
     double dot = 0;
@@ -76,6 +78,15 @@ static int corner_in(const bat_end *e, int side, double reach) {
     return best;
 }
 
+/* How far from the stroke the curve goes on without a corner, on the side that is kept. */
+static double smooth_beyond(const bat_end *e, int side) {
+    const int corner = corner_in(e, side, INFINITY);
+    if (corner < 0) return INFINITY;
+    double away = (e->s - bat_track_s(e->track, e->curve->knots[corner])) * (side == 0 ? 1 : -1);
+    if (e->curve->closed) away -= floor((away + corner_reach) / e->track->length) * e->track->length;
+    return away;
+}
+
 void bat_end_stop(bat_end *e, int side, double u, bool corner) {
     const double sign = side == 0 ? -1 : 1;
     double s = bat_track_s(e->track, u);
@@ -126,16 +137,52 @@ static void choose_cut(bat_end *e, int side, double room) {
     }
 }
 
+/* The curve's radius near a place, from its mean square curvature over so much length on both sides. */
+static double radius_near(const bat_end *e, double s, double reach) {
+    enum { STEPS = 16 };
+    const bat_stroke_track *k = e->track;
+    const size_t m = (size_t)e->curve->dimension;
+    double from = s - reach, to = s + reach, bend = 0, last[BAT_DIMENSION_MAX], next[BAT_DIMENSION_MAX];
+    if (!e->curve->closed) from = fmin(fmax(from, 0), k->length), to = fmin(fmax(to, 0), k->length);
+    const double step = (to - from) / STEPS;
+    bat_track_tangent(k, bat_track_u(k, from), last);
+    for (int i = 1; i <= STEPS; i++) {
+        bat_track_tangent(k, bat_track_u(k, from + i * step), next);
+        const double turn = angle_between(last, next, m);
+        if (turn < corner_turn) bend += turn * turn;
+        memcpy(last, next, sizeof last);
+    }
+    return bend > 0 ? step * sqrt(STEPS / bend) : INFINITY;
+}
+
+/* A stroke that misses a bend by a little: a transition of sqrt(22 miss R) changes its curvature by about a quarter of
+ * 1 / R, and a much shorter one would turn the other way. A curve that is nearly straight beside the stroke has no such
+ * bend; a stroke that arrives at an angle is blended by that; and neither a corner nor an end of the curve is near. */
+static double gentle_lead(const bat_plan *plan, int side) {
+    const bat_end *e = &plan->end[side];
+    const double L = plan->stroke->length, R = radius_near(e, e->s, 0.5 * L), straight = R / (5 * L);
+    if (!(straight < 1)) return 0;
+    const double miss = e->offset * e->offset / (e->offset + 0.25 * plan->tolerance);
+    const double bent = 1 - straight * straight * (3 - 2 * straight);
+    const double along = fmax(0, 1 - e->angle * e->angle / (steep * steep));
+    const double stub = plan->closed ? INFINITY : side == 0 ? e->s : e->track->length - e->s;
+    return fmin(fmin(0.6 * stub, smooth_beyond(e, side)),
+                plan->width / 3 * along * fmin(sqrt(22 * miss * R * bent), 110));
+}
+
 void bat_plan_leads(bat_plan *plan) {
     const double L = plan->stroke->length, gentle = plan->width / 3, rho = 20;
     for (int side = 0; side < 2; side++) {
         bat_end *e = &plan->end[side];
-        e->lead = e->blend = 0;
+        e->lead = e->blend = e->look = 0;
         if (e->kind == BAT_END_FREE) continue;
         e->lead = fmax(fmax(plan->width * e->offset, gentle * sqrt(6 * e->offset * 60)), rho * e->angle);
         e->lead *= generous;
+        const double longer = gentle_lead(plan, side);
+        e->lead = fmax(e->lead, longer);
         e->lead = fmax(fmin(e->lead, 0.5 * L + 3.6 * e->offset), 12); /* a dab has no wide blend */
         e->blend = fmin(rho * e->angle, 0.2 * L);
+        e->look = fmin(0.4 * fmin(longer, e->lead), 0.25 * L);
     }
 }
 

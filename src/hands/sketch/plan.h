@@ -20,10 +20,12 @@ typedef struct bat_end {
     const bat_curve *curve;    /* in pixels; borrowed */
     const bat_curve *original; /* the same in document units; borrowed */
     const bat_stroke_track *track;
-    double s;       /* arc length where the stroke's end belongs */
-    double offset;  /* distance there */
-    double angle;   /* between the stroke's direction and the curve's */
-    double lead;    /* length of the transition on the curve, d */
+    double s;      /* arc length where the stroke's end belongs */
+    double offset; /* distance there */
+    double angle;  /* between the stroke's direction and the curve's */
+    double lead;   /* length of the transition on the curve, d */
+    double
+        look; /* length of stroke that its direction there is taken from, if the transition is a long one */
     double blend;   /* length of the stroke that gives way, e */
     double joint;   /* arc length where the transition begins: s -+ lead */
     double joint_u; /* its parameter (closed: unrolled) */
@@ -92,8 +94,9 @@ void bat_target_speed(bat_target *target, int dimension, size_t a, size_t b, dou
 typedef struct bat_plan_frame {
     double point[BAT_DIMENSION_MAX], direction[BAT_DIMENSION_MAX], curvature[BAT_DIMENSION_MAX];
 } bat_plan_frame;
-/* The frame of a cleaned stroke at arc length s; its curvature is that of a circle of 20 px at most. */
-void bat_stroke_frame(const bat_clean *stroke, double s, bat_plan_frame *out);
+/* The frame of a cleaned stroke at arc length s; its curvature is that of a circle of 20 px at most. Its direction is
+ * that of 12 px of the stroke, or of `look` if that is more. */
+void bat_stroke_frame(const bat_clean *stroke, double s, double look, bat_plan_frame *out);
 void bat_bridge(int dimension, const bat_plan_frame *from, const bat_plan_frame *to, size_t count,
                 double *points);
 /* Greatest discrete curvature, and the sum of squared changes of curvature, of points meant to be evenly

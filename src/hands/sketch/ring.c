@@ -114,8 +114,8 @@ static bat_status add_bridge(bat_plan *plan, const ring *r, corner_list *corners
     const size_t count =
         (size_t)fmin(fmax(ceil((r->give[0] + r->give[1] + r->gap) / fmin(step, 2)), 12), 4096) + 1;
     bat_plan_frame a, b;
-    bat_stroke_frame(stroke, r->to, &a);
-    bat_stroke_frame(stroke, r->from, &b);
+    bat_stroke_frame(stroke, r->to, 0, &a);
+    bat_stroke_frame(stroke, r->from, 0, &b);
     double *points = malloc(count * m * sizeof *points);
     bat_status status = points ? add_stretch(plan, r, r->from, r->to, corners) : BAT_MEMORY;
     if (status == BAT_OK) {

@@ -94,17 +94,23 @@ bat_status bat_workpiece_enrich(bat_plan *plan, bat_workpiece *workpiece, const 
     const int p = plan->degree;
     const bat_stroke_track *k = &workpiece->track;
     const double period = k->end - k->start, from = plan->end[1].cut, to = plan->end[0].cut + period;
+    /* A knot beside another would leave a span of no length. */
+    const double apart = (to - from) / (4 * (p + 1));
+    bool taken[BAT_DEGREE_MAX] = {false};
     int inside = 0;
     for (int lap = -1; lap <= 2; lap++)
         for (int i = 0; i < workpiece->original->count; i++) {
             const double knot = bat_curve_knots(workpiece->original)[i] + lap * period;
             inside += knot > from && knot < to;
+            for (int at = 0; at < p; at++)
+                taken[at] |= fabs(knot - (from + (to - from) * (at + 1) / (p + 1))) < apart;
         }
     if (inside >= p - 1) return BAT_OK;
     double more[BAT_DEGREE_MAX];
     int count = 0;
-    for (int i = 1; i <= p; i++)
-        more[count++] = bat_curve_reduce(workpiece->original, from + (to - from) * i / (p + 1));
+    for (int at = 0; at < p; at++)
+        if (!taken[at])
+            more[count++] = bat_curve_reduce(workpiece->original, from + (to - from) * (at + 1) / (p + 1));
     for (int i = 1; i < count; i++)
         for (int j = i; j > 0 && more[j - 1] > more[j]; j--) {
             const double swap = more[j];

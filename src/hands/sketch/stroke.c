@@ -1,6 +1,8 @@
 #include "hands/sketch/stroke.h"
 #include "hands/sketch/corners.h"
+#include "hands/sketch/landing.h"
 #include "hands/sketch/whittaker.h"
+#include "base/order.h"
 #include "base/real.h"
 
 #include <math.h>
@@ -17,8 +19,9 @@ static const double dot_length = 8, noise_cap = 1.5, noise_floor = 0.05;
 /* A drawing of this grain (px) has the whole tolerance; a smaller one has its share of it, at least this. */
 static const double full_grain = 50, least_share = 0.3, most_grain = 200;
 
-/* Finite samples in pixels, repeats dropped; far too dense strokes averaged in groups. */
-static size_t gather(const bat_stroke *stroke, const bat_clean_options *o, double *y) {
+/* Finite samples in pixels, repeats dropped; far too dense strokes averaged in groups. pressure: of each sample that is
+ * left, where it is not NULL; behind them, from stroke->count on, their times. */
+static size_t gather(const bat_stroke *stroke, const bat_clean_options *o, double *y, double *pressure) {
     const size_t m = (size_t)stroke->dimension;
     size_t count = 0;
     for (size_t i = 0; i < stroke->count; i++) {
@@ -28,7 +31,12 @@ static size_t gather(const bat_stroke *stroke, const bat_clean_options *o, doubl
             p[c] = (stroke->points[i * m + c] - o->origin[c]) * o->scale;
             finite = finite && fabs(p[c]) < 1e100;
         }
-        if (finite && (count == 0 || bat_path_distance(p, p - m, m) > 1e-9)) count++;
+        if (!finite || (count > 0 && bat_path_distance(p, p - m, m) <= 1e-9)) continue;
+        if (pressure) {
+            pressure[count] = isfinite(stroke->pressure[i]) ? stroke->pressure[i] : 0;
+            pressure[stroke->count + count] = stroke->time ? stroke->time[i] : 0;
+        }
+        count++;
     }
     if (count <= SMOOTH_MAX) return count;
     double length = 0;
@@ -175,12 +183,15 @@ typedef struct cleaning {
     double sigma, lambda; /* noise; the weight of the smoothing, 0: none */
     double grain;
     double *y, *light, *z, *work, *arc;
+    double usual;            /* pressure that half of the samples are below; 0: not known */
+    double *pressure, *time; /* of each sample, in one block; NULL: not known */
 } cleaning;
 
 static void cleaning_free(cleaning *k) {
     free(k->y);
     free(k->z);
     free(k->corners);
+    free(k->pressure);
 }
 
 static bat_status cleaning_make(const bat_stroke *stroke, const bat_clean_options *o, cleaning *k) {
@@ -191,7 +202,12 @@ static bat_status cleaning_make(const bat_stroke *stroke, const bat_clean_option
     if (stroke->count < 2) return BAT_DOT;
     k->y = malloc(stroke->count * m * sizeof *k->y);
     if (!k->y) return BAT_MEMORY;
-    k->count = gather(stroke, o, k->y);
+    if (stroke->pressure && stroke->count <= SMOOTH_MAX) {
+        k->pressure = malloc(2 * stroke->count * sizeof *k->pressure);
+        if (!k->pressure) return BAT_MEMORY;
+        k->time = k->pressure + stroke->count;
+    }
+    k->count = gather(stroke, o, k->y, k->pressure);
     if (k->count < 2) return BAT_DOT;
     k->z = malloc(k->count * (2 * m + 6) * sizeof *k->z);
     k->corners = malloc(k->count * sizeof *k->corners);
@@ -214,6 +230,17 @@ static bat_status look(cleaning *k) {
     return BAT_OK;
 }
 
+/* Takes away what the pen drew while it landed and left, where that is no part of the stroke. */
+static void cut_landings(cleaning *k) {
+    if (!k->pressure || k->count < 16 || k->arc[k->count - 1] < dot_length) return;
+    const bat_stroke_path path = {k->light, k->arc, k->count, k->m};
+    k->usual = bat_middle(k->pressure, k->count);
+    const bat_press press = {k->pressure, k->time, k->usual};
+    const size_t head = bat_landing(&path, &press, false), tail = bat_landing(&path, &press, true);
+    if (head + tail + 8 > k->count) return;
+    k->first += head, k->count -= head + tail;
+}
+
 static void judge_noise(cleaning *k) {
     const size_t judged = k->memory && k->count > LIVE_NOISE ? LIVE_NOISE : k->count;
     k->sigma = fmin(bat_noise(judged, k->dimension, k->y + (k->count - judged) * k->m, k->work), noise_cap);
@@ -226,12 +253,23 @@ static void begin_at(cleaning *k, const bat_stroke_path *path, size_t i, double 
     memcpy(k->y + (k->first + i) * k->m, x, k->m * sizeof *x);
 }
 
+/* The length of a hook at that end; 0 where the pen pressed as usual in its first half: then it is meant. */
+static double hook_at(const cleaning *k, const bat_stroke_path *path, bool at_end) {
+    const double hook = bat_hook(path, k->grain, at_end), total = k->arc[k->count - 1];
+    for (size_t n = 0; n < k->count && k->pressure && k->usual > 0; n++) {
+        const size_t i = at_end ? k->count - 1 - n : n;
+        if ((at_end ? total - k->arc[i] : k->arc[i]) > 0.5 * hook) break;
+        if (k->pressure[k->first + i] >= 0.75 * k->usual) return 0;
+    }
+    return hook;
+}
+
 /* False: there is none, or nothing that could have one. */
 static bool cut_hooks(cleaning *k) {
     const double total = k->arc[k->count - 1];
     if (total < dot_length) return false;
     const bat_stroke_path path = {k->z, k->arc, k->count, k->m};
-    const double head = bat_hook(&path, k->grain, false), tail = bat_hook(&path, k->grain, true);
+    const double head = hook_at(k, &path, false), tail = hook_at(k, &path, true);
     if (head <= 0 && tail <= 0) return false;
     const size_t whole = k->count;
     while (k->count > 4 && k->arc[k->count - 1] > total - tail) k->count--;
@@ -309,6 +347,7 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
         judge_noise(&k);
         out->sigma = k.sigma;
         status = look(&k);
+        if (status == BAT_OK) cut_landings(&k);
         if (status == BAT_OK) status = smooth_without_hooks(&k);
         if (status == BAT_OK) out->share = share_of_tolerance(&k), out->grain = k.grain;
     }

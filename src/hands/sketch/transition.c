@@ -115,11 +115,11 @@ static void curve_frame(const bat_end *e, int side, double s, bat_plan_frame *ou
     }
 }
 
-void bat_stroke_frame(const bat_clean *stroke, double s, bat_plan_frame *out) {
+void bat_stroke_frame(const bat_clean *stroke, double s, double look, bat_plan_frame *out) {
     const size_t m = (size_t)stroke->dimension;
     double wide[BAT_DIMENSION_MAX];
-    bat_clean_frame(stroke, s, 12, out->point, out->direction, out->curvature);
-    bat_clean_frame(stroke, s, 30, NULL, wide, out->curvature);
+    bat_clean_frame(stroke, s, fmax(12, look), out->point, out->direction, out->curvature);
+    bat_clean_frame(stroke, s, fmax(30, 2 * look), NULL, wide, out->curvature);
     const double bend = length_of(out->curvature, m);
     for (size_t c = 0; c < m; c++)
         if (bend > 1 / rho) out->curvature[c] /= bend * rho;
@@ -133,7 +133,7 @@ static void transition(const bat_plan *plan, int side, size_t count, double *poi
     const double e_s = side == 0 ? e->blend : L - e->blend;
     const double total = e->lead + e->blend;
     bat_plan_frame to, from, base;
-    bat_stroke_frame(plan->stroke, e_s, &to);
+    bat_stroke_frame(plan->stroke, e_s, e->look, &to);
     if (e->lead <= 0) { /* a corner the stroke starts at: its first stretch leans over to it */
         double point[BAT_DIMENSION_MAX], begin[BAT_DIMENSION_MAX], at[BAT_DIMENSION_MAX];
         bat_curve_eval(e->curve, e->cut, 0, point);

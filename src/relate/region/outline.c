@@ -109,17 +109,21 @@ static bool is_whole(const outline *o) {
     return sum > 0.5 * (domain[1] - domain[0]);
 }
 
+/* The other way round. */
+static void turn_back(stretch *list, size_t count) {
+    for (size_t i = 0; i < count / 2; i++) {
+        const stretch first = list[i];
+        list[i] = list[count - 1 - i], list[count - 1 - i] = first;
+    }
+}
+
 /* One stretch for those that follow each other on one curve; the loop then begins where another curve begins. */
 static void merge(outline *o) {
     stretch *loop = o->loop;
     size_t at = 0, kept = 0;
     while (at < o->length && goes_on(loop + (at + o->length - 1) % o->length, loop + at)) at++;
     if (at == o->length) return; /* a loop of one curve that meets itself */
-    for (size_t k = 0; k < at; k++) {
-        const stretch first = loop[0];
-        memmove(loop, loop + 1, (o->length - 1) * sizeof *loop);
-        loop[o->length - 1] = first;
-    }
+    turn_back(loop, at), turn_back(loop + at, o->length - at), turn_back(loop, o->length);
     for (size_t i = 1; i < o->length; i++) {
         stretch *x = loop + kept, *y = loop + i;
         if (goes_on(x, y))
@@ -147,17 +151,13 @@ static bat_status piece_of(const outline *o, const stretch *s, bat_curve **out) 
 }
 
 static bat_status join(const outline *o, bat_curve **out) {
-    bat_curve *all = NULL;
-    bat_status status = piece_of(o, o->loop, &all);
-    for (size_t i = 1; i < o->length && status == BAT_OK; i++) {
-        bat_curve *more = NULL, *both = NULL;
-        status = piece_of(o, o->loop + i, &more);
-        if (status == BAT_OK) status = bat_curve_join(all, more, 0, 2 * o->a->gap, &both, NULL);
-        bat_curve_free(more);
-        bat_curve_free(all);
-        all = both;
-    }
+    bat_curve **pieces = calloc(o->length, sizeof *pieces), *all = NULL;
+    bat_status status = pieces ? BAT_OK : BAT_MEMORY;
+    for (size_t i = 0; i < o->length && status == BAT_OK; i++) status = piece_of(o, o->loop + i, &pieces[i]);
+    if (status == BAT_OK)
+        status = bat_curve_chain(o->length, (const bat_curve *const *)pieces, 2 * o->a->gap, &all);
     if (status == BAT_OK) status = bat_curve_close(all, o->a->gap, out);
+    if (pieces) bat_curves_free(o->length, pieces);
     bat_curve_free(all);
     return status;
 }

@@ -277,6 +277,46 @@ static void mixed_and_same(void **state) {
     bat_editor_free(editor);
 }
 
+static void same_width_kind_and_name(void **state) {
+    (void)state;
+    bat_editor *editor = boxes();
+    const int all = bat_document_count(bat_editor_document(editor));
+    only(editor, 1, 3);
+    set(editor, "stroke-width", 7);
+    set(editor, "stroke-colour", 0xFF0000FF);
+    only(editor, 3, 0);
+    set(editor, "stroke-colour", 255); /* another colour, as wide */
+    runs(editor, "select-same-width");
+    assert_true(selected(editor) == 2 && has(editor, 1) && has(editor, 3));
+    runs(editor, "group");
+    const bat_id group = bat_object_parent(object(editor, 1));
+    runs(editor, "select-same-kind");
+    assert_true(selected(editor) == 1 && has(editor, group));
+    only(editor, 2, 0);
+    runs(editor, "select-same-kind");
+    assert_int_equal(selected(editor), all);
+    assert_false(has(editor, group));
+    only(editor, 2, 0);
+    assert_int_equal(bat_editor_rename(editor, 2, ""), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "select-same-name"), BAT_STATE);
+    assert_string_equal(bat_editor_frame(editor)->notice, bat_string_english(BAT_STRING_NOTICE_NO_NAME));
+    static const char *const names[] = {"leaf", "leaf 12", "leaf-3", "leaflet 1"};
+    for (bat_id id = 1; id <= 4; id++) assert_int_equal(bat_editor_rename(editor, id, names[id - 1]), BAT_OK);
+    only(editor, 2, 0);
+    runs(editor, "select-same-name");
+    assert_true(selected(editor) == 3 && !has(editor, 4));
+    assert_int_equal(bat_editor_rename(editor, 4, "12"), BAT_OK); /* a number alone is a name */
+    assert_int_equal(bat_editor_rename(editor, 1, "13"), BAT_OK);
+    only(editor, 4, 0);
+    runs(editor, "select-same-name");
+    assert_int_equal(selected(editor), 1);
+    only(editor, 2, 0);
+    assert_int_equal(bat_editor_set_state(editor, 3, false, true), BAT_OK); /* what is locked is left out */
+    runs(editor, "select-same-name");
+    assert_int_equal(selected(editor), 1);
+    bat_editor_free(editor);
+}
+
 static void zoom_to_selection(void **state) {
     (void)state;
     bat_editor *editor = boxes();
@@ -323,6 +363,7 @@ int main(void) {
         cmocka_unit_test(new_curves_are_dashed),
         cmocka_unit_test(fill_rules),
         cmocka_unit_test(mixed_and_same),
+        cmocka_unit_test(same_width_kind_and_name),
         cmocka_unit_test(zoom_to_selection),
         cmocka_unit_test(what_cannot_be_done),
     };

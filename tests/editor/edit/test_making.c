@@ -244,6 +244,37 @@ static void can_be_freed(void **state) {
     bat_editor_free(editor);
 }
 
+/* The same points with the normals the other way; twice, the surface as it was. */
+static void can_be_flipped(void **state) {
+    (void)state;
+    bat_editor *editor = open(&PIPE);
+    const uint64_t first = digest(editor);
+    assert_int_equal(bat_editor_command(editor, "surface-flip"), BAT_STATE);
+    assert_int_equal(bat_editor_command(editor, "surface-sweep"), BAT_OK);
+    bat_surface *before = NULL;
+    bat_surface_copy(bat_object_surface(surface_in(editor)), &before);
+    bat_editor_frame(editor);
+    assert_true(offers(editor, "surface-flip"));
+    assert_int_equal(bat_editor_command(editor, "surface-flip"), BAT_OK);
+    const bat_surface *after = bat_object_surface(surface_in(editor));
+    double u[3], v[3];
+    bat_surface_spread(before, BAT_U, 3, u), bat_surface_spread(before, BAT_V, 3, v);
+    for (int i = 0; i < 3; i++) {
+        double at[3], now[3], normal[3], turned[3];
+        bat_surface_eval(before, u[i], v[i], 0, at), bat_surface_eval(after, v[i], u[i], 0, now);
+        assert_int_equal(bat_surface_normal(before, u[i], v[i], normal), BAT_OK);
+        assert_int_equal(bat_surface_normal(after, v[i], u[i], turned), BAT_OK);
+        for (int k = 0; k < 3; k++)
+            assert_true(fabs(at[k] - now[k]) < 1e-9 && fabs(normal[k] + turned[k]) < 1e-9);
+    }
+    assert_null(bat_object_recipe(surface_in(editor)));
+    assert_int_equal(bat_editor_command(editor, "surface-flip"), BAT_OK);
+    assert_true(bat_surface_is_equal(before, bat_object_surface(surface_in(editor))));
+    bat_surface_free(before);
+    assert_int_equal(round_trip(editor, first), 3);
+    bat_editor_free(editor);
+}
+
 /* All moved together it stays bound; moved alone it is free, which is told. */
 static void moved_together_or_alone(void **state) {
     (void)state;
@@ -493,6 +524,7 @@ int main(void) {
                                        cmocka_unit_test(cancelled_it_goes_back),
                                        cmocka_unit_test(with_a_deleted_curve_it_is_free),
                                        cmocka_unit_test(can_be_freed),
+                                       cmocka_unit_test(can_be_flipped),
                                        cmocka_unit_test(moved_together_or_alone),
                                        cmocka_unit_test(copies),
                                        cmocka_unit_test(numbers),

@@ -12,14 +12,10 @@
 #include "curve/curve.h"
 #include "form/sight/strand.h"
 #include "support/alloc_fail.h"
+#include "support/sanitized.h"
 #include "support/solids.h"
 #include "support/views.h"
 
-#ifdef __clang__
-enum { SANITIZED = __has_feature(address_sanitizer) };
-#else
-enum { SANITIZED = 0 };
-#endif
 static const double APART = SANITIZED ? 2 : 0.5; /* pixels between rays */
 static const double APART_ON_OUTLINES = 4;       /* rays that touch take long */
 static const double origin[3] = {0, 0, 0};

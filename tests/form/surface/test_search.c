@@ -7,9 +7,10 @@
 #include <math.h>
 #include <string.h>
 #include <cmocka.h>
-#include "form/surface/cell.h"
+#include "form/surface/finder.h"
 #include "base/vec.h"
 #include "support/random_surface.h"
+#include "support/solids.h"
 
 static const double clamped[] = {0, 0, 0, 1, 1, 1}, two_spans[] = {0, 0, 0, 0.5, 1, 1, 1};
 
@@ -413,6 +414,46 @@ static void nothing_is_nearer(void **state) {
     }
 }
 
+/* Pieces that are looked at, from places on surfaces that cross themselves and from the middle of a sphere: counted. */
+static void few_pieces_are_halved(void **state) {
+    (void)state;
+    enum { SIDE = 7 };
+    random_source r = {8};
+    for (int i = 0; i < 20; i++) {
+        bat_surface *s = some_surface(&r, i);
+        bat_surface_finder *finder = NULL;
+        bat_surface_point near;
+        double u[SIDE], v[SIDE];
+        size_t all = 0;
+        assert_int_equal(bat_surface_finder_create(s, &finder), BAT_OK);
+        bat_surface_spread(s, BAT_U, SIDE, u);
+        bat_surface_spread(s, BAT_V, SIDE, v);
+        for (int k = 0; k < SIDE * SIDE; k++) {
+            double p[3];
+            size_t pieces = 0;
+            bool found;
+            const bat_near_hints hints = {INFINITY, NULL, &pieces};
+            bat_surface_eval(s, u[k / SIDE], v[k % SIDE], 0, p);
+            assert_int_equal(bat_finder_near(finder, p, &hints, &near, &found), BAT_OK);
+            assert_true(found && near.distance <= 1e-14 * bat_surface_size(s));
+            assert_true(pieces <= 10000);
+            all += pieces;
+        }
+        assert_true(all <= 400 * SIDE * SIDE);
+        bat_surface_finder_free(finder), bat_surface_free(s);
+    }
+    bat_surface *ball = solid_sphere(1, 32, 16);
+    bat_surface_finder *finder = NULL;
+    bat_surface_point near;
+    size_t pieces = 0;
+    bool found;
+    const bat_near_hints hints = {INFINITY, NULL, &pieces};
+    assert_int_equal(bat_surface_finder_create(ball, &finder), BAT_OK);
+    assert_int_equal(bat_finder_near(finder, (const double[3]){0, 0, 0}, &hints, &near, &found), BAT_OK);
+    assert_true(found && fabs(near.distance - 1) < 1e-4 && pieces <= 2 * BAT_NEAR_CELLS + 512);
+    bat_surface_finder_free(finder), bat_surface_free(ball);
+}
+
 /* From the axis of the bowl the vertex is nearest up to its centre of curvature, 1/2. From the axis of a tube all points
  * of a ring are nearly as close, and the search ends all the same. */
 static void closed_forms(void **state) {
@@ -457,6 +498,7 @@ static void bad_data(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(few_pieces_are_halved),
         cmocka_unit_test(finders),
         cmocka_unit_test(a_large_sheet),
         cmocka_unit_test(rays_meet_a_bowl),

@@ -235,6 +235,18 @@ static void blocks(void **unused) {
     bat_document_free(document);
 }
 
+/* A block so small and so far away that its line has both ends in one place: nothing is left of it, which is said. */
+static void what_is_placed_in_one_point(void **unused) {
+    (void)unused;
+    static const char defined[] = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n10\n0\n20\n0\n0\nLINE\n10\n0\n20\n0"
+                                  "\n11\n1\n21\n0\n0\nENDBLK\n0\nENDSEC\n";
+    bat_document *document = entities(
+        defined, "0\nINSERT\n2\nb\n10\n50\n20\n50\n41\n1e-20\n0\nINSERT\n2\nb\n10\n50\n20\n50\n41\n1e-10\n");
+    assert_int_equal(bat_document_count(document), 1); /* what is not too small, on no layer */
+    assert_int_equal(report.lost.count[BAT_LOSS_UNKNOWN], 1);
+    bat_document_free(document);
+}
+
 static void units_and_colours(void **unused) {
     (void)unused;
     static const char before[] = "999\na "
@@ -330,11 +342,17 @@ static void nothing_to_write(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(there_and_back),    cmocka_unit_test(arcs_are_near),
-        cmocka_unit_test(arcs_and_circles),  cmocka_unit_test(bulges),
-        cmocka_unit_test(weights),           cmocka_unit_test(blocks),
-        cmocka_unit_test(units_and_colours), cmocka_unit_test(splines_of_others),
-        cmocka_unit_test(refusals),          cmocka_unit_test(nothing_to_write),
+        cmocka_unit_test(there_and_back),
+        cmocka_unit_test(arcs_are_near),
+        cmocka_unit_test(arcs_and_circles),
+        cmocka_unit_test(bulges),
+        cmocka_unit_test(weights),
+        cmocka_unit_test(blocks),
+        cmocka_unit_test(what_is_placed_in_one_point),
+        cmocka_unit_test(units_and_colours),
+        cmocka_unit_test(splines_of_others),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(nothing_to_write),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

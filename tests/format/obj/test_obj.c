@@ -75,7 +75,7 @@ static void from_others(void **unused) {
     assert_int_equal(bat_curve_dimension(curve), 2);
     assert_true(domain[0] == 0.25 && domain[1] == 1);
     bat_curve_eval(curve, 1, 0, at);
-    assert_true(at[0] == 2 && at[1] == 1);
+    assert_true(at[0] == 2 && at[1] == -1); /* y of a page runs down */
     assert_int_equal(report.lost.count[BAT_LOSS_UNKNOWN], 0);
     const bat_polymesh *mesh = bat_object_mesh(bat_document_at(document, 1));
     assert_true(bat_document_count(document) == 2 && bat_polymesh_face_count(mesh) == 1);
@@ -98,7 +98,8 @@ static void meshes_are_kept(void **unused) {
     const bat_polymesh *mesh = bat_object_mesh(bat_document_at(document, 0));
     assert_int_equal(bat_polymesh_vertex_count(mesh), 6);
     assert_int_equal(bat_polymesh_face_count(mesh), 4);
-    assert_true(bat_polymesh_vertices(mesh)[11] == 0.30000000000000004);
+    assert_true(bat_polymesh_vertices(mesh)[10] == 1); /* up is y in the file, down on the page */
+    assert_true(bat_polymesh_vertices(mesh)[11] == -0.30000000000000004);
     assert_null(bat_document_check(document));
     assert_int_equal(bat_format_named("OBJ")->write(document, &out, &size, &problem), BAT_OK);
     char *ended = calloc(size + 1, 1);
@@ -108,6 +109,33 @@ static void meshes_are_kept(void **unused) {
     free(ended);
     bat_free(out);
     bat_document_free(document), bat_document_free(again);
+}
+
+/* As the table of docs/format.md says: from a wall (x, -y, -z), from a floor (x, -z, y). */
+static void up_is_y(void **unused) {
+    (void)unused;
+    static const double axes[2][6] = {{1, 0, 0, 0, 1, 0}, {1, 0, 0, 0, 0, -1}}, at[3] = {2, 3, 5};
+    for (int floor = 0; floor < 2; floor++) {
+        const bat_style style = bat_style_defaults();
+        bat_document *document = NULL;
+        bat_object *objects[2];
+        bat_polymesh *point = NULL;
+        bat_problem problem;
+        char *text = NULL;
+        size_t size;
+        assert_int_equal(bat_polymesh_create(1, at, 0, NULL, NULL, &point, NULL), BAT_OK);
+        assert_int_equal(bat_document_create(&document), BAT_OK);
+        assert_int_equal(bat_object_create_mesh(1, "", &style, point, &objects[0]), BAT_OK);
+        assert_int_equal(bat_object_create_plane(2, "", at, axes[floor], &objects[1]), BAT_OK);
+        for (int i = 0; i < 2; i++) {
+            assert_int_equal(bat_document_insert(document, i, objects[i]), BAT_OK);
+            bat_object_release(objects[i]);
+        }
+        assert_int_equal(bat_format_named("OBJ")->write(document, &text, &size, &problem), BAT_OK);
+        const char *wanted = floor ? "v 2 -5 3\n" : "v 2 -3 -5\n";
+        assert_memory_equal(text, wanted, strlen(wanted));
+        bat_free(text), bat_polymesh_free(point), bat_document_free(document);
+    }
 }
 
 static void refusals(void **unused) {
@@ -154,6 +182,7 @@ static void refusals(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(there_and_back), cmocka_unit_test(from_others),
-                                       cmocka_unit_test(meshes_are_kept), cmocka_unit_test(refusals)};
+                                       cmocka_unit_test(meshes_are_kept), cmocka_unit_test(up_is_y),
+                                       cmocka_unit_test(refusals)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

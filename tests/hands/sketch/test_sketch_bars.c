@@ -7,10 +7,11 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "support/sanitized.h"
 #include "support/sketch_cases.h"
 
 static const uint64_t seeds[] = {101, 90210};
-enum { SEEDS = sizeof seeds / sizeof *seeds };
+enum { SEEDS = ROUNDS_OF((int)(sizeof seeds / sizeof *seeds)) };
 
 /* Draws along the curve once and takes the result. */
 static void redraw(bat_curve **curve, const drawn *d) {

@@ -13,7 +13,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* How far it looks down, in degrees: up from the page is against z. */
 static double dip_of(const bat_camera_pose *pose) {
@@ -31,21 +30,11 @@ void bat_key_in_words(const bat_context *c, const bat_camera *camera, size_t key
     snprintf(values[1], sizeof values[1], "%d", (int)bat_gazing_keys(camera));
     snprintf(values[2], sizeof values[2], "%.2f", bat_camera_time_of(camera, u));
     snprintf(values[3], sizeof values[3], "%.0f", fabs(dip));
-    const char *at = bat_word(c, dip > 0   ? BAT_STRING_KEY_DOWN
-                                 : dip < 0 ? BAT_STRING_KEY_UP
-                                           : BAT_STRING_KEY_LEVEL);
-    size_t used = 0;
-    for (int i = 0; *at && used + 1 < BAT_KEY_ROOM; at++) {
-        if (*at != '%' || i == 4) {
-            text[used++] = *at;
-            continue;
-        }
-        const size_t more = strlen(values[i]);
-        if (used + more + 1 >= BAT_KEY_ROOM) break;
-        memcpy(text + used, values[i++], more);
-        used += more;
-    }
-    text[used] = 0;
+    const char *const filled[4] = {values[0], values[1], values[2], values[3]};
+    const bat_string words = dip > 0   ? BAT_STRING_KEY_DOWN
+                             : dip < 0 ? BAT_STRING_KEY_UP
+                                       : BAT_STRING_KEY_LEVEL;
+    bat_word_fill(c, words, 4, filled, text, BAT_KEY_ROOM);
 }
 
 bat_status bat_key_choose(bat_context *c, bat_id id, int key) {

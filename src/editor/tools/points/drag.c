@@ -24,6 +24,8 @@ static bat_status moved(const bat_context *c, const bat_pointing *p, const bat_c
                         const bat_handle *grip, const double delta[3], bat_curve **out) {
     const bat_handle *held = &p->chosen;
     bool alone = c->modifiers & BAT_ALT || !bat_pointing_is_tied(p, base, grip);
+    if (grip->kind == BAT_HANDLE_POINT && p->marked > 1 && bat_pointing_is_marked(p, grip->index))
+        return bat_pull_points(base, p->marks, delta, out);
     if (grip->kind == BAT_HANDLE_POINT) return bat_pull_point(base, grip->index, delta, alone, out);
     double u[2] = {grip->u, held->u}, deltas[2 * BAT_DIMENSION_MAX] = {0};
     memcpy(deltas, delta, (size_t)bat_curve_dimension(base) * sizeof *delta);
@@ -58,7 +60,7 @@ static bool drag_delta(bat_context *c, bat_pointing *p, double delta[3]) {
 void bat_pointing_release(bat_pointing *p) {
     bat_curve_free(p->base);
     p->base = NULL;
-    p->pressed = p->dragging = p->due = false;
+    p->pressed = p->dragging = p->due = p->boxing = false;
 }
 
 static void give_up(bat_context *c, bat_pointing *p, bat_status status) {
@@ -88,6 +90,7 @@ void bat_pointing_begin_drag(bat_context *c, bat_pointing *p) {
         return;
     }
     bat_pointing_choose_curve(c, p, p->grip.object, p->grip.curve);
+    if (p->grip.kind != BAT_HANDLE_POINT || !bat_pointing_is_marked(p, p->grip.index)) bat_pointing_unmark(p);
     if (p->grip.kind != BAT_HANDLE_CURVE) p->chosen = p->grip;
     p->measured = false;
     p->dragging = true;

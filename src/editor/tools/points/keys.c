@@ -29,6 +29,7 @@ static bat_status step(bat_context *c, bat_pointing *p, int direction) {
         bat_pointing_choose_nothing(p);
         return BAT_STATE;
     }
+    bat_pointing_unmark(p);
     p->chosen = (bat_handle){BAT_HANDLE_POINT, p->object, p->curve, at, bat_handle_greville(curve, at)};
     p->measured = false;
     return BAT_OK;
@@ -45,6 +46,7 @@ static bat_status step_knot(bat_context *c, bat_pointing *p, int direction) {
         found = true;
     }
     if (!found) return BAT_STATE;
+    bat_pointing_unmark(p);
     p->chosen = (bat_handle){BAT_HANDLE_KNOT, p->object, p->curve, 0, best};
     p->measured = false;
     return BAT_OK;

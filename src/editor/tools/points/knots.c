@@ -30,6 +30,7 @@ bat_status bat_pointing_insert(bat_context *c, bat_pointing *p, const bat_curve 
     status = bat_commit_curve(c, p->object, p->curve, after, label);
     if (status != BAT_OK) return bat_pointing_told(c, status);
     p->measured = false;
+    bat_pointing_unmark(p);
     double knot;
     if (bat_knot_near(bat_pointing_curve(c, p), u, &knot))
         p->chosen = (bat_handle){BAT_HANDLE_KNOT, p->object, p->curve, 0, knot};
@@ -75,8 +76,50 @@ static bool meant_knot(const bat_context *c, const bat_pointing *p, double *u) {
     return bat_knot_near(curve, p->chosen.u, u);
 }
 
+/* Without the knot nearest to the Greville abscissa u, if there is one, in *curve's place; *moved: by how much more it moves at most. */
+static bat_status without(bat_curve **curve, double u, int *gone, double *moved) {
+    double knot, error = 0;
+    bat_curve *after = NULL;
+    int removed = 0;
+    if (!bat_knot_near(*curve, u, &knot)) return BAT_OK;
+    const bat_status status = bat_curve_remove_knot(*curve, knot, 1, bat_curve_size(*curve) * 1e6, &after,
+                                                    &removed, &error);
+    if (status != BAT_OK) return status;
+    bat_curve_free(*curve);
+    *curve = after, *gone += removed, *moved += error;
+    return BAT_OK;
+}
+
+/* All points that are marked, whatever that does to the curve: it is told. The ends of an open curve stay. */
+static bat_status delete_marked(bat_context *c, bat_pointing *p, const bat_curve *curve) {
+    const int ends = bat_curve_is_closed(curve) ? 0 : 1;
+    bat_curve *after = NULL;
+    double moved = 0;
+    int gone = 0;
+    bat_status status = bat_curve_copy(curve, &after);
+    for (int i = ends; i < p->marks_size - ends && status == BAT_OK; i++)
+        if (p->marks[i]) status = without(&after, bat_handle_greville(curve, i), &gone, &moved);
+    if (status == BAT_OK && gone == 0) {
+        bat_curve_free(after);
+        bat_notice(c, BAT_STRING_NOTICE_KNOT_NEEDED);
+        return BAT_STATE;
+    }
+    if (status != BAT_OK) {
+        bat_curve_free(after);
+        return bat_pointing_told(c, status);
+    }
+    status = bat_commit_curve(c, p->object, p->curve, after, BAT_STRING_STEP_DELETE);
+    if (status != BAT_OK) return bat_pointing_told(c, status);
+    bat_pointing_unmark(p);
+    bat_pointing_choose_curve(c, p, p->object, p->curve);
+    notice_number(c, BAT_STRING_NOTICE_MOVED_BY, moved);
+    return BAT_OK;
+}
+
 bat_status bat_pointing_delete_knot(bat_context *c, bat_pointing *p) {
     double u;
+    const bat_curve *curve = bat_pointing_curve(c, p);
+    if (curve && p->marked > 1) return delete_marked(c, p, curve);
     if (!p->chosen.kind) return BAT_STATE;
     if (!meant_knot(c, p, &u)) {
         bat_notice(c, BAT_STRING_NOTICE_KNOT_NEEDED);

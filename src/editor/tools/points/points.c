@@ -5,7 +5,8 @@
  * knot, Delete removes one.
  *
  * IDLE --down--> pressed --moved--> dragging (a transaction is open) --up--> IDLE (one step); pressed --up--> a tap,
- * which chooses. cancel: reverts a drag or drops a press; otherwise deselects.
+ * which chooses; with Shift it chooses one point more, or one less. A drag from nothing draws a box that chooses the points in
+ * it (many.c). cancel: reverts a drag or drops a press; otherwise deselects.
  */
 #include "base/vec.h"
 #include "editor/tools/points/state.h"
@@ -19,6 +20,7 @@
 #include "editor/session/transaction.h"
 #include "editor/tools/tool.h"
 #include <math.h>
+#include <stdlib.h>
 
 static const double TAP = 4; /* px */
 
@@ -33,7 +35,7 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
     p->hover[1] = p->start[1] = p->at[1] = event->y;
     p->grip = p->hot = bat_pointing_find(c, p, p->start);
     p->pressed = true;
-    p->dragging = p->due = false;
+    p->dragging = p->due = p->boxing = false;
     bat_notice(c, BAT_STRING_COUNT);
 }
 
@@ -45,6 +47,7 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     p->due = true;
     bool far = bat_hypot(p->at[0] - p->start[0], p->at[1] - p->start[1]) > TAP;
     if (!p->dragging && far && p->grip.kind) bat_pointing_begin_drag(c, p);
+    if (far && !p->grip.kind && p->object) p->boxing = true;
 }
 
 static void measure_to(bat_context *c, bat_pointing *p, double u) {
@@ -77,6 +80,11 @@ static void tap(bat_context *c, bat_pointing *p, const bat_pointer *event) {
         measure_to(c, p, grip.u);
         return;
     }
+    if (on && grip.kind == BAT_HANDLE_POINT && p->chosen.kind == BAT_HANDLE_POINT &&
+        event->modifiers & BAT_SHIFT) {
+        bat_pointing_told(c, bat_pointing_toggle(p, bat_pointing_curve(c, p), grip.index));
+        return;
+    }
     bat_pointing_choose_curve(c, p, grip.object, grip.curve);
     bat_pointing_choose_nothing(p);
     if (grip.kind == BAT_HANDLE_POINT || grip.kind == BAT_HANDLE_KNOT) p->chosen = grip;
@@ -87,11 +95,14 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     if (!p->pressed) return;
     bat_pointing_drag(c, p);
     if (!p->pressed) return; /* the drag has failed */
+    const bat_curve *boxed = p->boxing ? bat_pointing_curve(c, p) : NULL;
     bool dragged = p->dragging;
     bat_string label = p->grip.kind == BAT_HANDLE_POINT ? BAT_STRING_STEP_CONTROL_POINT
                                                         : BAT_STRING_STEP_PULL;
     bat_pointing_release(p);
-    if (dragged)
+    if (boxed)
+        bat_pointing_told(c, bat_pointing_mark_box(c, p, boxed, event->modifiers & BAT_SHIFT));
+    else if (dragged)
         bat_pointing_told(c, bat_transaction_commit(c, label, NULL));
     else
         tap(c, p, event);
@@ -163,6 +174,7 @@ static void update(bat_context *c, void *state) {
 static bat_string hint(const bat_context *c, const void *state) {
     const bat_pointing *p = state;
     if (p->dragging) return BAT_STRING_HINT_DRAGGING;
+    if (p->boxing) return BAT_STRING_HINT_MARQUEE;
     if (p->measured) return BAT_STRING_HINT_MEASURED;
     if (p->hot.kind == BAT_HANDLE_POINT) {
         const bat_curve *curve = bat_edit_target_in(c->session->document, 0, p->hot.object, p->hot.curve);
@@ -186,6 +198,9 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
 
 static const char *check(const bat_context *c, const void *state) {
     const bat_pointing *p = state;
+    if (p->boxing && (!p->pressed || p->dragging)) return "a box without a press, or with a drag";
+    if (p->marked > 0 && !bat_pointing_is_marked(p, p->chosen.index))
+        return "several points are chosen, and the one that is chosen is none of them";
     if (p->dragging && !p->pressed) return "a drag without a press";
     if (p->dragging != (p->base != NULL)) return "a drag without its curve, or a curve without its drag";
     if (p->dragging && !c->session->transaction.open) return "a drag without a transaction";
@@ -201,8 +216,14 @@ static bool stretch(const bat_context *c, const void *state, bat_stretch *out) {
     return p->measured;
 }
 
+static void end(void *state) {
+    bat_pointing *p = state;
+    free(p->marks);
+}
+
 const bat_tool *bat_tool_points(void) {
     static const bat_tool tool = {.stretch = stretch,
+                                  .end = end,
                                   .size = sizeof(bat_pointing),
                                   .hover = hover,
                                   .leave = leave,

@@ -35,6 +35,14 @@ static void show_length(const bat_context *c, const bat_pointing *p, bat_overlay
     bat_overlay_label(list, BAT_ROLE_VALUE, at, 14, -14, text);
 }
 
+static void show_marked(const bat_context *c, const bat_pointing *p, bat_overlay *list,
+                        const bat_curve *curve) {
+    for (int i = 0; p->marked > 1 && i < p->marks_size; i++) {
+        const bat_handle handle = {.kind = BAT_HANDLE_POINT, .index = i};
+        if (p->marks[i]) bat_handles_show_one(list, curve, &handle, BAT_ROLE_CHOSEN, c->stage);
+    }
+}
+
 void bat_pointing_overlay(bat_context *c, void *state, bat_overlay *list) {
     bat_pointing *p = state;
     const bat_handle *hot = p->dragging ? &p->grip : &p->hot;
@@ -59,6 +67,11 @@ void bat_pointing_overlay(bat_context *c, void *state, bat_overlay *list) {
         bat_handles_show_points(list, shown, c->stage);
         bat_handles_show_knots(list, shown, c->stage);
     }
+    if (p->boxing) {
+        bat_overlay_item(list, BAT_ROLE_MARQUEE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
+        bat_overlay_window_box(list, c->stage, p->start, p->at);
+    }
+    if (curve) show_marked(c, p, list, curve);
     if (curve && p->chosen.kind) bat_handles_show_one(list, curve, &p->chosen, BAT_ROLE_CHOSEN, c->stage);
     if (under && !(same(hot, &p->chosen) && curve))
         bat_handles_show_one(list, under, hot, BAT_ROLE_HANDLE, c->stage);

@@ -16,9 +16,16 @@ const bat_curve *bat_pointing_curve(const bat_context *c, const bat_pointing *p)
     return p->object ? bat_edit_target_in(c->session->document, 0, p->object, p->curve) : NULL;
 }
 
+bool bat_pointing_is_marked(const bat_pointing *p, int index) {
+    return p->marked > 0 && index < p->marks_size && p->marks[index];
+}
+
+void bat_pointing_unmark(bat_pointing *p) { p->marked = 0; }
+
 void bat_pointing_choose_nothing(bat_pointing *p) {
     p->chosen = (bat_handle){0};
     p->measured = false;
+    bat_pointing_unmark(p);
 }
 
 /* Takes over, once, what has been selected elsewhere. */
@@ -43,6 +50,9 @@ void bat_pointing_settle(bat_context *c, bat_pointing *p) {
     if (p->chosen.kind == BAT_HANDLE_KNOT && !bat_knot_held(curve, p->chosen.u))
         bat_pointing_choose_nothing(p);
     if (p->chosen.kind != BAT_HANDLE_KNOT) p->measured = false;
+    if (p->chosen.kind != BAT_HANDLE_POINT || p->marks_size != bat_point_count(curve) ||
+        !bat_pointing_is_marked(p, p->chosen.index))
+        bat_pointing_unmark(p);
 }
 
 void bat_pointing_choose_curve(bat_context *c, bat_pointing *p, bat_id object, int curve) {

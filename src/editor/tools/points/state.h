@@ -15,14 +15,17 @@ typedef struct bat_pointing {
     bat_handle hot;  /* what a press would drag */
     bat_id object;   /* the curve whose points stay displayed; 0: the one under the pen */
     int curve;
-    bat_id adopted;    /* the selection already taken over */
-    bat_handle chosen; /* its chosen point or knot, or none */
-    bat_handle corner; /* the knot last made a corner, or none: its points move alone */
-    bool measured;     /* with Shift: a measured stretch of the curve, from the chosen knot */
-    double stretch[2]; /* ascending; closed: the end may lie in the next period */
+    bat_id adopted;         /* the selection already taken over */
+    bat_handle chosen;      /* its chosen point or knot, or none */
+    bat_handle corner;      /* the knot last made a corner, or none: its points move alone */
+    unsigned char *marks;   /* several points that are chosen: 1 for each of them; owned */
+    int marks_size, marked; /* of all points of the curve; how many are chosen, 0: the marks mean nothing */
+    bool measured;          /* with Shift: a measured stretch of the curve, from the chosen knot */
+    double stretch[2];      /* ascending; closed: the end may lie in the next period */
 
     /* between down and up */
     bool pressed, dragging, due;
+    bool boxing; /* a box is drawn around points of the chosen curve */
     bat_handle grip;
     double start[2], at[2]; /* view pixels */
     bat_curve *base;        /* the curve before the drag, owned */
@@ -40,6 +43,9 @@ void bat_pointing_choose_curve(bat_context *c, bat_pointing *p, bat_id object, i
 void bat_pointing_settle(bat_context *c, bat_pointing *p);
 /* Position of the chosen control point or knot of a curve of the page; false: none is chosen. */
 bool bat_pointing_chosen(bat_context *c, double place[2]);
+/* Several control points of the chosen curve: while some are marked, the chosen handle is one of them. */
+bool bat_pointing_is_marked(const bat_pointing *p, int index);
+void bat_pointing_unmark(bat_pointing *p);
 /* Tells of a failure; returns it. */
 bat_status bat_pointing_told(bat_context *c, bat_status status);
 
@@ -63,6 +69,11 @@ bat_status bat_pointing_insert_knot(bat_context *c, bat_pointing *p);
 bat_status bat_pointing_delete_knot(bat_context *c, bat_pointing *p);
 bat_status bat_pointing_make_corner(bat_context *c, bat_pointing *p);
 bat_status bat_pointing_smooth_corner(bat_context *c, bat_pointing *p);
+
+/* many.c: several control points of the chosen curve. */
+bat_status bat_pointing_toggle(bat_pointing *p, const bat_curve *curve, int index);
+/* Those in the box from the press to the pen; adds: beside those that are marked. */
+bat_status bat_pointing_mark_box(const bat_context *c, bat_pointing *p, const bat_curve *curve, bool adds);
 
 /* keys.c, show.c */
 bat_status bat_pointing_command(bat_context *c, void *state, bat_command_id id);

@@ -108,6 +108,8 @@ static void readout(const bat_context *c, const void *state, bat_readout *out) {
     out->report = drawn ? &s->preview.report : s->has_pending ? &s->pending_report : NULL;
     out->followers = drawn ? &s->preview.followers : NULL;
     out->waits = s->has_pending;
+    if (!drawn || s->edit.kind == BAT_EDIT_NEW) return;
+    out->object = s->edit.object, out->number = s->edit.curve;
 }
 
 static uint32_t readings(const bat_context *c, const void *state) {

@@ -9,7 +9,6 @@
 #include "form/view/ruling.h"
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 static const double GRIP = 6, HANDLE = 6; /* px */
 static const double SHEET =
@@ -192,10 +191,8 @@ static void show_handle(bat_context *c, bat_surfacing *s, bat_overlay *list) {
 static void show_name(bat_context *c, const bat_surfacing *s, bat_overlay *list, const double at[2]) {
     char value[24], name[BAT_LABEL_ROOM];
     snprintf(value, sizeof value, "%.4g", s->lit.at[s->lit.direction]);
-    const char *words = bat_word(c, s->lit.direction == BAT_U ? BAT_STRING_LINE_AT_U : BAT_STRING_LINE_AT_V);
-    const char *hole = strchr(words, '%');
-    snprintf(name, sizeof name, "%.*s%s%s", hole ? (int)(hole - words) : (int)strlen(words), words,
-             hole ? value : "", hole ? hole + 1 : "");
+    bat_word_fill(c, s->lit.direction == BAT_U ? BAT_STRING_LINE_AT_U : BAT_STRING_LINE_AT_V, 1,
+                  (const char *const[]){value}, name, sizeof name);
     bat_overlay_label(list, BAT_ROLE_VALUE, at, 0, -20, name);
 }
 

@@ -290,7 +290,7 @@ static void set_whole(beside *b) {
     b->held.paged = memcmp(seen, b->held.page, sizeof seen) != 0;
     b->held.scale = bat_document_scale(b->document);
     b->held.unit = bat_document_unit(b->document);
-    b->held.sized = bat_unit_is_said(b->document) &&
+    b->held.sized = bat_unit_is_kept(b->document) &&
                     (b->held.unit != bat_document_unit(b->again->document) ||
                      b->held.scale != bat_document_scale(b->again->document));
 }
@@ -472,7 +472,7 @@ static bat_status write_json(const beside *b, bat_text *json) {
     if (held->paged) bat_text_numbers(json, ",\"page\":", held->page, 4);
     if (held->sized) {
         bat_text_string(json, ",\"unit\":\"");
-        bat_text_string(json, bat_unit_name(held->unit));
+        bat_text_string(json, bat_unit_word(held->unit));
         bat_text_string(json, "\",\"scale\":");
         bat_text_number(json, held->scale);
     }

@@ -1,0 +1,64 @@
+/* Hooks of a pen that lands or leaves, before any smoothing hides them (docs/math sketch 5.2). */
+#include "hands/sketch/landing.h"
+#include "base/real.h"
+
+#include <math.h>
+
+static const double least_turn = 25 * BAT_PI / 180;
+static const double faint = 0.5; /* of the usual pressure */
+static const double quick = 60;  /* ms */
+static const double shortest = 0.4, chord_least = 3, sharp = 0.65;
+
+typedef struct tip {
+    const bat_stroke_path *path;
+    bool at_end;
+} tip;
+
+static void place(const tip *t, double s, double *out) {
+    bat_path_at(t->path, t->at_end ? t->path->arc[t->path->count - 1] - s : s, out);
+}
+
+static double turn_between(const tip *t, double a, double b, double c) {
+    double x[3][BAT_DIMENSION_MAX];
+    place(t, a, x[0]), place(t, b, x[1]), place(t, c, x[2]);
+    return bat_path_turn(x[0], x[1], x[2], t->path->m);
+}
+
+/* How much more it turns at s than behind it, radians. 0 where it turns like a bow, half as much between half the chords. */
+static double turns_away(const tip *t, double s) {
+    const double chord = fmax(1.5 * s, chord_least), turn = turn_between(t, 0, s, s + chord);
+    if (turn_between(t, 0.5 * s, s, s + 0.5 * chord) < sharp * turn) return 0;
+    return turn - turn_between(t, s, s + chord, s + 2 * chord);
+}
+
+/* Length up to where the pen presses. */
+static double landing_length(const tip *t, const bat_press *press, double reach) {
+    const bat_stroke_path *path = t->path;
+    const double total = path->arc[path->count - 1];
+    const double began = press->time[t->at_end ? path->count - 1 : 0];
+    for (size_t i = 0; i < path->count; i++) {
+        const size_t at = t->at_end ? path->count - 1 - i : i;
+        const double s = t->at_end ? total - path->arc[at] : path->arc[at];
+        if (s > reach || fabs(press->time[at] - began) > quick) return 0;
+        if (press->pressure[at] >= faint * press->usual) return s;
+    }
+    return 0;
+}
+
+size_t bat_landing(const bat_stroke_path *path, const bat_press *press, bool at_end) {
+    const tip t = {path, at_end};
+    const double total = path->arc[path->count - 1];
+    const double reach = fmin(8, 0.12 * total);
+    const double pressed = landing_length(&t, press, reach);
+    if (!(pressed > shortest)) return 0;
+    double most = least_turn, cut = 0;
+    for (int i = 0; i <= 12; i++) {
+        const double s = fmin(pressed * (0.4 + 0.1 * i), reach), turn = turns_away(&t, s);
+        if (turn > most) most = turn, cut = s;
+    }
+    size_t samples = 0;
+    while (cut > 0 && samples + 4 < path->count &&
+           (at_end ? total - path->arc[path->count - 1 - samples] : path->arc[samples]) < cut)
+        samples++;
+    return samples;
+}
