@@ -75,10 +75,14 @@ export class Shell {
       painter.retheme();
       this.wake();
     };
+    const { foot } = this.panel;
     theme.onchange = () => {
       painter.retheme();
+      foot.showTheme(theme);
       this.wake();
     };
+    foot.showTheme(theme);
+    foot.paper.addEventListener('click', () => theme.dimPaper(!theme.dim));
     this.panel.theme = theme;
     this.panel.painter = painter;
     this.panel.themeButton?.addEventListener('click', () => theme.toggle());

@@ -70,7 +70,7 @@ const SHAPES = [
     .map((role) => [`role-${role}`, ['role-page-fill', 'ground']]),
 ];
 /** Secondary parts: the line being replaced, areas, the prediction ahead of the pen. */
-const BESIDE = /^role-(stretch|transition|predicted|ghost|wedge|beyond|page|grid|grid-strong|chosen$|.*-fill$)|^(shadow|edge|ground|surface|hover|accent-soft)$/;
+const BESIDE = /^role-(stretch|transition|predicted|ghost|wedge|beyond|page|grid|grid-strong|chosen$|.*-fill$)|^(shadow|edge|ground|pasteboard|surface|hover|accent-soft)$/;
 
 test('contrast of every token, in both themes', async () => {
   const { page, context } = await open(browser, server.address);

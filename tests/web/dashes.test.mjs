@@ -15,7 +15,7 @@ test('what is drawn next has the dashes chosen', async (t) => {
   t.after(() => server.close());
   const { page, hand, context } = await open(browser, server.address);
   const first = await state(page);
-  await page.waitForSelector('#setting-dashes');
+  await page.click('#style .rare summary >> nth=0');
   await page.selectOption('#setting-dashes', '1');
   await page.locator('#stage').focus();
   for (const [tool, y] of [['tool-sketch', 120], ['tool-line', 260]]) {

@@ -100,18 +100,24 @@ const shown = (page) => page.evaluate(() => {
     darkest: seen.reduce((a, b) => Math.min(a, b), 255), brightest: seen.reduce((a, b) => Math.max(a, b), 0) };
 });
 
-test('in the dark theme the paper is white and colours are as they are; dim paper turns them over, files keep them', async () => {
+test('in the dark theme the paper is dim, and colours are turned over; white paper has them as they are, files keep them', async () => {
   const { page, context } = await open(browser, server.address, { colorScheme: 'light' });
   const light = await shown(page);
   await page.emulateMedia({ colorScheme: 'dark' });
   await settle(page);
-  assert.deepEqual(await shown(page), light);
+  assert.equal(await page.getAttribute('[data-name=paper]', 'aria-pressed'), 'true');
+  await page.click('[data-name=paper]');
+  await settle(page);
+  const white = await shown(page);
+  assert.deepEqual({ ...white, ground: '' }, { ...light, ground: '' });
+  assert.notEqual(white.ground, light.ground, 'the pasteboard is of the theme');
   await page.screenshot({ path: path.join(SCREENSHOTS, 'white-paper-dark.png') });
   await page.click('[data-name=settings]');
+  assert.equal(await page.isChecked('#setting-dim-paper'), false);
   await page.check('#setting-dim-paper');
   await settle(page);
   const dim = await shown(page);
-  assert.ok(dim.brightest > 180 && dim.darkest < 60 && dim.ground !== light.ground, JSON.stringify(dim));
+  assert.ok(dim.brightest > 180 && dim.darkest < 60 && light.brightest > 240, JSON.stringify(dim));
   await page.screenshot({ path: path.join(SCREENSHOTS, 'dim-paper.png') });
   const text = await page.evaluate(() => new TextDecoder().decode(batten.engine.save(false)));
   assert.match(text, /#22262b/i);

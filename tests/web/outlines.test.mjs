@@ -58,7 +58,7 @@ for (const [locale, colorScheme, size] of [['en', 'light', undefined], ['ko-KR',
     await page.waitForSelector('[data-mixed=stroke-colour]:not([hidden])');
     assert.equal(await page.locator('[data-mixed=stroke-join]').isHidden(), true);
     await shot('mixed');
-    const field = page.locator('.swatches input').first();
+    const field = page.locator('#style .colour input[type=text]').first();
     await field.fill('#c1121f');
     await field.press('Enter');
     await quiet(page);

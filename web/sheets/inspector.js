@@ -23,7 +23,7 @@ const ONE = matchMedia('(max-width: 700px)'); // room for one section
 export class Inspector {
   /** @param {Panel} panel @param {HTMLElement} box */
   static async make(panel, box) {
-    await Promise.all([dress('styles/inspector.css'), dress('styles/objects.css'), loadIcons('arrange')]);
+    await Promise.all([dress('styles/inspector.css'), dress('styles/style.css'), dress('styles/objects.css'), loadIcons('arrange')]);
     return new Inspector(panel, box);
   }
 

@@ -112,6 +112,7 @@ export class Panel {
       part('settings').showPopover();
     }
     const input = /** @type {HTMLInputElement} */ (part(`setting-${property}`));
+    input.closest('details')?.setAttribute('open', '');
     input.focus();
     input.select();
   }

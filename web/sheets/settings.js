@@ -15,7 +15,7 @@ async function drawPressure({ engine, controls }) {
 }
 
 /** A switch for the paper of the dark theme, which is the page's own. @param {import('./panel.js').Panel} panel */
-function dimPaper({ theme }) {
+function dimPaper({ theme, controls }) {
   const row = document.createElement('div');
   const label = tell(document.createElement('label'), { text: 'shell.dim-paper', help: 'shell.dim-paper.help' });
   const input = document.createElement('input');
@@ -23,6 +23,7 @@ function dimPaper({ theme }) {
   Object.assign(input, { type: 'checkbox', id: 'setting-dim-paper', checked: theme?.dim });
   label.htmlFor = input.id;
   input.addEventListener('change', () => theme?.dimPaper(input.checked));
+  controls.list.push(() => { input.checked = theme?.dim ?? false; });
   row.append(label, input);
   return row;
 }

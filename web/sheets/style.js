@@ -1,25 +1,106 @@
-// How curves look, what is mixed in the selection, the colours of the drawing: a section of the inspector.
+// How curves look, what is mixed in the selection, the colours of the drawing: a section of the inspector. What a line or a fill has
+// is seen while it is on; what is rarely asked for is folded.
 
+import { keep, kept } from '../page/kept.js';
+import { tell, word } from '../page/words.js';
 import { Swatches } from './swatches.js';
-import { word } from '../page/words.js';
+
+/** A switch, what is seen while it is on, a row each, and the colour among it. */
+const PARTS = [
+  { name: 'stroked', colour: 'stroke-colour', rows: [['stroke-colour'], ['stroke-width', 'widths']], first: 0x000000ff },
+  { name: 'filled', colour: 'fill-colour', rows: [['fill-colour']], first: 0xd9d9d9ff },
+];
+
+/** What is shown while it is open; something else opens it. @param {HTMLElement[]} rows */
+function fold(rows) {
+  const box = document.createElement('details');
+  const summary = document.createElement('summary');
+  summary.hidden = true;
+  box.append(summary, ...rows);
+  return box;
+}
+
+/** What is rarely asked for, under its name; whether it is open is kept. @param {string} name @param {HTMLElement[]} rows */
+function rare(name, rows) {
+  const box = fold(rows);
+  const summary = /** @type {HTMLElement} */ (box.firstElementChild);
+  tell(summary, { text: `shell.${name}` });
+  summary.hidden = false;
+  box.className = 'rare';
+  box.open = kept(`batten-${name}`) === 'yes';
+  box.addEventListener('toggle', () => keep(`batten-${name}`, box.open ? 'yes' : ''));
+  return box;
+}
 
 /** @type {import('./panel.js').Filler['fill']} */
 export function fill({ tables, controls, buttons, engine, wake }, sheet) {
-  const swatches = new Swatches(engine, () => {
+  const changed = () => {
     controls.refresh();
     wake();
-  });
-  const rows = tables.properties.filter((row) => row.group === 'style').map((row) => {
+  };
+  const swatches = new Swatches(engine, changed);
+  const rest = new Map(tables.properties.filter((row) => row.group === 'style').map((row) => [row.name, row]));
+
+  /** A property's control with a place for the word that it is mixed. @param {string} name */
+  const control = (name) => {
+    const row = rest.get(name);
+    if (!row) {
+      throw new Error(`no property ${name}`);
+    }
     const box = controls.control(row, 'setting');
     const mark = document.createElement('span');
     mark.className = 'unit';
-    mark.dataset.mixed = row.name;
+    mark.dataset.mixed = name;
     mark.hidden = true;
     box.append(mark);
-    return row.type === 'colour' ? [box, swatches.make(row.name)] : [box];
+    rest.delete(name);
+    return box;
+  };
+
+  /** Controls in one row: what they are is said by what they show, and to those who listen. @param {string[]} names */
+  const together = (names) => {
+    const boxes = names.map(control);
+    for (const box of boxes) {
+      box.classList.add('together');
+    }
+    const row = document.createElement('div');
+    row.className = 'row';
+    row.append(...boxes);
+    return row;
+  };
+
+  const parts = PARTS.map(({ name, colour, rows, first }) => {
+    const box = control(name);
+    const made = rows.map((names) => together(names));
+    const number = swatches.make(colour);
+    made[0].querySelector('.together')?.insertBefore(number.field, made[0].querySelector('[type=range]'));
+    made[0].after(number.row);
+    const part = { name, colour, last: first, on: -1, folded: fold([made[0], number.row, ...made.slice(1)]) };
+    // Turned on, it is seen: a colour that cannot be seen gives way to the last one that could.
+    box.addEventListener('input', (event) => {
+      if (/** @type {HTMLInputElement} */ (event.target).checked && (engine.get(colour) & 255) === 0) {
+        event.stopPropagation();
+        engine.set(colour, part.last);
+        changed();
+      }
+    }, true);
+    sheet.append(box, part.folded);
+    return part;
   });
-  sheet.append(...rows.flat(), ...['style-', 'select-same-'].map((family) =>
-    buttons.row(tables.commands.filter(({ name }) => name.startsWith(family)))));
+  const family = (/** @type {string} */ start) => buttons.row(tables.commands.filter(({ name }) => name.startsWith(start)));
+  sheet.append(control('opacity'), rare('style-more', [...rest.keys()].map(control)), family('style-'),
+    rare('select-same', [family('select-same-')]));
+
+  // What else opens one, a command that asks for its colour, leaves it open until the switch changes.
+  controls.list.push(() => {
+    for (const part of parts) {
+      const [on, colour] = [engine.get(part.name), engine.get(part.colour)];
+      part.last = colour & 255 ? colour : part.last;
+      part.folded.open = part.on === on ? part.folded.open : on !== 0;
+      part.on = on;
+    }
+  });
+
   let shown = '';
   return {
     show(frame) {
@@ -36,6 +117,9 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
       }
       swatches.refresh();
       controls.refresh();
+      for (const { name, folded } of parts) {
+        folded.open ||= mixed.includes(name);
+      }
     },
   };
 }

@@ -38,8 +38,6 @@ export class Swatches {
 
   /** The field and the colours for one property. @param {string} name */
   make(name) {
-    const box = document.createElement('div');
-    box.className = 'control swatches';
     const field = tell(document.createElement('input'), { label: 'shell.hex', value: `property.${name}` });
     Object.assign(field, { type: 'text', spellcheck: false, size: 9 });
     field.addEventListener('change', () => {
@@ -55,11 +53,12 @@ export class Swatches {
         field.blur();
       }
     });
-    const row = tell(document.createElement('span'), { label: 'shell.swatches' });
+    const row = tell(document.createElement('div'), { label: 'shell.swatches' });
+    row.className = 'swatches';
     row.setAttribute('role', 'group');
-    box.append(field, row);
-    this.made.push({ name, field, row });
-    return box;
+    const made = { name, field, row };
+    this.made.push(made);
+    return made;
   }
 
   /** Reads the colours of the drawing again. */

@@ -51,8 +51,8 @@ export class Theme {
     this.ground = '';
     this.paper = '';
     this.dark = false;
-    /** Whether the paper is dark in the dark theme; otherwise it is white. */
-    this.dim = kept(DIM) === 'yes';
+    /** Whether the paper is dark in the dark theme; otherwise it is white, on a pasteboard that is dark. */
+    this.dim = kept(DIM) !== 'no';
     /** Whether the drawing's own colours are turned over. */
     this.turned = false;
     /** @type {Map<number, string>} */
@@ -81,7 +81,7 @@ export class Theme {
   /** @param {boolean} dim */
   dimPaper(dim) {
     this.dim = dim;
-    keep(DIM, dim ? 'yes' : '');
+    keep(DIM, dim ? '' : 'no');
     this.#apply();
   }
 
