@@ -134,6 +134,19 @@ test('buttons for the selection, layers dragged, a colour that lets through', as
   const one = await shown();
   assert.ok(one.includes('order-front') && one.includes('curve-reverse') && !one.includes('group'), String(one));
   await pictures(page, 'select-actions-one');
+  // The colour of its line stands in the row, and beside it a second one of the same.
+  const outline = await page.evaluate(() => batten.engine.get('stroke-colour'));
+  await page.locator('#actions .dot.stroked input').fill('#c1121f');
+  await settle(page);
+  assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour') >>> 8), 0xc1121f);
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour')), outline);
+  const had = await page.evaluate(() => JSON.parse(batten.engine.ask('editor_outline', 0, 500)).total);
+  await page.click('#actions [data-name=duplicate]');
+  await settle(page);
+  assert.ok(await page.evaluate(() => JSON.parse(batten.engine.ask('editor_outline', 0, 500)).total) > had);
+  await page.keyboard.press('Control+z');
   await page.focus('#stage');
   await page.keyboard.press('Control+a');
   await settle(page);
@@ -183,6 +196,18 @@ test('buttons for the selection, layers dragged, a colour that lets through', as
   await page.locator('#setting-stroke-colour').dispatchEvent('change');
   assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour')), 0xff000080);
   await pictures(page, 'select-style-alpha');
+  // A fill whose own colour is transparent is seen when it is turned on.
+  await page.evaluate(() => {
+    batten.engine.set('fill-colour', 0);
+    batten.engine.set('filled', 0);
+    batten.wake();
+  });
+  await settle(page);
+  assert.ok(await page.locator('#setting-fill-colour').isHidden());
+  await page.check('#setting-filled');
+  await settle(page);
+  assert.deepEqual(await page.evaluate(() => [batten.engine.get('filled'), batten.engine.get('fill-colour') & 255]), [1, 255]);
+  assert.ok(await page.locator('#setting-fill-colour').isVisible());
   assert.equal((await state(page)).check, '');
   await context.close();
 });

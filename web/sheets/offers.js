@@ -5,12 +5,13 @@ import { Role } from '../engine/codes.js';
 import { dress } from '../page/build.js';
 import { loadIcons } from '../page/icons.js';
 import { tell } from '../page/words.js';
+import { Dot } from './dot.js';
 
 /** @typedef {import('./panel.js').Panel} Panel */
 /** @typedef {import('../engine/types.js').Frame} Frame */
 
 /** What stands in the row as long as there is room. */
-const FIRST = [/^(un)?group$/, /^region-/, /^(combine|release)$/, /^(curve-(close|open|join|split|offset|outline)|to-page)$/, /^(surface|wire)-/,
+const FIRST = [/^duplicate$/, /^(un)?group$/, /^region-/, /^(combine|release)$/, /^(curve-(close|open|join|split|offset|outline)|to-page)$/, /^(surface|wire)-/,
   /^(camera-along|body-path)$/];
 const REST = [/^curve-(reverse|simplify|earlier)$/, /^(mirror-.*|array)$/, /^order-/, /^align-/, /^distribute-/];
 const AWAY = 12; // pixels between the selection's box and the row
@@ -69,6 +70,8 @@ export class Offers {
     this.row.hidden = true;
     this.main = document.createElement('div');
     this.main.className = 'group';
+    /** Colours of the line and the fill. */
+    this.dots = [new Dot(panel, 'stroke-colour', 'stroked'), new Dot(panel, 'fill-colour', 'filled')];
     this.rest = document.createElement('div');
     this.rest.className = 'rest';
     this.rest.id = 'further';
@@ -140,13 +143,14 @@ export class Offers {
       }
     }
     const remove = offered.pop();
+    const dots = possible.includes('duplicate') ? this.dots.filter((dot) => dot.show()).map(({ box }) => box) : [];
     const size = ((this.further.offsetWidth || 44) + 2) * this.#scale;
-    const room = Math.max(2, Math.floor((this.stage.clientWidth - 2 * EDGE - RULER) / size) - 2);
+    const room = Math.max(2, Math.floor((this.stage.clientWidth - 2 * EDGE - RULER) / size) - 2 - dots.length);
     const first = offered.filter((button) => FIRST.some((family) => family.test(button.dataset.name ?? ''))).slice(0, room);
     const rest = offered.filter((button) => !first.includes(button));
     const last = remove ? [...rest.length > 0 ? [this.further] : [], remove] : [];
     const focus = document.activeElement;
-    this.main.replaceChildren(...first, ...last);
+    this.main.replaceChildren(...dots, ...first, ...last);
     this.rest.replaceChildren(...rest);
     this.#open(false);
     if (focus instanceof HTMLElement && this.row.contains(focus)) {

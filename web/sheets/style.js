@@ -117,8 +117,8 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
       }
       swatches.refresh();
       controls.refresh();
-      for (const { name, folded } of parts) {
-        folded.open ||= mixed.includes(name);
+      for (const { name, on, folded } of parts) {
+        folded.open = on !== 0 || mixed.includes(name);
       }
     },
   };

@@ -83,6 +83,7 @@ static bool possible_surface(bat_context *c, const facts *f, bat_command_id id) 
 static bool possible(bat_context *c, const facts *f, bat_command_id id, bool point) {
     switch (id) {
     case BAT_COMMAND_DELETE:
+    case BAT_COMMAND_DUPLICATE:
     case BAT_COMMAND_ARRAY:
     case BAT_COMMAND_ORDER_FRONT:
     case BAT_COMMAND_ORDER_FORWARD:
