@@ -29,6 +29,15 @@ for (const [locale, colorScheme, pointerType] of [['en', 'light', 'mouse'], ['ko
     }
     assert.equal(await count(), first + 3);
     assert.equal((await state(page)).check, '');
+    // What the tool can be told stands in the bar, and is gone with the tool.
+    const sides = page.locator('#option-polygon-sides');
+    await sides.fill('5');
+    await sides.press('Enter');
+    await quiet(page);
+    assert.equal(await page.evaluate(() => batten.engine.get('polygon-sides')), 5);
+    await page.keyboard.press('h');
+    await quiet(page);
+    assert.equal(await sides.count(), 0);
     await page.screenshot({ path: path.join(SCREENSHOTS, `shapes-${locale}.png`) });
     if (pointerType === 'mouse') {
       await page.mouse.move(250, 500);

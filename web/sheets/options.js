@@ -1,0 +1,59 @@
+// What the tool in hand can be told, in the middle of the bar. Fetched after the page has been painted; on a narrow window all of it
+// is in the settings.
+
+import { dress } from '../page/build.js';
+import { tell } from '../page/words.js';
+
+/** The properties of each tool. @type {Record<string, string[]>} */
+const OF = {
+  sketch: ['stroke-meaning', 'many-strokes', 'stabiliser'],
+  tangents: ['spline-mode'],
+  rectangle: ['corner-radius'],
+  polygon: ['polygon-sides'],
+  smooth: ['brush-size', 'smooth-limit', 'keep-corners'],
+  eraser: ['eraser-size'],
+  select: ['scale-strokes'],
+  levels: ['level-sketch'],
+  surface: ['line-reach', 'line-ruling', 'look'],
+};
+
+export class Options {
+  /** @param {import('./panel.js').Panel} panel */
+  static async make(panel) {
+    await dress('styles/options.css');
+    return new Options(panel);
+  }
+
+  /** @param {import('./panel.js').Panel} panel */
+  constructor({ tables, controls }) {
+    this.tables = tables;
+    this.controls = controls;
+    this.tool = -1;
+    /** The controls of each tool. @type {Map<number, HTMLElement[]>} */
+    this.made = new Map();
+    this.box = tell(document.createElement('div'), { label: 'shell.tool-options' });
+    this.box.className = 'options';
+    this.box.setAttribute('role', 'group');
+    document.getElementById('tools')?.before(this.box);
+  }
+
+  /** @param {number} tool */
+  #of(tool) {
+    const names = OF[this.tables.tools[tool]?.name] ?? [];
+    const made = this.made.get(tool) ?? names.flatMap((name) => this.tables.properties.filter((row) => row.name === name))
+      .map((row) => this.controls.control(row, 'option'));
+    this.made.set(tool, made);
+    return made;
+  }
+
+  /** @param {import('../engine/types.js').Frame} frame */
+  show(frame) {
+    if (frame.tool !== this.tool) {
+      this.tool = frame.tool;
+      const made = this.#of(frame.tool);
+      this.box.hidden = made.length === 0;
+      this.box.replaceChildren(...made);
+      this.controls.refresh();
+    }
+  }
+}
