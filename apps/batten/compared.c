@@ -5,6 +5,8 @@
 #include "io.h"
 #include "results.h"
 
+#include "base/pose.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -146,12 +148,8 @@ static int transform(compared *all, const double matrix[12]) {
         if (t->surface) status = bat_surface_transform(t->surface, matrix, &made.surface);
         if (t->mesh) {
             const size_t count = bat_polymesh_vertex_count(t->mesh);
-            const double *from = bat_polymesh_vertices(t->mesh), *m = matrix;
             double *to = malloc(3 * count * sizeof *to);
-            for (size_t k = 0; to && k < count; k++)
-                for (size_t c = 0; c < 3; c++)
-                    to[3 * k + c] = m[4 * c] * from[3 * k] + m[4 * c + 1] * from[3 * k + 1] +
-                                    m[4 * c + 2] * from[3 * k + 2] + m[4 * c + 3];
+            if (to) bat_pose_apply(matrix, count, bat_polymesh_vertices(t->mesh), to);
             status = to ? bat_polymesh_with(t->mesh, to, &made.mesh, NULL) : BAT_MEMORY;
             free(to);
         }

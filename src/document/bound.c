@@ -1,5 +1,6 @@
 #include "document/bound.h"
 #include "base/matrix.h"
+#include "base/pose.h"
 #include "curve/curve.h"
 #include "curve/function.h"
 #include "document/digest.h"
@@ -337,12 +338,9 @@ bat_status bat_bound_remake(const bat_object *object, const bat_id *ids, const b
 /* ---- affine images ---- */
 
 static void image_points(size_t count, const double *from, const double m[6], double *to) {
-    for (size_t i = 0; i < 3 * count; i += 3) {
-        const double x = from[i], y = from[i + 1];
-        to[i] = m[0] * x + m[2] * y + m[4];
-        to[i + 1] = m[1] * x + m[3] * y + m[5];
-        to[i + 2] = from[i + 2];
-    }
+    double rows[12];
+    bat_matrix_rows(m, 3, rows);
+    bat_pose_apply(rows, count, from, to);
 }
 
 static bat_status image_curve(const bat_curve *curve, const double m[6], bat_curve **out) {

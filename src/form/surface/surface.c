@@ -1,5 +1,6 @@
 /* The surface as a value: creation, checks, access, copy, comparison, transformation. */
 #include "form/surface/surface.h"
+#include "base/pose.h"
 #include "base/real.h"
 
 #include <math.h>
@@ -204,14 +205,8 @@ bat_status bat_surface_transform(const bat_surface *surface, const double *matri
     bat_surface *image;
     bat_status status = bat_surface_copy(surface, &image);
     if (status != BAT_OK) return status;
-    for (int i = 0; i < surface->axis[0].count; i++) {
-        const double *from = bat_surface_row(surface, i);
-        double *to = bat_surface_own_row(image, i);
-        for (int j = 0; j < surface->axis[1].count; j++, from += 3, to += 3)
-            for (int c = 0; c < 3; c++) {
-                const double *m = matrix + 4 * c;
-                to[c] = m[0] * from[0] + m[1] * from[1] + m[2] * from[2] + m[3];
-            }
-    }
+    for (int i = 0; i < surface->axis[0].count; i++)
+        bat_pose_apply(matrix, (size_t)surface->axis[1].count, bat_surface_row(surface, i),
+                       bat_surface_own_row(image, i));
     return bat_surface_finish(image, out);
 }

@@ -2,7 +2,7 @@
  * of materials and pictures nothing is read. */
 #include "format/gltf/gltf.h"
 #include "format/gltf/source.h"
-#include "format/model/pose.h"
+#include "base/pose.h"
 
 #include <batten/mesh.h>
 
@@ -105,7 +105,7 @@ static bat_status add_vertex(reader *r, const primitive *p, const double m[12], 
     if (*vertex < 0) {
         const double *at = p->places + 3 * (size_t)index;
         double moved[3];
-        bat_pose_apply(m, at, moved);
+        bat_pose_apply(m, 1, at, moved);
         *vertex = (int)r->faces.vertex_count;
         const bat_status status = bat_faces_add_vertex(&r->faces, moved);
         if (status != BAT_OK)

@@ -1,5 +1,6 @@
 /* What of a drawing is in space, as a model of another program: in its unit and upright. */
 #include "format/model/drawn.h"
+#include "base/pose.h"
 #include "document/kind.h"
 
 #include <batten/mesh.h>
@@ -47,12 +48,7 @@ static bat_status add_mesh(gathering *g, const bat_polymesh *mesh) {
     int *all = realloc(g->corners, (g->corner_count + corners + 1) * sizeof *all);
     if (all) g->corners = all;
     if (!places || !sizes || !all) return BAT_MEMORY;
-    const double *from = bat_polymesh_vertices(mesh), *m = g->matrix;
-    for (size_t i = 0; i < vertices; i++)
-        for (int k = 0; k < 3; k++)
-            g->vertices[3 * (g->vertex_count + i) + (size_t)k] = m[4 * k] * from[3 * i] +
-                                                                 m[4 * k + 1] * from[3 * i + 1] +
-                                                                 m[4 * k + 2] * from[3 * i + 2];
+    bat_pose_apply(g->matrix, vertices, bat_polymesh_vertices(mesh), g->vertices + 3 * g->vertex_count);
     for (size_t i = 0; i < faces; i++) {
         const int *face = bat_polymesh_face(mesh, i, &n);
         g->sizes[g->face_count++] = (int)n;

@@ -1,9 +1,7 @@
 /* Which way the surfaces of a model face. */
 #include "format/model/drawn.h"
 
-#include <batten/surface.h>
-#include <stdlib.h>
-#include <string.h>
+#include "form/surface/surface.h"
 
 /* Six times the volume between the triangles and their middle: its sign says which way they face, also of a tube. */
 static bat_status signed_volume(const bat_surface *surface, double *out) {
@@ -29,40 +27,13 @@ static bat_status signed_volume(const bat_surface *surface, double *out) {
     return BAT_OK;
 }
 
-/* The same surface with u and v exchanged: its normals point the other way. */
-static bat_status exchanged(const bat_surface *surface, bat_surface **out) {
-    int degree[2], knot_count[2];
-    bool closed[2];
-    size_t count[2];
-    const double *knots[2];
-    for (int k = 0; k < 2; k++) {
-        const bat_direction from = k ? BAT_U : BAT_V;
-        degree[k] = bat_surface_degree(surface, from);
-        closed[k] = bat_surface_is_closed(surface, from);
-        count[k] = bat_surface_count(surface, from);
-        knot_count[k] = bat_surface_knot_count(surface, from);
-        knots[k] = bat_surface_knots(surface, from);
-    }
-    double *points = malloc(count[0] * count[1] * 3 * sizeof *points);
-    if (!points) return BAT_MEMORY;
-    for (size_t i = 0; i < count[1]; i++) {
-        const double *row = bat_surface_row(surface, (int)i);
-        for (size_t j = 0; j < count[0]; j++)
-            memcpy(points + 3 * (j * count[1] + i), row + 3 * j, 3 * sizeof *points);
-    }
-    const bat_status status = bat_surface_create(degree, closed, count, points, knot_count, knots[0],
-                                                 knots[1], out);
-    free(points);
-    return status;
-}
-
 bat_status bat_model_face_outward(bat_model *model) {
     for (size_t i = 0; i < model->surface_count; i++) {
         bat_surface *surface = model->surfaces[i], *turned = NULL;
         double volume = 0;
         if (!bat_surface_is_closed(surface, BAT_U) && !bat_surface_is_closed(surface, BAT_V)) continue;
         bat_status status = signed_volume(surface, &volume);
-        if (status == BAT_OK && volume < 0) status = exchanged(surface, &turned);
+        if (status == BAT_OK && volume < 0) status = bat_surface_transpose(surface, &turned);
         if (status != BAT_OK) return status;
         if (!turned) continue;
         bat_surface_free(surface);

@@ -1,7 +1,7 @@
 #include "format/threemf/part.h"
 
 #include "format/model/faces.h"
-#include "format/model/pose.h"
+#include "base/pose.h"
 #include "format/threemf/tags.h"
 #include "text/json.h"
 #include "text/utf8.h"

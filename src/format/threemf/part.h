@@ -8,7 +8,7 @@
 typedef struct bat_threemf_use {
     size_t file;
     uint32_t id;
-    double pose[12]; /* format/model/pose.h */
+    double pose[12]; /* base/pose.h */
 } bat_threemf_use;
 
 typedef struct bat_threemf_object {

@@ -2,7 +2,7 @@
  * describe (the production extension). */
 #include "format/threemf/threemf.h"
 
-#include "format/model/pose.h"
+#include "base/pose.h"
 #include "format/threemf/part.h"
 #include "format/threemf/tags.h"
 #include "text/json.h"
@@ -111,7 +111,7 @@ static bat_status place_mesh(reader *r, const bat_threemf_part *part, const bat_
     bat_status status = spend(r, object->id, object->vertex_count + 3 * object->triangle_count);
     for (size_t i = 0; i < object->vertex_count && status == BAT_OK; i++) {
         double at[3];
-        bat_pose_apply(pose, part->vertices + 3 * (object->vertex + i), at);
+        bat_pose_apply(pose, 1, part->vertices + 3 * (object->vertex + i), at);
         status = bat_faces_add_vertex(&r->faces, at);
         if (status != BAT_OK)
             wrong(r, object->id, status,

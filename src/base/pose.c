@@ -1,4 +1,4 @@
-#include "format/model/pose.h"
+#include "base/pose.h"
 
 #include <string.h>
 
@@ -14,9 +14,12 @@ void bat_pose_multiply(const double a[12], const double b[12], double out[12]) {
     memcpy(out, made, sizeof made);
 }
 
-void bat_pose_apply(const double rows[12], const double at[3], double out[3]) {
-    for (int k = 0; k < 3; k++)
-        out[k] = rows[4 * k] * at[0] + rows[4 * k + 1] * at[1] + rows[4 * k + 2] * at[2] + rows[4 * k + 3];
+void bat_pose_apply(const double rows[12], size_t count, const double *points, double *out) {
+    for (size_t i = 0; i < 3 * count; i += 3) {
+        const double x = points[i], y = points[i + 1], z = points[i + 2];
+        for (size_t k = 0; k < 3; k++)
+            out[i + k] = rows[4 * k] * x + rows[4 * k + 1] * y + rows[4 * k + 2] * z + rows[4 * k + 3];
+    }
 }
 
 bool bat_pose_mirrors(const double m[12]) {
