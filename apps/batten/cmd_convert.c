@@ -197,11 +197,13 @@ static int put_model(const cli_arguments *arguments, const drawing_file *drawing
                                                                    : bat_stand_of(drawing->document);
     const bat_room room = {stand, format->unit, format->up_is_y};
     const bat_status status = bat_model_of_drawing(drawing->document, &room, &model, &flat);
+    const bat_dividing there = {how->tolerance * bat_document_scale(drawing->document) / format->unit,
+                                how->cap, how->always}; /* a length of the drawing, in the file's unit */
     if (status == BAT_COUNT)
         return fail_data(in, NULL, "expected a surface, a mesh or a curve in space, found %s",
                          flat ? "curves that lie flat: write them as .svg or .dxf" : "none");
     if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
-    const int failed = model_put(in, out, format, &model, how);
+    const int failed = model_put(in, out, format, &model, &there);
     bat_model_clear(&model);
     if (failed) return failed;
     if (flat) remark("%s: %d curve%s left out: on the page, not in space", in, flat, flat == 1 ? "" : "s");
@@ -302,7 +304,8 @@ const cli_command command_convert = {
     .options =
         {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
          {"--tolerance", "T",
-          "knots of imported paths are removed within T units; of triangles: how near they are"},
+          "knots of imported paths are removed within T units of the drawing; triangles and lines are within "
+          "T units"},
          {"--arcs", "T", "to .dxf: curves as arcs and lines within T mm, for cutters; to .gcode: 0.01"},
          {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
          {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},

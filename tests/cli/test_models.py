@@ -203,7 +203,7 @@ class OfDrawings(Models):
             drawing = self.drawing([self.surface(ball(radius, clockwise), "100,100,0,0,1,0")], unit)
             for ending, read in (("stl", triangles_of_stl), ("glb", triangles_of_glb)):
                 scale = UNITS[unit] / (1000 if ending == "glb" else 1)
-                triangles = read(self.written(drawing, ending, "--tolerance", repr(3e-4 * radius * scale)))
+                triangles = read(self.written(drawing, ending, "--tolerance", repr(3e-4 * radius)))
                 self.assertEqual(open_edges(triangles), 0)
                 self.assertLess(abs(volume(triangles) / (exact * scale ** 3) - 1), 2e-3)
                 low_high = box(p for t in triangles for p in t)
@@ -285,8 +285,8 @@ class OfDrawings(Models):
             for ending, read, options in (*((ending, read, ()) for ending, read in READERS.items()), ("stl", triangles_of_stl, ("--floor",)),
                                           ("obj", triangles_of_obj, ("--triangles",))):
                 scale = 1e-3 if ending in ("glb", "gltf") else 1
-                loose = read(self.written(drawing, ending, "--tolerance", repr(0.01 * scale), *options))
-                solid = read(self.written(drawing, ending, "--tolerance", repr(0.01 * scale), "--cap", *options))
+                loose = read(self.written(drawing, ending, "--tolerance", "0.01", *options))
+                solid = read(self.written(drawing, ending, "--tolerance", "0.01", "--cap", *options))
                 self.assertGreater(open_edges(loose), 50)
                 self.assertEqual(open_edges(solid), 0)
                 self.assertLess(abs(volume(solid) / (exact * scale ** 3) - 1), 2e-3)
@@ -317,11 +317,13 @@ class OfDrawings(Models):
         profile = {"degree": 1, "closed": False, "knots": [0, 0, 1, 2, 2], "points": [[100, 40], [120, 90], [100, 90]]}
         surface = self.surface(profile, "100,0,0,0,1,0")
         drawing = self.drawing([surface, surface], "in")
+        count = 0
         for options, ways in (((), WALL), (("--floor",), FLOOR)):
             for ending, read in READERS.items():
                 scale = 25.4 / (1000 if ending in ("glb", "gltf") else 1)
-                triangles = read(self.written(drawing, ending, "--tolerance", repr(0.02 * scale), *options))
+                triangles = read(self.written(drawing, ending, "--tolerance", "0.02", *options))
                 self.assertEqual(len(triangles) % 2, 0)
+                self.assertEqual(len(triangles), count := count or len(triangles))  # the tolerance is a length of the drawing
                 self.assertLess(abs(volume(triangles) / (2 * math.pi / 3 * 20 ** 2 * 50 * scale ** 3) - 1), 5e-3)
                 points = {p for t in triangles for p in t}
                 tip = ways["glb" if ending in ("glb", "gltf") else "stl"](100 * scale, 40 * scale, 0)
