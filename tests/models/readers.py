@@ -1,0 +1,81 @@
+"""Files of shapes in space as programs read them that are not Batten: admesh, assimp (Debian), OCCT's Draw (occt-draw) and the
+glTF validator of Khronos (npm gltf-validator, found through NODE_PATH). Each gives what it finds: low and high of a box, triangles' volume and open edges."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+
+import numpy
+
+SECONDS = 300
+DRAW = next(filter(None, map(shutil.which, ("DRAWEXE", "occt-draw", "occt-draw-7.6"))), None)
+NUMBER = r"-?[\d.]+(?:e[-+]?\d+)?|-?inf|nan"
+VALIDATE = """const validator = require('gltf-validator'); const file = process.argv[1];
+validator.validateBytes(new Uint8Array(require('fs').readFileSync(file))).then((r) => console.log(JSON.stringify(r.issues)));"""
+
+
+def said(*words, **options):
+    return subprocess.run([str(w) for w in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=SECONDS, check=False,
+                          **options).stdout.decode(errors="replace")
+
+
+def draw(folder, *lines):
+    """What Draw prints. Debian has its libraries only under names with a version, which its plug-ins are not asked for by."""
+    folder = pathlib.Path(folder)
+    libraries = folder / "libraries"
+    libraries.mkdir(exist_ok=True)
+    for library in pathlib.Path("/usr/lib").glob("*/libTK*.so.7"):
+        link = libraries / library.stem
+        if not link.exists():
+            link.symlink_to(library)
+    script = folder / "script.tcl"
+    script.write_text("\n".join(["pload MODELING XSDRAW", *lines, "exit"]))
+    path = ":".join(filter(None, [os.environ.get("LD_LIBRARY_PATH"), str(libraries)]))
+    return said(DRAW, "-b", "-f", script, cwd=folder, env={**os.environ, "LD_LIBRARY_PATH": path})
+
+
+def admesh(file):
+    text = said("admesh", "--no-check", "--exact", file)
+    low, high = zip(*(map(float, re.search(rf"Min {c} =\s*({NUMBER}), Max {c} =\s*({NUMBER})", text).groups()) for c in "XYZ"))
+    return {"low": low, "high": high, "open": int(re.search(r"Total disconnected facets\s*:\s*(\d+)", text)[1]),
+            "volume": float(re.search(rf"Volume\s*:\s*({NUMBER})", text)[1])}
+
+
+def assimp(file):
+    text = said("assimp", "info", file)
+    if "ERROR" in text or "Minimum point" not in text:
+        return {"wrong": text.strip().splitlines()[-1]}
+    low, high = ([float(n) for n in re.search(rf"{name} point\s*\(({NUMBER}) ({NUMBER}) ({NUMBER})\)", text).groups()]
+                 for name in ("Minimum", "Maximum"))
+    return {"low": low, "high": high}
+
+
+def gltf(file):
+    text = said("node", "-e", VALIDATE, file)
+    try:
+        issues = json.loads(text)
+    except ValueError:
+        return {"wrong": text.strip()}
+    bad = [m for m in issues["messages"] if m["severity"] < 2]
+    return {"wrong": json.dumps(bad[:2])} if bad else {}
+
+
+def has_validator():
+    return shutil.which("node") is not None and said("node", "-e", "require('gltf-validator')") == ""
+
+
+def occt(file, folder, kind):
+    text = draw(folder, f"{'stepread' if kind == 'step' else 'igesread'} {file} s *", "catch {renamevar s_1 s}", "puts [nbshapes s]",
+                "puts [checkshape s]", "puts [bounding s -optimal -noTriangulation]", "puts [vprops s 1e-6]")
+    corners = re.search(rf"(?m)^({NUMBER}) ({NUMBER}) ({NUMBER}) ({NUMBER}) ({NUMBER}) ({NUMBER})\s*$", text)
+    if not corners or "seems to be valid" not in text:
+        return {"wrong": text.strip()[-300:]}
+    numbers = list(map(float, corners.groups()))
+    return {"low": numbers[:3], "high": numbers[3:], "solids": int(re.search(r"SOLID\s*: (\d+)", text)[1]),
+            "volume": float(re.search(rf"Mass :\s*({NUMBER})", text)[1])}
+
+
+READERS = {"admesh": (shutil.which("admesh"), ("stl",)), "assimp": (shutil.which("assimp"), ("stl", "glb", "gltf", "obj", "ply", "3mf")),
+           "gltf-validator": (has_validator(), ("glb", "gltf")), "occt": (DRAW, ("step", "iges"))}
