@@ -17,6 +17,8 @@ bat_status bat_sheet_put(bat_document *document, const bat_sheet *sheet) {
     return status;
 }
 
+bool bat_sheet_has_page(const bat_sheet *sheet) { return sheet->page[2] > 0 && sheet->page[3] > 0; }
+
 bool bat_sheet_same(const bat_sheet *a, const bat_sheet *b) {
     return memcmp(a->page, b->page, sizeof a->page) == 0 && a->scale == b->scale && a->unit == b->unit;
 }

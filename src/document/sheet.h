@@ -13,6 +13,7 @@ typedef struct bat_sheet {
 bat_sheet bat_sheet_of(const bat_document *document);
 /* BAT_NUMBER: out of range; the document is as it was. */
 bat_status bat_sheet_put(bat_document *document, const bat_sheet *sheet);
+bool bat_sheet_has_page(const bat_sheet *sheet);
 bool bat_sheet_same(const bat_sheet *a, const bat_sheet *b); /* bit for bit */
 
 /* A page of another width and height, in units of `now`, whose upper left corner stays where it is. */

@@ -346,7 +346,7 @@ test('Save as: a file that the user chooses, and saving goes on there; what was 
   });
   const saveAs = async () => {
     await page.click('#logo');
-    await page.click('#main-menu [data-act=save-as]');
+    await page.click('#main-menu [data-command=save-as]');
   };
   await saveAs();
   await page.waitForFunction(() => globalThis.suggested?.[0] === 'drawing.svg');
@@ -371,8 +371,8 @@ test('Save as: a file that the user chooses, and saving goes on there; what was 
 test('Save as where no page may write files: a download by the name that is typed', async () => {
   const { page, context } = await drawn(1);
   await page.evaluate(() => { delete window.showSaveFilePicker; });
-  await page.click('#logo');
-  await page.click('#main-menu [data-act=save-as]');
+  await page.focus('#stage');
+  await page.keyboard.press('Control+Shift+S');
   await page.waitForSelector('#save-as[open] input:focus');
   assert.deepEqual(await violations(page), []);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'save-as.png') });

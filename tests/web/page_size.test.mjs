@@ -107,6 +107,53 @@ for (const [locale, said, scale, keep] of [
   });
 }
 
+/** How large the page is in the window, of its width and height, and where its middle lies. */
+const seen = (page) => page.evaluate(() => {
+  const [width, height] = ['width', 'height'].map((side) => Number.parseFloat(batten.engine.number(`page-${side}`)));
+  const { x, y, zoom } = batten.painter.painted;
+  const { clientWidth, clientHeight } = document.getElementById('stage');
+  return { fills: Math.max(width * zoom / clientWidth, height * zoom / clientHeight),
+    at: [(width / 2 - x) * zoom / clientWidth, (height / 2 - y) * zoom / clientHeight] };
+});
+
+test('width and height change places, another page is seen whole, and there may be none', async (t) => {
+  const { page } = await drawing(t, ROOT + REST);
+  const first = await state(page);
+  await page.click('[data-name=page-turn]');
+  await settle(page);
+  assert.equal(await value(page, 'width'), '297 mm');
+  assert.equal(await page.$eval('#page-sizes', (select) => select.value), 'A4');
+  assert.ok(await page.locator('.page-asks').isHidden());
+  assert.match(await saved(page), /width="297mm" height="210mm" viewBox="0 0 297 210"/);
+  await inThemes(page, async (colorScheme) => {
+    await page.screenshot({ path: path.join(SCREENSHOTS, `page-turned-${colorScheme}.png`) });
+    assert.deepEqual(await violations(page, rulesIn(colorScheme)), []);
+  });
+  for (const [name, answer] of [['A3', 'Keep its size'], ['Legal', 'Keep its size'], ['A5', 'Scale the drawing']]) {
+    await page.selectOption('#page-sizes', name);
+    await page.getByRole('button', { name: answer }).click();
+    await settle(page);
+    const { fills, at } = await seen(page);
+    assert.ok(name === 'A5' || (fills > 0.5 && fills < 1), `${name}: ${fills}`);
+    assert.ok(name === 'A5' || at.every((place) => Math.abs(place - 0.5) < 0.01), `${name}: ${at}`);
+  }
+  await page.selectOption('#page-sizes', { label: 'No page' });
+  await settle(page);
+  assert.ok(await page.$eval('[data-name=page-turn]', (button) => button.disabled));
+  assert.equal(await page.$eval('#page-sizes', (select) => select.value), 'none');
+  await inThemes(page, async (colorScheme) => page.screenshot({ path: path.join(SCREENSHOTS, `page-none-${colorScheme}.png`) }));
+  // A page again, which asks nothing where there was none.
+  await page.selectOption('#page-sizes', 'A4');
+  await settle(page);
+  assert.equal(await value(page, 'height'), '297 mm');
+  await page.focus('#stage');
+  for (let i = 0; i < 6; i++) {
+    await page.keyboard.press('Control+z');
+  }
+  await settle(page);
+  assert.equal((await state(page)).digest, first.digest);
+});
+
 test('a unit asks nothing; nor does an empty page, nor what is no size', async (t) => {
   const { page } = await drawing(t, ROOT + REST);
   const first = await state(page);

@@ -1,11 +1,12 @@
 // A drawing in its true size over sheets of paper, as `batten render --tile` lays them out, which the browser prints or keeps as PDF.
 
+import { PAPERS } from '../sheets/papers.js';
 import { isolated } from '../stage/pictures.js';
 import { Refusal, word } from '../page/words.js';
 import { row, select } from './fields.js';
 import { printAlone } from './picture.js';
 
-/** Width and height, each in mm. @typedef {[number, number]} Sides */
+/** @typedef {import('../sheets/papers.js').Sides} Sides in mm */
 /** @typedef {{ paper: string, sheet: Sides, overlap: number }} Paper paper: '': one page of the drawing's own size */
 /** In mm, each for x and y. @typedef {{ sheet: Sides, shown: Sides, step: Sides, margin: Sides, count: Sides }} Layout */
 
@@ -14,8 +15,6 @@ const PIXEL = 25.4 / 96; // mm
 const OWN = 'own';
 const LEAST = 20; // mm: a side of paper
 const LARGEST = 5080; // mm: a side of a page of PDF
-/** @type {Record<string, Sides>} */
-const SHEETS = { A4: [210, 297], A3: [297, 420], Letter: [215.9, 279.4], Legal: [215.9, 355.6] };
 const SQUARES = [50, 20, 10]; // mm
 const NAMESPACE = 'http://www.w3.org/2000/svg';
 const SHARE = 10; // of a sheet's shorter side is white around, but no more than so many mm
@@ -40,7 +39,7 @@ function plan(size, sheet, overlap) {
 
 /** Paper upright or on its side, whichever takes fewer sheets. @param {Sides} size @param {Paper} paper */
 export function layoutOf(size, { paper, sheet, overlap }) {
-  const sides = SHEETS[paper] ?? sheet;
+  const sides = PAPERS[paper] ?? sheet;
   const [upright, aside] = [plan(size, sides, overlap), plan(size, [sides[1], sides[0]], overlap)];
   return aside.count[0] * aside.count[1] < upright.count[0] * upright.count[1] ? aside : upright;
 }
@@ -152,7 +151,7 @@ export class PaperFields {
   /** @param {Paper} chosen */
   constructor({ paper, sheet, overlap }) {
     /** @type {[string, string][]} */
-    const named = Object.keys(SHEETS).map((name) => [name, name]);
+    const named = Object.keys(PAPERS).map((name) => [name, name]);
     this.paper = select([['', word('shell.one-page')], ...named, [OWN, word('shell.own-size')]], paper);
     const [width, height, lap] = [...sheet, overlap].map((value) => {
       const field = document.createElement('input');
@@ -178,7 +177,7 @@ export class PaperFields {
 
   /** @returns {Paper} */
   read() {
-    const side = (/** @type {0 | 1} */ d) => Math.max(LEAST, Math.min(LARGEST, Number(this.sides[d].value) || SHEETS.A4[d]));
+    const side = (/** @type {0 | 1} */ d) => Math.max(LEAST, Math.min(LARGEST, Number(this.sides[d].value) || PAPERS.A4[d]));
     return { paper: this.paper.value, sheet: both(side), overlap: Math.max(0, Number(this.lap.value) || 0) };
   }
 }

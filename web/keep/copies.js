@@ -94,7 +94,7 @@ async function askName(name) {
   Object.assign(field, { className: 'search', value: name, maxLength: LONGEST, ariaLabel: word('shell.file-name') });
   field.size = 32;
   field.style.setProperty('margin-top', 'var(--space-2)');
-  const asked = question('save-as', word('shell.save-as'), [field], [answer('save', word('command.save')), answer('', word('command.cancel'))]);
+  const asked = question('save-as', word('command.save-as'), [field], [answer('save', word('command.save')), answer('', word('command.cancel'))]);
   field.focus();
   field.setSelectionRange(0, name.length - (END.exec(name)?.[0].length ?? 0));
   return await asked === 'save' ? nameFrom(field.value) : '';

@@ -4,14 +4,14 @@
 import { addressOf, dress, want } from './build.js';
 import { keep, kept } from './kept.js';
 import { tell, word } from './words.js';
+import { PAPERS } from '../sheets/papers.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 
 const STORE = 'batten-hands'; // whether the hands have been seen
 const UNIT = 96 / 25.4; // units of the drawing in a millimetre
 const MILLIMETRES = 1; // of the property unit
-/** @type {[string, number, number][]} in millimetres */
-const SIZES = [['A4', 297, 210], ['A3', 420, 297]];
+const SIZES = ['A4', 'A3']; // offered lying
 
 /** @param {string} text @param {string} [className] */
 function button(text, className = '') {
@@ -95,18 +95,19 @@ export class Start {
     form.hidden = true;
     const fields = ['number.width', 'number.height'].map((key, i) => {
       const input = tell(document.createElement('input'), { label: key });
-      Object.assign(input, { type: 'number', min: '1', max: '100000', step: 'any', value: String(SIZES[0][i + 1]), required: true });
+      Object.assign(input, { type: 'number', min: '1', max: '100000', step: 'any', value: String(PAPERS[SIZES[0]][1 - i]), required: true });
       return input;
     });
     const unit = tell(document.createElement('span'), { text: 'unit.mm' });
     const make = tell(button('', 'start-make'), { text: 'shell.start-new' });
     make.type = 'submit';
-    const sizes = SIZES.map(([name, width, height]) => {
+    const sizes = SIZES.map((name) => {
+      const [height, width] = PAPERS[name];
       const made = button(`${name} ${width} × ${height}`);
       made.addEventListener('click', () => this.#new(width, height));
       return made;
     });
-    const free = tell(button(''), { text: 'shell.start-free' });
+    const free = tell(button(''), { text: 'command.page-none' });
     free.addEventListener('click', () => this.#chosen());
     const typed = document.createElement('div');
     typed.append(fields[0], '×', fields[1], unit, make);

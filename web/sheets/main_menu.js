@@ -23,7 +23,7 @@ export class MainMenu {
     /** @type {(string | import('./menu.js').Act)[][]} */
     this.groups = [
       [act('new'), 'open', 'open-kept'],
-      ['save', act('save-as'), act('duplicate')],
+      ['save', 'save-as', act('duplicate')],
       ['download-svg', 'download-native', 'export', act('share')],
       ['history', 'losses'],
       ['shortcuts', act('settings'), act('theme')],

@@ -33,7 +33,6 @@ export function actsOf(shell) {
   const { panel, theme } = shell;
   return {
     new: () => void fresh(shell),
-    'save-as': async () => (await want(import('../keep/copies.js'))).saveAs(shell),
     duplicate: async () => (await want(import('../keep/copies.js'))).duplicateOpen(shell),
     settings: () => document.getElementById('settings')?.showPopover(),
     theme: () => theme.toggle(),

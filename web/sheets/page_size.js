@@ -3,13 +3,14 @@
 
 import { Measure } from '../page/measure.js';
 import { tell, word } from '../page/words.js';
+import { PAPERS } from './papers.js';
 
 /** @typedef {import('./panel.js').Panel} Panel */
+/** @typedef {import('./papers.js').Sides} Sides */
 
 const SIDES = ['width', 'height'];
 const UNITS = ['px', 'mm', 'in'];
-/** Upright. @type {Record<string, [number, number]>} in millimetres */
-const SIZES = { A5: [148, 210], A4: [210, 297], A3: [297, 420], Letter: [215.9, 279.4] };
+const NONE = 'none'; // of the sizes
 /** @type {Record<string, number>} */
 const MILLIMETRES = { px: 25.4 / 96, mm: 1, in: 25.4 };
 const ALIKE = 0.01; // millimetres between sizes that go by one name
@@ -37,10 +38,15 @@ export class PageSize {
     this.unit.append(...UNITS.map((name) => tell(new Option('', name), { text: `unit.${name}` })));
     this.unit.addEventListener('change', () => this.#say(this.unit.value));
     this.sizes = document.createElement('select');
-    this.sizes.append(tell(new Option('', ''), { text: 'shell.own-size' }), ...Object.keys(SIZES).map((name) => new Option(name)));
-    this.sizes.addEventListener('change', () => this.#take(SIZES[this.sizes.value]));
+    this.sizes.append(tell(new Option('', ''), { text: 'shell.own-size' }), ...Object.keys(PAPERS).map((name) => new Option(name)),
+      tell(new Option('', NONE), { text: 'command.page-none' }));
+    this.sizes.addEventListener('change', () => (this.sizes.value === NONE ? this.#run('page-none') : this.#take(PAPERS[this.sizes.value])));
+    this.turn = panel.buttons.plain('page-turn', 'command.page-turn', { help: 'command.page-turn.help', shortcut: 'page-turn' });
+    this.turn.addEventListener('click', () => this.#run('page-turn'));
+    const sizes = row('step.page', this.sizes, 'page-sizes');
+    sizes.append(this.turn);
     this.question = this.#question();
-    this.box.append(tell(document.createElement('h3'), { text: 'shell.the-page' }), row('step.page', this.sizes, 'page-sizes'),
+    this.box.append(tell(document.createElement('h3'), { text: 'shell.the-page' }), sizes,
       ...this.fields.map(({ box }) => box), row('property.unit', this.unit, 'page-unit'), this.question);
     this.box.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') {
@@ -155,7 +161,15 @@ export class PageSize {
     }
   }
 
-  /** A size by its name, lying as the page does. @param {[number, number] | undefined} size */
+  /** The engine's own way, which asks nothing. @param {string} command */
+  #run(command) {
+    this.#end();
+    this.engine.command(command);
+    this.#fill();
+    this.panel.wake();
+  }
+
+  /** A size by its name, lying as the page does. @param {Sides | undefined} size */
   #take(size) {
     const [width, height] = this.#millimetres();
     if (!size) {
@@ -193,8 +207,9 @@ export class PageSize {
       measure.show(this.engine.number(`page-${side}`));
     }
     this.unit.value = this.engine.number('page-unit');
-    this.sizes.value = Object.keys(SIZES).find((name) => Math.abs(Math.min(width, height) - SIZES[name][0]) < ALIKE &&
-      Math.abs(Math.max(width, height) - SIZES[name][1]) < ALIKE) ?? '';
+    this.turn.disabled = !(width > 0);
+    this.sizes.value = !(width > 0) ? NONE : Object.keys(PAPERS).find((name) => Math.abs(Math.min(width, height) - PAPERS[name][0]) < ALIKE &&
+      Math.abs(Math.max(width, height) - PAPERS[name][1]) < ALIKE) ?? '';
   }
 
   /** Called when the drawing may have changed. */

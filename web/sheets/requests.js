@@ -34,6 +34,7 @@ export class Requests {
     /** @type {[number, () => unknown][]} */
     const ways = [
       [Ask.SAVE, () => files.save()],
+      [Ask.SAVE_AS, async () => (await want(import('../keep/copies.js'))).saveAs(this.shell)],
       [Ask.DOWNLOAD_SVG, () => files.download(false)],
       [Ask.DOWNLOAD_NATIVE, () => files.download(true)],
       [Ask.JOURNAL, () => files.downloadJournal()],

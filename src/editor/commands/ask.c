@@ -12,6 +12,7 @@ bat_status bat_command_ask(bat_context *c, bat_command_id id) {
                     {BAT_COMMAND_OPEN_KEPT, BAT_ASK_KEPT},
                     {BAT_COMMAND_LOSSES, BAT_ASK_LOSSES},
                     {BAT_COMMAND_SAVE, BAT_ASK_SAVE},
+                    {BAT_COMMAND_SAVE_AS, BAT_ASK_SAVE_AS},
                     {BAT_COMMAND_DOWNLOAD_SVG, BAT_ASK_DOWNLOAD_SVG},
                     {BAT_COMMAND_DOWNLOAD_NATIVE, BAT_ASK_DOWNLOAD_NATIVE},
                     {BAT_COMMAND_EXPORT, BAT_ASK_EXPORT},

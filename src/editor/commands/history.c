@@ -1,6 +1,7 @@
 /* Undo and redo. */
 #include "editor/choice/choice.h"
 #include "editor/commands/dispatch.h"
+#include "editor/commands/page.h"
 #include "editor/tables/commands.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
@@ -15,8 +16,10 @@ static void follow(bat_context *c, bool undone) {
     const bat_history *history = &c->session->history;
     const bat_step *step = &history->steps[undone ? history->done : history->done - 1];
     bat_choice_follow(c);
-    if (step->page)
+    if (step->page) {
         c->settings->values[BAT_PROPERTY_UNIT] = undone ? step->page->shown_before : step->page->shown_after;
+        bat_page_show(c, undone ? &step->page->after : &step->page->before);
+    }
     if (bat_toolbox_has(c, BAT_DRAWS)) return;
     bool cleared = false;
     for (int i = 0; i < step->count; i++) {

@@ -1,8 +1,8 @@
 #include "editor/panels/page.h"
 #include "base/box.h"
 #include "document/unit.h"
+#include "editor/commands/page.h"
 #include "editor/session/notice.h"
-#include "editor/session/page.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
@@ -56,14 +56,14 @@ static bool is_drawn_on(const bat_document *document) {
 static bool asks(const bat_context *c, const char *text) {
     const bat_sheet now = bat_sheet_of(c->session->document);
     double size[2];
-    return now.page[2] > 0 && now.page[3] > 0 && is_drawn_on(c->session->document) &&
+    return bat_sheet_has_page(&now) && is_drawn_on(c->session->document) &&
            read_sides(c, text, now.page + 2, size) == BAT_OK && memcmp(size, now.page + 2, sizeof size) != 0;
 }
 
 void bat_page_number(const bat_context *c, const char *name, char out[BAT_UNIT_ROOM]) {
     static const char asked[] = "page-asks ";
     const bat_sheet now = bat_sheet_of(c->session->document);
-    const bool paged = now.page[2] > 0 && now.page[3] > 0, across = !strcmp(name, "page-width");
+    const bool paged = bat_sheet_has_page(&now), across = !strcmp(name, "page-width");
     out[0] = 0;
     if (!strcmp(name, "page-unit"))
         snprintf(out, BAT_UNIT_ROOM, "%s", bat_unit_name(bat_unit_in_force(c)));
@@ -83,7 +83,7 @@ static void begin(const bat_document *document, double page[4]) {
 
 static bat_status enter_size(bat_context *c, const char *text, bool scales, bat_sheet *sheet) {
     const bat_sheet now = bat_sheet_of(c->session->document);
-    const bool paged = now.page[2] > 0 && now.page[3] > 0;
+    const bool paged = bat_sheet_has_page(&now);
     double size[2];
     bat_status status = read_sides(c, text, now.page + 2, size);
     if (status != BAT_OK) return status;
@@ -111,7 +111,7 @@ bat_status bat_page_enter(bat_context *c, const char *name, const char *text) {
         shown = bat_unit_way(sheet.unit);
     else
         status = BAT_SYNTAX;
-    if (status == BAT_OK) status = bat_page_commit(c, &sheet, shown);
+    if (status == BAT_OK) status = bat_page_take(c, &sheet, shown);
     if (status == BAT_MEMORY)
         bat_notice_failure(c, status);
     else if (status == BAT_NUMBER || (status == BAT_SYNTAX && !says))

@@ -95,6 +95,43 @@ static void both_answers(void **state) {
     }
 }
 
+/* Of the view: the page lies in the middle of the window, and fills it one way. */
+static void is_seen(bat_editor *editor) {
+    double page[4], seen[2];
+    const double *view = bat_editor_frame(editor)->view, window[2] = {1000, 800};
+    bat_document_page(bat_editor_document(editor), page);
+    for (int k = 0; k < 2; k++) {
+        const double middle = (page[k] + page[2 + k] / 2 - view[k]) * view[2];
+        seen[k] = page[2 + k] * view[2] / window[k];
+        if (!(fabs(middle - window[k] / 2) < 1e-6)) fail_msg("in the middle: %g", middle);
+    }
+    const double most = fmax(seen[0], seen[1]);
+    if (!(most > .5 && most < 1)) fail_msg("of the window: %g", most);
+}
+
+/* A page of another size is seen whole, undone and redone, too; another unit leaves the view. */
+static void seen_whole(void **state) {
+    (void)state;
+    static const char *const changes[][2] = {{"page-keep", "24mm × 24mm"},
+                                             {"page-keep", "3000mm × 1000mm"},
+                                             {"page-scale", "10mm × 10mm"},
+                                             {"page-scale", "841mm × 1189mm"}};
+    bat_editor *editor = page_of(A4);
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        assert_int_equal(bat_editor_enter(editor, changes[i][0], changes[i][1]), BAT_OK);
+        is_seen(editor);
+        assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+        is_seen(editor);
+        assert_int_equal(bat_editor_command(editor, "redo"), BAT_OK);
+        is_seen(editor);
+    }
+    assert_int_equal(bat_editor_command(editor, "zoom-in"), BAT_OK);
+    const double zoom = bat_editor_frame(editor)->view[2];
+    assert_int_equal(bat_editor_enter(editor, "page-unit", "in"), BAT_OK);
+    assert_true(bat_editor_frame(editor)->view[2] == zoom);
+    bat_editor_free(editor);
+}
+
 /* Several changes, in between a curve is moved: each is a step of its own. */
 static void steps_in_order(void **state) {
     (void)state;
@@ -262,6 +299,42 @@ static void kept_files(void **state) {
     }
 }
 
+/* Upright and on its side, exactly, and no page: the drawing is where it was; a kept file says so, too. */
+static void turned_and_none(void **state) {
+    (void)state;
+    bat_editor *editor = page_of((double[]){-10, 5, 1. / 3, 297});
+    const uint64_t first = digest(editor);
+    double page[4], before[4], box[4];
+    bat_object_bounds(bat_document_at(bat_editor_document(editor), 0), before);
+    assert_int_equal(bat_editor_command(editor, "page-turn"), BAT_OK);
+    bat_document_page(bat_editor_document(editor), page);
+    assert_memory_equal(page, ((double[]){-10, 5, 297, 1. / 3}), sizeof page);
+    assert_int_equal(bat_editor_command(editor, "page-turn"), BAT_OK);
+    assert_true(digest(editor) == first);
+    const double zoom = bat_editor_frame(editor)->view[2];
+    assert_int_equal(bat_editor_command(editor, "page-none"), BAT_OK);
+    assert_true(bat_editor_frame(editor)->view[2] == zoom);
+    says(editor, "page-width", "");
+    assert_int_equal(bat_editor_command(editor, "page-none"), BAT_STATE);
+    assert_int_equal(bat_editor_command(editor, "page-turn"), BAT_STATE);
+    bat_object_bounds(bat_document_at(bat_editor_document(editor), 0), box);
+    assert_memory_equal(box, before, sizeof box);
+    assert_int_equal(round_trip(editor, first), 3);
+    bat_editor_free(editor);
+    editor = editor_of(opened(ROOT "width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\">" REST));
+    assert_int_equal(bat_editor_command(editor, "page-none"), BAT_OK);
+    char *text = NULL;
+    size_t length = 0;
+    assert_int_equal(bat_svg_write(bat_editor_document(editor), true, &text, &length), BAT_OK);
+    bat_document *back = opened(text);
+    bat_document_page(back, page);
+    assert_true(page[2] == 0 && page[3] == 0);
+    assert_true(bat_document_scale(back) == 1);
+    bat_document_free(back);
+    free(text);
+    bat_editor_free(editor);
+}
+
 static void native_files(void **state) {
     (void)state;
     bat_editor *editor = page_of(A4);
@@ -324,9 +397,12 @@ static void bad_lines(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_answers),      cmocka_unit_test(steps_in_order), cmocka_unit_test(unit_alone),
-        cmocka_unit_test(what_is_refused),   cmocka_unit_test(kept_files),     cmocka_unit_test(native_files),
-        cmocka_unit_test(empty_and_endless), cmocka_unit_test(any_memory),     cmocka_unit_test(bad_lines),
+        cmocka_unit_test(both_answers),      cmocka_unit_test(steps_in_order),
+        cmocka_unit_test(unit_alone),        cmocka_unit_test(what_is_refused),
+        cmocka_unit_test(kept_files),        cmocka_unit_test(native_files),
+        cmocka_unit_test(empty_and_endless), cmocka_unit_test(any_memory),
+        cmocka_unit_test(bad_lines),         cmocka_unit_test(seen_whole),
+        cmocka_unit_test(turned_and_none),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
 }

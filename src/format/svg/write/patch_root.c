@@ -104,7 +104,7 @@ void bat_svg_patch_page(bat_svg_patch *p) {
     const bool same_page = memcmp(now.page, was, sizeof now.page) == 0;
     const bool same_scale = now.unit == root.sheet.unit &&
                             fabs(now.scale - root.sheet.scale) <= 1e-8 * now.scale;
-    if (now.page[2] > 0 && now.page[3] > 0 && !(same_page && same_scale)) {
+    if (bat_sheet_has_page(&now) && !(same_page && same_scale)) {
         if (!same_page || !boxed) set_box(&r, now.page, root.stretch);
         set_size(&r, &said, plan, same_scale);
         bat_svg_retag_write(&r, &p->made);
