@@ -835,8 +835,42 @@ static void strokes_that_do_not_scale_keep_their_width(void **state) {
     bat_document_free(document);
 }
 
+/* Scaled with its page, a drawing keeps its look: so strokes that do not scale say fewer pixels, and nothing else does. */
+static void strokes_that_do_not_scale_are_scaled_with_the_page(void **state) {
+    (void)state;
+    static const char *const sizes[] = {"width='200' height='200'", "width='100mm'", "", "width='100%'"};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        char file[500];
+        snprintf(
+            file, sizeof file,
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100' %s><style>.a { stroke-width: 6 }"
+            "</style><path class='a' d='M1 1L9 2' stroke='red' stroke-dasharray='4 2' "
+            "vector-effect='non-scaling-stroke'/><path d='M1 1L9 2' stroke='red' stroke-width='6'/></svg>",
+            sizes[i]);
+        bat_document *document = opened(file);
+        const bat_object *object = bat_document_at(document, find_drawn(document, 0));
+        const double width = bat_object_style(object)->width, dash = bat_object_paint(object)->dashes[0];
+        assert_int_equal(
+            bat_document_set_scale(document, bat_document_scale(document) / 4, bat_document_unit(document)),
+            BAT_OK);
+        char *text = written(document, false);
+        if (!strstr(text, "stroke-width:1.5")) fail_msg("%s", text);
+        assert_non_null(strstr(text, "stroke-dasharray"));
+        assert_non_null(strstr(text, "<path d='M1 1L9 2' stroke='red' stroke-width='6'/></svg>"));
+        bat_document *again = opened(text);
+        object = bat_document_at(again, find_drawn(again, 0));
+        assert_true(fabs(bat_object_style(object)->width - width) < 1e-9 * width);
+        assert_true(fabs(bat_object_paint(object)->dashes[0] - dash) < 1e-9 * dash);
+        assert_true(bat_object_style(bat_document_at(again, find_drawn(again, 1)))->width == 6);
+        bat_document_free(again);
+        bat_free(text);
+        bat_document_free(document);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(strokes_that_do_not_scale_are_scaled_with_the_page),
         cmocka_unit_test(groups_keep_their_opacity),
         cmocka_unit_test(texts_keep_their_opacity),
         cmocka_unit_test(untouched_files_are_the_same),

@@ -179,7 +179,7 @@ static void set_style(bat_svg_retag *r, const bat_svg_plan *plan, const bat_obje
     const bool stroke = *ids->stroke || differs(object, entry, BAT_PAINT_STROKE) ||
                         now->stroked != was->stroked || (now->stroked && now->stroke != was->stroke);
     const bool begun = now->stroked && !was->stroked;
-    const double scale = line_scale(r, plan, entry, begun);
+    const double scale = line_scale(r, plan, entry, begun), widens = bat_svg_plan_widens(plan, entry);
     if (fill || (all && !bat_svg_retag_says(r, "fill")))
         set_paint(r, true, now->filled, now->fill, was->filled ? was->fill : 0xff,
                   !was->filled || fill_served, ids->fill);
@@ -189,7 +189,8 @@ static void set_style(bat_svg_retag *r, const bat_svg_plan *plan, const bat_obje
     if (now->even_odd != was->even_odd || (all && !bat_svg_retag_says(r, "fill-rule")))
         bat_svg_retag_style(r, "fill-rule", now->even_odd ? "evenodd" : "nonzero");
     if (now->stroked) {
-        if (now->width != was->width || begun || (all && !bat_svg_retag_says(r, "stroke-width")))
+        const bat_paint *paint = bat_object_paint(object);
+        if (now->width != was->width * widens || begun || (all && !bat_svg_retag_says(r, "stroke-width")))
             set_number(r, "stroke-width", scale > 0 ? now->width / scale : now->width);
         if (now->cap != was->cap || begun || (all && !bat_svg_retag_says(r, "stroke-linecap")))
             bat_svg_retag_style(r, "stroke-linecap", caps[now->cap]);
@@ -198,9 +199,10 @@ static void set_style(bat_svg_retag *r, const bat_svg_plan *plan, const bat_obje
         if (now->miter_limit != was->miter_limit || begun ||
             (all && !bat_svg_retag_says(r, "stroke-miterlimit")))
             set_number(r, "stroke-miterlimit", now->miter_limit);
-        if (differs(object, entry, BAT_PAINT_LINE) || (begun && bat_svg_retag_says(r, "stroke-dasharray")) ||
+        if (differs(object, entry, BAT_PAINT_LINE) || (widens != 1 && paint && paint->dash_count) ||
+            (begun && bat_svg_retag_says(r, "stroke-dasharray")) ||
             (all && !bat_svg_retag_says(r, "stroke-dasharray")))
-            set_dashes(r, bat_object_paint(object), scale);
+            set_dashes(r, paint, scale);
     }
     set_order(r, object, entry, all);
     set_markers(r, object, entry, ids);

@@ -3,10 +3,13 @@
 #include "document/clip.h"
 #include "document/markers.h"
 #include "document/nesting.h"
+#include "document/sheet.h"
+#include "document/unit.h"
 #include "format/svg/svg.h"
 #include "format/svg/write/refer.h"
 #include "format/svg/write/retag.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,12 +21,16 @@ bool bat_svg_remarked(const bat_object *object, const bat_sourced *entry) {
     return bat_markers_digest(bat_object_markers(object)) != entry->markers;
 }
 
-bool bat_svg_restyled(const bat_object *object, const bat_sourced *entry) {
+double bat_svg_plan_widens(const bat_svg_plan *plan, const bat_sourced *entry) {
+    return entry->lost & 1u << BAT_LOSS_EFFECT ? plan->grown : 1;
+}
+
+bool bat_svg_restyled(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry) {
     const bat_style *a = bat_object_style(object), *b = &entry->style;
     for (int k = 0; k < BAT_PAINT_PARTS; k++)
         if (bat_paint_digest(bat_object_paint(object), (bat_paint_part)k) != entry->paint[k]) return true;
     if (bat_clip_digest(bat_object_clip(object)) != entry->clip) return true;
-    if (bat_svg_remarked(object, entry)) return true;
+    if (bat_svg_remarked(object, entry) || bat_svg_plan_widens(plan, entry) != 1) return true;
     return a->stroked != b->stroked || a->filled != b->filled || a->even_odd != b->even_odd ||
            a->stroke != b->stroke || a->fill != b->fill || a->width != b->width || a->opacity != b->opacity ||
            a->cap != b->cap || a->join != b->join || a->miter_limit != b->miter_limit;
@@ -76,12 +83,12 @@ static void touch_edited(bat_svg_plan *plan) {
         const bat_sourced *entry = bat_svg_plan_entry(plan, i);
         if (!entry || entry->copied) continue;
         if (bat_object_is_group(object)) {
-            if (bat_svg_restyled(object, entry)) plan->fate[entry->element] |= BAT_SVG_TOUCHED;
+            if (bat_svg_restyled(plan, object, entry)) plan->fate[entry->element] |= BAT_SVG_TOUCHED;
             continue;
         }
         const bool hidden = bat_object_is_hidden(object) || plan->hidden[i];
-        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) || hidden != entry->hidden ||
-            bat_svg_is_remade(object, entry))
+        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(plan, object, entry) ||
+            hidden != entry->hidden || bat_svg_is_remade(object, entry))
             plan->fate[entry->element] |= BAT_SVG_TOUCHED;
     }
 }
@@ -239,7 +246,7 @@ static bool is_whole(const bat_svg_plan *plan, int from, int to) {
         const bat_object *object = bat_document_at(plan->document, index);
         if (!object || plan->fate[entry->element] & BAT_SVG_TOUCHED) return false;
         const bool drawn = bat_object_is_drawn(object);
-        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(object, entry) ||
+        if (bat_svg_reshaped(object, entry) || bat_svg_restyled(plan, object, entry) ||
             bat_svg_is_remade(object, entry) || plan->hidden[index] ||
             bat_object_is_hidden(object) != entry->hidden || (drawn && plan->stay[index] != BAT_SVG_STAYS))
             return false;
@@ -296,7 +303,7 @@ static bat_status decide(bat_svg_plan *plan) {
 }
 
 /* As the reader finds it: from the root's attributes. */
-static double find_pixel(const bat_svg_plan *plan) {
+static double pixel_of_file(const bat_svg_plan *plan) {
     static const char *const names[] = {"width", "height", "preserveAspectRatio"};
     const bat_svg_tag *root = &plan->tags.list[1];
     const char *given[3] = {NULL};
@@ -314,6 +321,14 @@ static double find_pixel(const bat_svg_plan *plan) {
     const bool boxed = bat_svg_retag_has(&r, "viewBox", &piece);
     bat_svg_retag_free(&r);
     return boxed ? bat_svg_pixel(bat_source_page(plan->source), given[0], given[1], given[2]) : 1;
+}
+
+/* Of the file, and as the page says its size now: where nothing is scaled they are the same. */
+static void find_pixels(bat_svg_plan *plan) {
+    const bat_sheet sheet = bat_sheet_of(plan->document);
+    const double was = pixel_of_file(plan), now = BAT_PX_MILLIMETRES / sheet.scale;
+    plan->pixel = bat_sheet_has_page(&sheet) && fabs(now - was) > 1e-8 * was ? now : was;
+    plan->grown = plan->pixel / was;
 }
 
 bat_status bat_svg_plan_make(const bat_document *document, bat_svg_plan *out) {
@@ -334,7 +349,7 @@ bat_status bat_svg_plan_make(const bat_document *document, bat_svg_plan *out) {
             status = BAT_SYNTAX;
     plan.sheets = strstr(plan.text, "<style") != NULL || strstr(plan.text, ":style") != NULL;
     find_types(&plan);
-    plan.pixel = find_pixel(&plan);
+    find_pixels(&plan);
     if (status == BAT_OK)
         status = plan.entry && plan.stay && plan.hidden && plan.copy && plan.fate ? decide(&plan)
                                                                                   : BAT_MEMORY;

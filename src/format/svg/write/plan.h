@@ -27,7 +27,8 @@ typedef struct bat_svg_plan {
     const char *types; /* the document type, NULL: none */
     size_t types_size;
     bool sheets;  /* there are style sheets */
-    double pixel; /* how long one is in the document's units: of strokes that do not scale */
+    double pixel; /* how long one will be in the document's units: of strokes that do not scale */
+    double grown; /* how much longer that is than it was in the file */
     bat_svg_tags tags;
     int count;
     int *entry;      /* of each object of the document, or -1 */
@@ -59,7 +60,9 @@ uint32_t bat_svg_plan_group(const bat_svg_plan *plan, bat_id parent);
 bool bat_svg_is_called(const bat_svg_plan *plan, uint32_t element, const char *local);
 /* Whether object and entry differ in shape; in style. */
 bool bat_svg_reshaped(const bat_object *object, const bat_sourced *entry);
-bool bat_svg_restyled(const bat_object *object, const bat_sourced *entry);
+bool bat_svg_restyled(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry);
+/* How much wider its stroke would be if its element stayed as it is: one that does not scale is as wide as so many pixels. */
+double bat_svg_plan_widens(const bat_svg_plan *plan, const bat_sourced *entry);
 bool bat_svg_remarked(const bat_object *object, const bat_sourced *entry); /* it has other markers */
 /* Its stroke's width changes along it, or did: its element gives way to parts, or they to one element. */
 bool bat_svg_is_remade(const bat_object *object, const bat_sourced *entry);
