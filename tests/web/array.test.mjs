@@ -41,10 +41,11 @@ for (const [locale, colorScheme, pointerType, viewport] of [['en', 'light', 'mou
     await slider.waitFor();
     await settle(page);
     assert.equal(await slider.getAttribute('aria-label'), said('Array', '배열'));
-    assert.deepEqual(await page.locator('.chips .labelled > span:first-child').allTextContents(), said(['Count', 'Gap'], ['개수', '간격']));
+    assert.deepEqual(await page.locator('.chips .labelled > span:first-child').allTextContents(), said(['Count', 'Gap', 'Direction'], ['개수', '간격', '방향']));
     const field = (name) => page.locator(`#refit-array-${name}`);
     await field('count').fill('3');
     await field('gap').fill('5 mm');
+    await field('direction').fill('30');
     await settle(page);
     assert.ok(Math.abs(await page.evaluate(() => batten.engine.get('array-gap')) - 5 * 96 / 25.4) < 1e-6, 'typed with its unit');
     assert.equal((await state(page)).digest, first.digest, 'only shown');

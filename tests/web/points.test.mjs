@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { hintFor, launch, open, pictures, place, settle, state } from './page.mjs';
+import { hintFor, launch, open, pictures, place, reveal, settle, state } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -117,5 +117,40 @@ test('points, smooth brush and eraser with a pen', async () => {
   await settle(page);
   assert.notEqual((await state(page)).digest, here);
   assert.ok(knots > 0);
+  await context.close();
+});
+
+test('points by the many are lined up by the buttons of objects, and with all of them the curve is gone', async () => {
+  const { page, hand, context } = await open(browser, server.address);
+  const before = await objects(page);
+  const sky = await place(page, 120, 70);
+  await page.keyboard.press('n');
+  await hand.stroke(Array.from({ length: 60 }, (_, i) => [sky[0] + 5 * i, sky[1] + 25 * Math.sin(i / 8)]));
+  await settle(page);
+  const first = await state(page);
+  await page.keyboard.press('a');
+  await hand.stroke([[sky[0] + 150, sky[1] + 25 * Math.sin(30 / 8)], [sky[0] + 150, sky[1] + 25 * Math.sin(30 / 8)]]); // the curve
+  await hand.stroke([[sky[0] - 30, sky[1] - 60], [sky[0] + 330, sky[1] + 70]]); // a box around it
+  await reveal(page, 'numbers');
+  const count = Number(await page.evaluate(() => batten.engine.number('points')));
+  assert.ok(count > 3, `${count} points`);
+  await page.waitForSelector('.line-up [data-name=distribute-across]:enabled');
+  await pictures(page, 'points-many');
+  await page.click('.line-up [data-name=align-middle]');
+  await settle(page);
+  const last = JSON.parse(JSON.stringify((await native(page)).objects.at(-1)));
+  assert.equal(new Set(last.curves[0].points.map(([, y]) => y.toFixed(6))).size, 1);
+  await pictures(page, 'points-in-line');
+  await page.focus('#stage');
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  assert.equal((await state(page)).digest, first.digest);
+  await page.keyboard.press('Delete');
+  await settle(page);
+  assert.equal(await objects(page), before);
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  assert.equal((await state(page)).digest, first.digest);
+  assert.equal((await state(page)).check, '');
   await context.close();
 });

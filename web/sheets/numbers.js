@@ -10,7 +10,7 @@ import { PageSize } from './page_size.js';
 /** Those that stand two in a row, and the signs that they have there. @type {Record<string, string>} */
 const SIGNS = { x: 'X', y: 'Y', width: 'W', height: 'H', turn: '∠' };
 
-/** Commands that stand above the numbers, and of how many objects each needs. @type {[string, number][]} */
+/** Commands that stand above the numbers, and how many objects or chosen points each needs. @type {[string, number][]} */
 const LINE_UP = [['align-left', 1], ['align-centre', 1], ['align-right', 1], ['align-top', 1], ['align-middle', 1], ['align-bottom', 1],
   ['distribute-across', 3], ['distribute-down', 3]];
 
@@ -92,7 +92,8 @@ class NumbersSheet {
     let some = false;
     if (frame) {
       this.row.hidden = frame.selected === 0;
-      this.buttons.forEach(({ button, least }) => { button.disabled = frame.selected < least; });
+      const points = Number(this.engine.number('points')); // they come before objects
+      this.buttons.forEach(({ button, least }) => { button.disabled = (points > 1 ? points : frame.selected) < least; });
     }
     for (const { name, box, input, measure } of this.rows) {
       const text = this.engine.number(name);

@@ -32,6 +32,7 @@ static bat_array array_now(const bat_context *c) {
         .count = (int)round(value_of(c, BAT_PROPERTY_ARRAY_COUNT)),
         .rows = (int)round(value_of(c, BAT_PROPERTY_ARRAY_ROWS)),
         .gap = {value_of(c, BAT_PROPERTY_ARRAY_GAP), value_of(c, BAT_PROPERTY_ARRAY_GAP_DOWN)},
+        .direction = value_of(c, BAT_PROPERTY_ARRAY_DIRECTION),
         .radius = value_of(c, BAT_PROPERTY_ARRAY_RADIUS),
         .angle = value_of(c, BAT_PROPERTY_ARRAY_ANGLE),
         .turns = value_of(c, BAT_PROPERTY_ARRAY_TURN) != 0,
@@ -196,7 +197,7 @@ static bat_status choose(bat_context *c, int way) {
 static int way(const bat_context *c) { return (int)array_now(c).shape; }
 
 static void write(bat_context *c, bat_text *text) {
-    static const char *const typed[] = {"array-count array-gap",
+    static const char *const typed[] = {"array-count array-gap array-direction",
                                         "array-count array-rows array-gap array-gap-down",
                                         "array-count array-radius array-angle"};
     const bat_array array = array_now(c);

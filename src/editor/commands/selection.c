@@ -61,20 +61,11 @@ bat_status bat_command_order(bat_context *c, bat_command_id id) {
                                                                            : BAT_ORDER_BACK));
 }
 
-bat_status bat_command_align(bat_context *c, bat_command_id id) {
-    static const struct {
-        bat_command_id id;
-        bat_align to;
-    } rows[] = {{BAT_COMMAND_ALIGN_LEFT, BAT_ALIGN_LEFT},     {BAT_COMMAND_ALIGN_CENTRE, BAT_ALIGN_CENTRE},
-                {BAT_COMMAND_ALIGN_RIGHT, BAT_ALIGN_RIGHT},   {BAT_COMMAND_ALIGN_TOP, BAT_ALIGN_TOP},
-                {BAT_COMMAND_ALIGN_MIDDLE, BAT_ALIGN_MIDDLE}, {BAT_COMMAND_ALIGN_BOTTOM, BAT_ALIGN_BOTTOM}};
-    size_t i = 0;
-    while (i < sizeof rows / sizeof *rows - 1 && rows[i].id != id) i++;
-    return told(c, bat_arrange_align(c, rows[i].to));
-}
-
-bat_status bat_command_distribute(bat_context *c, bat_command_id id) {
-    return told(c, bat_arrange_distribute(c, id == BAT_COMMAND_DISTRIBUTE_DOWN));
+/* Points that the tool in force has chosen come before objects. */
+bat_status bat_command_line_up(bat_context *c, bat_command_id id) {
+    const bat_line_up how = bat_line_up_of(id);
+    const bat_status status = bat_toolbox_command(c, id);
+    return status == BAT_STATE ? told(c, bat_arrange_line_up(c, &how)) : status;
 }
 
 bat_status bat_command_delete(bat_context *c, bat_command_id id) {

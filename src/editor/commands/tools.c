@@ -17,10 +17,7 @@ bat_status bat_command_tool(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
-bat_status bat_command_to_tool(bat_context *c, bat_command_id id) {
-    const bat_slot *tool = bat_toolbox_tool(c);
-    return tool->is->command ? tool->is->command(c, tool->state, id) : BAT_STATE;
-}
+bat_status bat_command_to_tool(bat_context *c, bat_command_id id) { return bat_toolbox_command(c, id); }
 
 bat_status bat_command_reading(bat_context *c, bat_command_id id) {
     if (!bat_tuning_holds(c)) return bat_command_to_tool(c, id);

@@ -453,72 +453,40 @@ bat_status bat_arrange_order(bat_context *c, bat_order order) {
 
 /* ---- align and distribute ---- */
 
-bat_status bat_arrange_align(bat_context *c, bat_align align) {
-    const bat_document *document = c->session->document;
-    int *roots, count, axis = align >= BAT_ALIGN_TOP;
-    bat_status status = bat_arrange_roots(c, &roots, &count);
-    if (status != BAT_OK) return status;
-    double whole[4], page[4], share = (align % 3) / 2.0;
-    bat_arrange_selection_box(c, whole);
-    if (count == 1) {
-        bat_document_page(document, page);
-        memcpy(whole, (double[]){page[0], page[1], page[0] + page[2], page[1] + page[3]}, sizeof whole);
-        if (!(page[2] > 0)) status = BAT_STATE;
+/* The roots in a line along the axis; those that take up nothing are left out. Returns how many there are. */
+static int find_things(const bat_document *document, int *roots, int count, int axis, bat_in_line *things) {
+    int n = 0;
+    for (int i = 0; i < count; i++) {
+        double box[4];
+        if (!bat_arrange_box(document, roots[i], bat_document_end(document, roots[i]), box)) continue;
+        roots[n] = roots[i];
+        things[n++] = (bat_in_line){.low = box[axis], .high = box[axis + 2]};
     }
-    if (status == BAT_OK) status = bat_transaction_begin(c);
-    if (status == BAT_OK) {
-        for (int i = 0; i < count && status == BAT_OK; i++) {
-            int end = bat_document_end(document, roots[i]);
-            double box[4], matrix[6], by;
-            if (!bat_arrange_box(document, roots[i], end, box)) continue;
-            by = whole[axis] + share * (whole[axis + 2] - whole[axis]) -
-                 (box[axis] + share * (box[axis + 2] - box[axis]));
-            bat_matrix_translation(axis ? 0 : by, axis ? by : 0, matrix);
-            if (by != 0) status = transform_range(c, roots[i], end, matrix);
-        }
-        status = bat_transaction_end(c, status, BAT_STRING_STEP_ALIGN);
-    }
-    free(roots);
-    return status;
+    return n;
 }
 
-typedef struct middle {
-    double at;
-    int root;
-} middle;
-
-static int compare_middles(const void *a, const void *b) {
-    const middle *x = a, *y = b;
-    return x->at != y->at ? (x->at > y->at) - (x->at < y->at) : (x->root > y->root) - (x->root < y->root);
-}
-
-bat_status bat_arrange_distribute(bat_context *c, int axis) {
+bat_status bat_arrange_line_up(bat_context *c, const bat_line_up *how) {
     const bat_document *document = c->session->document;
     int *roots, count, n = 0;
+    double page[4];
     bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
-    middle *middles = malloc((size_t)count * sizeof *middles);
-    if (!middles) status = BAT_MEMORY;
-    for (int i = 0; i < count && middles; i++) {
-        double box[4];
-        if (bat_arrange_box(document, roots[i], bat_document_end(document, roots[i]), box))
-            middles[n++] = (middle){box[axis] / 2 + box[axis + 2] / 2, roots[i]};
-    }
-    free(roots);
-    if (status == BAT_OK && n < 3) status = BAT_STATE;
+    bat_in_line *things = malloc((size_t)count * sizeof *things);
+    bat_document_page(document, page);
+    const double whole[2] = {page[how->axis], page[how->axis] + page[how->axis + 2]};
+    if (things) n = find_things(document, roots, count, how->axis, things);
+    status = things ? bat_line_up_find(how, n, things, count == 1 && page[2] > 0 ? whole : NULL) : BAT_MEMORY;
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
-        qsort(middles, (size_t)n, sizeof *middles, compare_middles); /* no ties */
-        double first = middles[0].at, step = (middles[n - 1].at - first) / (n - 1);
-        for (int i = 1; i < n - 1 && status == BAT_OK; i++) {
-            double matrix[6], by = first + i * step - middles[i].at;
-            bat_matrix_translation(axis ? 0 : by, axis ? by : 0, matrix);
-            if (by != 0)
-                status = transform_range(c, middles[i].root, bat_document_end(document, middles[i].root),
-                                         matrix);
+        for (int i = 0; i < n && status == BAT_OK; i++) {
+            const double by = things[i].by;
+            double matrix[6];
+            bat_matrix_translation(how->axis ? 0 : by, how->axis ? by : 0, matrix);
+            if (by != 0) status = transform_range(c, roots[i], bat_document_end(document, roots[i]), matrix);
         }
-        status = bat_transaction_end(c, status, BAT_STRING_STEP_DISTRIBUTE);
+        status = bat_transaction_end(c, status, how->step);
     }
-    free(middles);
+    free(roots);
+    free(things);
     return status;
 }

@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_EDIT_ARRANGE_H
 #define BATTEN_EDITOR_EDIT_ARRANGE_H
 
+#include "editor/edit/line_up.h"
 #include "editor/session/context.h"
 #include "editor/tables/tables.h"
 #include <batten/editor.h>
@@ -50,17 +51,8 @@ typedef enum bat_order { BAT_ORDER_BACK, BAT_ORDER_BACKWARD, BAT_ORDER_FORWARD, 
 /* Reorders within the same group. BAT_STATE: they are there already. */
 bat_status bat_arrange_order(bat_context *c, bat_order order);
 
-typedef enum bat_align {
-    BAT_ALIGN_LEFT,
-    BAT_ALIGN_CENTRE,
-    BAT_ALIGN_RIGHT,
-    BAT_ALIGN_TOP,
-    BAT_ALIGN_MIDDLE,
-    BAT_ALIGN_BOTTOM
-} bat_align;
-/* Aligns the roots to the box of all; a single one to the page. BAT_STATE: nothing to align to. */
-bat_status bat_arrange_align(bat_context *c, bat_align align);
-/* Makes the distances between the middles equal, along x (0) or y (1); at least three roots. */
-bat_status bat_arrange_distribute(bat_context *c, int axis);
+/* Aligns the roots to the box of all, a single one to the page, or makes the distances between three or more equal. BAT_STATE: too
+ * few, or nothing to align to. */
+bat_status bat_arrange_line_up(bat_context *c, const bat_line_up *how);
 
 #endif

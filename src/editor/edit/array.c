@@ -20,11 +20,25 @@ static double step_angle(const bat_array *array) {
     return array->count > 1 ? angle / (array->count - 1) : 0;
 }
 
+/* Of a row, from one copy to the next: as far as a box reaches in its direction, and the gap. Level and upright rows are exact. */
+static void step_along(const bat_array *array, const double box[4], double way[2]) {
+    const double angle = array->direction * BAT_PI / 180, half = fabs(fmod(array->direction, TURN / 2));
+    way[0] = half == TURN / 4 ? 0 : bat_cos(angle);
+    way[1] = half == 0 ? 0 : bat_sin(angle);
+    const double far = fabs(way[0]) * (box[2] - box[0]) + fabs(way[1]) * (box[3] - box[1]) + array->gap[0];
+    for (int k = 0; k < 2; k++) way[k] *= far;
+}
+
 bool bat_array_is_heap(const bat_array *array, const double box[4]) {
     if (array->shape == BAT_ARRAY_CIRCLE)
         return step_angle(array) == 0 || (array->radius == 0 && !array->turns);
+    if (array->shape == BAT_ARRAY_ROW) {
+        double way[2];
+        step_along(array, box, way);
+        return array->count > 1 && way[0] == 0 && way[1] == 0;
+    }
     if (array->count > 1 && step(array, box, 0) == 0) return true;
-    return array->shape == BAT_ARRAY_GRID && array->rows > 1 && step(array, box, 1) == 0;
+    return array->rows > 1 && step(array, box, 1) == 0;
 }
 
 static void place_on_circle(const bat_array *array, const double box[4], int i, double matrix[6]) {
@@ -43,7 +57,13 @@ void bat_array_place(const bat_array *array, const double box[4], int i, double 
         place_on_circle(array, box, i, matrix);
         return;
     }
-    const int row = array->shape == BAT_ARRAY_GRID ? i / array->count : 0;
-    bat_matrix_translation((i - row * array->count) * step(array, box, 0),
-                           row > 0 ? row * step(array, box, 1) : 0, matrix);
+    double way[2];
+    if (array->shape == BAT_ARRAY_GRID) {
+        const int row = i / array->count;
+        bat_matrix_translation((i - row * array->count) * step(array, box, 0), row * step(array, box, 1),
+                               matrix);
+        return;
+    }
+    step_along(array, box, way);
+    bat_matrix_translation(i * way[0], i * way[1], matrix);
 }

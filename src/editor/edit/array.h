@@ -1,4 +1,4 @@
-/* Where the copies of an array lie: in a row to the right, in a grid, or on a circle. */
+/* Where the copies of an array lie: in a row, in a grid, or on a circle. */
 #ifndef BATTEN_EDITOR_EDIT_ARRAY_H
 #define BATTEN_EDITOR_EDIT_ARRAY_H
 
@@ -15,8 +15,10 @@ typedef enum bat_array_shape {
 typedef struct bat_array {
     bat_array_shape shape;
     int count, rows; /* with what is copied; rows: of a grid */
-    double gap[2];   /* between boxes, to the right and down, document units */
-    double radius;   /* of the circle, whose centre lies below what is copied */
+    double
+        gap[2]; /* between boxes, to the right and down, document units; the first also of a row, along it */
+    double direction; /* of a row, degrees clockwise: 0 to the right */
+    double radius;    /* of the circle, whose centre lies below what is copied */
     double
         angle; /* degrees clockwise to the last copy; from 360 on, one turn in which the last is as far from the first as all are */
     bool turns; /* copies on a circle turn with it; otherwise they stay upright */

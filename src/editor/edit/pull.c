@@ -251,3 +251,12 @@ bat_status bat_pull_points(const bat_curve *curve, const unsigned char *marks, c
         for (int k = 0; k < size && marks[i]; k++) points[(ptrdiff_t)size * i + k] += delta[k];
     return bat_curve_finish(moved, out);
 }
+
+bat_status bat_pull_along(const bat_curve *curve, int axis, const double *by, bat_curve **out) {
+    bat_curve *moved = NULL;
+    const bat_status status = begin(curve, &moved);
+    if (status != BAT_OK) return status;
+    double *points = bat_curve_own_points(moved);
+    for (int i = 0; i < curve->count; i++) points[(ptrdiff_t)curve->dimension * i + axis] += by[i];
+    return bat_curve_finish(moved, out);
+}

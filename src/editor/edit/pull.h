@@ -23,5 +23,7 @@ bat_status bat_pull_point(const bat_curve *curve, int index, const double *delta
 /* Moves each control point whose mark (one for each) is not 0 by delta, and nothing else. */
 bat_status bat_pull_points(const bat_curve *curve, const unsigned char *marks, const double *delta,
                            bat_curve **out);
+/* Moves each control point by its own length along an axis, and nothing else. */
+bat_status bat_pull_along(const bat_curve *curve, int axis, const double *by, bat_curve **out);
 
 #endif

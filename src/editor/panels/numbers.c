@@ -178,6 +178,12 @@ const char *bat_panel_number(bat_context *c, const char *name) {
         if (made.report) bat_unit_about(c, made.report->max_error, text);
         return text;
     }
+    if (name && !strcmp(name, "points")) { /* how many are chosen together */
+        const int count = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS ? bat_pointing_of(c)->marked
+                                                                                  : 0;
+        if (count > 0) bat_unit_number(count, text);
+        return text;
+    }
     if (bat_page_names(name)) {
         bat_page_number(c, name, text);
         return text;

@@ -44,6 +44,11 @@ const bat_slot *bat_toolbox_tool(const bat_context *c) {
     return c->input->brush ? bat_toolbox_that(c, c->input->brush) : bat_toolbox_chosen(c);
 }
 
+bat_status bat_toolbox_command(bat_context *c, bat_command_id id) {
+    const bat_slot *tool = bat_toolbox_tool(c);
+    return tool->is->command ? tool->is->command(c, tool->state, id) : BAT_STATE;
+}
+
 const bat_slot *bat_toolbox_chosen(const bat_context *c) { return &c->toolbox->slots[c->choice->tool]; }
 
 const bat_slot *bat_toolbox_that(const bat_context *c, unsigned trait) {

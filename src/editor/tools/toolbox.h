@@ -24,6 +24,8 @@ void bat_toolbox_forget(bat_toolbox *toolbox);
 
 /* The tool in force: a mode that is on, else the chosen tool, or the one for the pen's eraser end or barrel button. */
 const bat_slot *bat_toolbox_tool(const bat_context *c);
+/* What the tool in force does at this command. BAT_STATE: nothing. */
+bat_status bat_toolbox_command(bat_context *c, bat_command_id id);
 /* The chosen tool, whatever mode is active over it; the first tool with a trait. */
 const bat_slot *bat_toolbox_chosen(const bat_context *c);
 const bat_slot *bat_toolbox_that(const bat_context *c, unsigned trait);

@@ -75,7 +75,7 @@ static void a_row(void **state) {
     runs(editor, "array");
     says(editor, "\"of\":\"array\"");
     says(editor, "\"chosen\":0,");
-    says(editor, "\"typed\":\"array-count array-gap\",\"ways\":3,\"said\":\"\"");
+    says(editor, "\"typed\":\"array-count array-gap array-direction\",\"ways\":3,\"said\":\"\"");
     assert_true(shows(editor));
     assert_int_equal(bat_editor_enter(editor, "array-count", "5"), BAT_OK);
     assert_int_equal(bat_editor_enter(editor, "array-gap", "12.5"), BAT_OK);
@@ -101,6 +101,32 @@ static void a_row(void **state) {
     runs(editor, "accept");
     lies(editor, 2, 4, 0, 340, 500);
     bat_editor_free(editor);
+}
+
+/* In any direction: as far as the box of 100 reaches there, and the gap; level and upright exactly. */
+static void a_row_aslant(void **state) {
+    (void)state;
+    static const double degrees[] = {0, 30, 45, 90, 135, 180, -60, 270, -360};
+    for (size_t n = 0; n < sizeof degrees / sizeof *degrees; n++) {
+        bat_editor *editor = things();
+        const uint64_t first = digest(editor);
+        const double angle = degrees[n] * acos(-1) / 180, c = cos(angle), s = sin(angle);
+        double box[4];
+        bat_object_bounds(bat_document_at(bat_editor_document(editor), 0), box);
+        const double far = fabs(c) * (box[2] - box[0]) + fabs(s) * (box[3] - box[1]) + 7;
+        only(editor, 1, 0);
+        runs(editor, "array");
+        set(editor, "array-count", 4);
+        set(editor, "array-gap", 7);
+        set(editor, "array-direction", degrees[n]);
+        runs(editor, "accept");
+        const double from[2] = {point(editor, 1, 0, 0)[0], point(editor, 1, 0, 0)[1]};
+        for (int i = 1; i < 4; i++) lies(editor, 1, i, 0, from[0] + i * far * c, from[1] + i * far * s);
+        if (n == 0 || n == 5) assert_true(point(editor, 1, 3, 0)[1] == from[1]);
+        if (n == 3 || n == 7) assert_true(point(editor, 1, 3, 0)[0] == from[0]);
+        goes_back_and_replays(editor, first);
+        bat_editor_free(editor);
+    }
 }
 
 static void a_grid(void **state) {
@@ -329,9 +355,9 @@ static void what_ends_it(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_row),           cmocka_unit_test(a_grid),       cmocka_unit_test(a_circle),
-        cmocka_unit_test(the_slider),      cmocka_unit_test(many),         cmocka_unit_test(groups),
-        cmocka_unit_test(what_can_not_be), cmocka_unit_test(what_ends_it),
+        cmocka_unit_test(a_row),    cmocka_unit_test(a_row_aslant),    cmocka_unit_test(a_grid),
+        cmocka_unit_test(a_circle), cmocka_unit_test(the_slider),      cmocka_unit_test(many),
+        cmocka_unit_test(groups),   cmocka_unit_test(what_can_not_be), cmocka_unit_test(what_ends_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

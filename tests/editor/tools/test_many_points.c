@@ -188,17 +188,54 @@ static void deleted_together(void **state) {
     expect_marked(editor, 0);
     bat_editor_command(editor, "undo");
     assert_true(digest(editor) == first);
-    box(&p, 20, 300, 900, 500, 0); /* all: what is left goes from end to end */
+    box(&p, 20, 300, 900, 500, 0); /* all but one: what is left goes from end to end */
+    tap_point(&p, 0, BAT_SHIFT);
     assert_int_equal(bat_editor_command(editor, "point-delete"), BAT_OK);
     check(editor);
     assert_int_equal(bat_curve_count(curve_of(editor, 0)), 4);
+    bat_editor_command(editor, "undo");
     box(&p, 20, 300, 900, 500, 0);
-    const uint64_t least = digest(editor);
-    bat_editor_command(editor, "point-delete");
-    assert_true(digest(editor) == least);
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "No knot"));
+    bat_editor_key(editor, "Delete", true, 0, p.time); /* all: the object */
+    check(editor);
+    assert_int_equal(bat_document_count(bat_editor_document(editor)), 1);
+    assert_int_equal(bat_editor_frame(editor)->selected, 0);
+    assert_int_equal(bat_object_id(bat_document_at(bat_editor_document(editor), 0)), 2);
     round_trip(editor, first);
     bat_editor_free(editor);
+}
+
+/* As objects are: to the least, middle and greatest of those that are chosen, and to equal distances; the others stay. */
+static void lined_up(void **state) {
+    (void)state;
+    static const struct {
+        const char *command;
+        int axis;
+        double at[3]; /* of points 0, 3 and 8 */
+    } cases[] = {{"align-left", 0, {100, 100, 100}},       {"align-centre", 0, {420, 420, 420}},
+                 {"align-right", 0, {740, 740, 740}},      {"align-top", 1, {340, 340, 340}},
+                 {"align-middle", 1, {400, 400, 400}},     {"align-bottom", 1, {460, 460, 460}},
+                 {"distribute-across", 0, {100, 420, 740}}};
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        bat_editor *editor = zigzag();
+        const uint64_t first = digest(editor);
+        pen p = pen_for(editor);
+        tap_point(&p, 0, 0);
+        tap_point(&p, 8, BAT_SHIFT);
+        if (n > 5) assert_int_equal(bat_editor_command(editor, cases[n].command), BAT_STATE);
+        tap_point(&p, 3, BAT_SHIFT);
+        assert_string_equal(bat_editor_number(editor, "points"), "3");
+        assert_int_equal(bat_editor_command(editor, cases[n].command), BAT_OK);
+        check(editor);
+        for (int i = 0, k = 0; i < POINTS; i++)
+            for (int d = 0; d < 2; d++) {
+                const bool chosen = d == cases[n].axis && bat_pointing_is_marked(pointing(editor), i);
+                const double now = bat_curve_points(curve_of(editor, 0))[2 * i + d];
+                const double wanted = chosen ? cases[n].at[k++] : place_of(i, d);
+                if (fabs(now - wanted) > 1e-9) fail_msg("%s: point %d at %g", cases[n].command, i, now);
+            }
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_editor_free(editor);
+    }
 }
 
 /* With another number of points the marks mean nothing: after a knot is inserted, and after that is undone. */
@@ -231,11 +268,9 @@ static void other_numbers_of_points(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(with_shift),
-        cmocka_unit_test(by_a_box),
-        cmocka_unit_test(what_ends_it),
-        cmocka_unit_test(deleted_together),
-        cmocka_unit_test(other_numbers_of_points),
+        cmocka_unit_test(with_shift),   cmocka_unit_test(by_a_box),
+        cmocka_unit_test(what_ends_it), cmocka_unit_test(deleted_together),
+        cmocka_unit_test(lined_up),     cmocka_unit_test(other_numbers_of_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -68,6 +68,14 @@ bat_status bat_pointing_command(bat_context *c, void *state, bat_command_id id) 
     case BAT_COMMAND_NUDGE_RIGHT: return bat_pointing_nudge(c, 1, 0);
     case BAT_COMMAND_NUDGE_UP: return bat_pointing_nudge(c, 0, -1);
     case BAT_COMMAND_NUDGE_DOWN: return bat_pointing_nudge(c, 0, 1);
+    case BAT_COMMAND_ALIGN_LEFT:
+    case BAT_COMMAND_ALIGN_CENTRE:
+    case BAT_COMMAND_ALIGN_RIGHT:
+    case BAT_COMMAND_ALIGN_TOP:
+    case BAT_COMMAND_ALIGN_MIDDLE:
+    case BAT_COMMAND_ALIGN_BOTTOM:
+    case BAT_COMMAND_DISTRIBUTE_ACROSS:
+    case BAT_COMMAND_DISTRIBUTE_DOWN: return bat_pointing_line_up(c, p, id);
     default: return BAT_STATE;
     }
 }

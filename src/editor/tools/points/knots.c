@@ -3,6 +3,7 @@
 #include "curve/curve.h"
 #include "editor/edit/curves_of.h"
 #include "editor/session/notice.h"
+#include "editor/session/transaction.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
 #include "editor/view/unit.h"
@@ -116,9 +117,19 @@ static bat_status delete_marked(bat_context *c, bat_pointing *p, const bat_curve
     return BAT_OK;
 }
 
+/* With all its points a curve is gone, and an object with its last curve. */
+static bat_status delete_curve(bat_context *c, bat_pointing *p) {
+    bat_status status = bat_transaction_begin(c);
+    if (status == BAT_OK)
+        status = bat_transaction_end(c, bat_remove_curve(c, p->object, p->curve), BAT_STRING_STEP_DELETE);
+    bat_pointing_settle(c, p);
+    return bat_pointing_told(c, status);
+}
+
 bat_status bat_pointing_delete_knot(bat_context *c, bat_pointing *p) {
     double u;
     const bat_curve *curve = bat_pointing_curve(c, p);
+    if (curve && p->marked == p->marks_size && p->marked > 0) return delete_curve(c, p);
     if (curve && p->marked > 1) return delete_marked(c, p, curve);
     if (!p->chosen.kind) return BAT_STATE;
     if (!meant_knot(c, p, &u)) {

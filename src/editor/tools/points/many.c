@@ -1,6 +1,9 @@
 /* The points tool: several control points of one curve, chosen with Shift or by a box, and moved together. */
 #include "base/real.h"
 #include "curve/curve.h"
+#include "editor/edit/curves_of.h"
+#include "editor/edit/line_up.h"
+#include "editor/edit/pull.h"
 #include "editor/session/session.h"
 #include "editor/tools/points/state.h"
 #include "editor/view/stage.h"
@@ -79,4 +82,34 @@ bat_status bat_pointing_mark_box(const bat_context *c, bat_pointing *p, const ba
     }
     choose_marked(p, curve);
     return BAT_OK;
+}
+
+/* By how much each point of the curve moves. */
+static bat_status find_moves(const bat_pointing *p, const bat_curve *curve, const bat_line_up *how,
+                             double *by) {
+    const int count = p->marks_size, size = bat_curve_dimension(curve);
+    int n = 0;
+    bat_in_line *things = malloc((size_t)count * sizeof *things);
+    if (!things) return BAT_MEMORY;
+    for (int i = 0; i < count; i++) {
+        const double at = bat_curve_points(curve)[(ptrdiff_t)size * i + how->axis];
+        if (p->marks[i]) things[n++] = (bat_in_line){.low = at, .high = at};
+    }
+    const bat_status status = bat_line_up_find(how, n, things, NULL);
+    for (int i = 0, k = 0; i < count && status == BAT_OK; i++) by[i] = p->marks[i] ? things[k++].by : 0;
+    free(things);
+    return status;
+}
+
+bat_status bat_pointing_line_up(bat_context *c, bat_pointing *p, bat_command_id id) {
+    const bat_line_up how = bat_line_up_of(id);
+    const bat_curve *curve = bat_pointing_curve(c, p);
+    bat_curve *after = NULL;
+    if (!curve || p->marked < 2) return BAT_STATE;
+    double *by = calloc((size_t)p->marks_size, sizeof *by);
+    bat_status status = by ? find_moves(p, curve, &how, by) : BAT_MEMORY;
+    if (status == BAT_OK) status = bat_pull_along(curve, how.axis, by, &after);
+    free(by);
+    if (status == BAT_OK) status = bat_commit_curve(c, p->object, p->curve, after, how.step);
+    return status == BAT_STATE ? status : bat_pointing_told(c, status);
 }

@@ -74,6 +74,8 @@ bat_status bat_pointing_smooth_corner(bat_context *c, bat_pointing *p);
 bat_status bat_pointing_toggle(bat_pointing *p, const bat_curve *curve, int index);
 /* Those in the box from the press to the pen; adds: beside those that are marked. */
 bat_status bat_pointing_mark_box(const bat_context *c, bat_pointing *p, const bat_curve *curve, bool adds);
+/* Aligns or distributes them, as one step; nothing else moves. BAT_STATE: too few. */
+bat_status bat_pointing_line_up(bat_context *c, bat_pointing *p, bat_command_id id);
 
 /* keys.c, show.c */
 bat_status bat_pointing_command(bat_context *c, void *state, bat_command_id id);
