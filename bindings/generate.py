@@ -3,7 +3,7 @@
 
 Usage: generate.py ROOT OUT. In OUT: calls.json (the calls, structs and enums; offsets for wasm32), exports.txt (the C
 functions), layout.c (asserts that a compiler for wasm32 lays structs out as calls.json says), docs.json (what the headers
-say of each function).
+say of each function, struct and member).
 """
 import json
 import pathlib
@@ -23,9 +23,11 @@ TITLES = {"bat_frame3": "Frame"}  # of structs in the packages; the others are c
 
 class Headers:
     def __init__(self, root):
-        self.calls, self.header, self.structs, self.enums, self.docs = {}, {}, {}, {}, {}
+        self.calls, self.header, self.structs, self.enums, self.docs, self.members = {}, {}, {}, {}, {}, {}
         for path in sorted((root / "include/batten").glob("*.h")):
             self.docs |= documented(path.read_text("utf-8"))
+            for said, body, name in re.findall(r"(?:(/\*(?:(?!\*/).)*\*/)\n)?typedef struct \w+ \{(.*?)\} (\w+);", path.read_text("utf-8"), re.S):
+                self.members[name] = said, body
             text = re.sub(r"/\*.*?\*/", " ", path.read_text("utf-8"), flags=re.S)
             for returns, name, parameters in re.findall(r"BAT_API\s+([^;()]*?)\b(bat_\w+)\(([^;]*?)\);", text):
                 self.calls[name] = (" ".join(returns.split()), self.split(parameters))
@@ -33,7 +35,7 @@ class Headers:
             for body, name in re.findall(r"typedef enum \w+ \{(.*?)\} (\w+);", text, re.S):
                 self.enums[name] = self.words(body)
             for body, name in re.findall(r"typedef struct \w+ \{(.*?)\} (\w+);", text, re.S):
-                self.structs[name] = body
+                self.structs[name], self.header[name] = body, path.name
 
     @staticmethod
     def split(parameters):
@@ -123,6 +125,15 @@ def documented(text):
     return found
 
 
+def members(name, said, body):
+    """The comment of a struct, under its name, and of each member, under struct.member: the one behind it, or else the one before it."""
+    found = {name: prose(said)}
+    for before, line, behind in re.findall(r"(?:(/\*(?:(?!\*/).)*\*/)\s*)?([^;/]+);(?:[ \t]*(/\*.*?\*/))?", body, re.S):
+        for _, member, _ in Headers.declared(line):
+            found[f"{name}.{member}"] = prose(behind or before)
+    return found
+
+
 def rows(path):
     """(C name or header, names or None, words or reason) of calls.txt."""
     for line in path.read_text("utf-8").splitlines():
@@ -172,6 +183,9 @@ def main():
     write(out / "calls.json", json.dumps({"calls": calls, "structs": structs, "enums": enums, "inits": inits,
                                           "classes": CLASSES, "frees": FREES}, indent=None) + "\n")
     docs = {call["c"]: f"{headers.docs[call['c']]}\nIn C: {call['c']}, <batten/{headers.header[call['c']]}>".strip() for call in calls}
+    for name in structs:
+        docs |= members(name, *headers.members[name])
+        docs[name] = f"{docs[name]}\nIn C: {name}, <batten/{headers.header[name]}>".strip()
     write(out / "docs.json", json.dumps(docs, indent=0, ensure_ascii=False) + "\n")
     exports = sorted({call["c"] for call in calls} | set(ALSO) | set(inits.values()))
     write(out / "exports.txt", "\n".join(exports) + "\n")

@@ -55,8 +55,10 @@ class Types:
                 type_ = "NumberList" if given else self.many(type_)
             else:
                 type_ = self.one(type_)
+            if said := self.docs[f"{name}.{field['name']}"]:
+                lines.append(self.comment(said, "  "))
             lines.append(f"  {word}{'?' if given else ''}: {type_};")
-        return "\n".join([f"export interface {pascal(name)} {{", *lines, "}"])
+        return "\n".join([self.comment(self.docs[name]), f"export interface {pascal(name)} {{", *lines, "}"])
 
     def argument(self, word, type_):
         """(name, type, optional) of what a caller gives, or None."""
@@ -100,10 +102,17 @@ class Types:
             return shown[0][1]
         return "{ " + "; ".join(f"{name}: {type_}" for name, type_, _ in shown) + " }"
 
+    @staticmethod
+    def comment(said, indent=""):
+        """A text, a line a paragraph, as a comment."""
+        lines = said.replace("*/", "* /").split("\n")
+        if len(lines) == 1:
+            return f"{indent}/** {said} */"
+        return f"{indent}/**\n" + f"{indent} *\n".join(f"{indent} * {line}\n" for line in lines) + f"{indent} */"
+
     def note(self, call):
         """What the header says of a call, as a comment."""
-        lines = self.docs[call["c"]].replace("*/", "* /").split("\n")
-        return "\n".join(["  /**", *(f"   * {line}" for one in lines for line in (one, "")), "   */"]).replace("   * \n   */", "   */").replace("   * \n", "   *\n") + "\n"
+        return self.comment(self.docs[call["c"]], "  ") + "\n"
 
     def member(self, call, called):
         kind, name = called.split(".")

@@ -19,8 +19,8 @@ globalThis.told = new Promise((done) => {
   new Worker('worker.js', { type: 'module' }).onmessage = ({ data }) => done(data);
 });
 globalThis.ready = true;`,
-  '/some/where/worker.js': `import { load } from './batten-core/index.js';
-const b = await load({ small: true });
+  '/some/where/worker.js': `import { load } from './batten-core/sketch.js';
+const b = await load();
 const live = b.live();
 for (let x = 0; x < 60; x++) live.add(x, x * (60 - x) / 90);
 postMessage(live.commit().toSVG());`,
@@ -33,7 +33,7 @@ before(async () => {
     const file = request.url.replace('/some/where/', '');
     const text = PAGES[request.url] ?? (/^batten-core\/[\w.-]+$/.test(file) && fs.existsSync(path.join(home, file)) ? fs.readFileSync(path.join(home, file)) : null);
     response.writeHead(text === null ? 404 : 200, { 'content-type': TYPES[path.extname(request.url)] ?? 'text/plain',
-      'content-security-policy': "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; worker-src 'self'; img-src data:" });
+      'content-security-policy': "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; img-src data:" });
     response.end(text);
   });
   await new Promise((done) => server.listen(0, '127.0.0.1', done));

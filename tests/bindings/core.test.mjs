@@ -12,6 +12,9 @@ import zlib from 'node:zlib';
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const home = path.join(root, 'build/wasm/npm/batten-core');
 const { load, BattenError, Curve } = await import(path.join(home, 'index.js'));
+const { load: loadSketch } = await import(path.join(home, 'sketch.js'));
+const { load: loadLevels } = await import(path.join(home, 'levels.js'));
+const { load: loadBare } = await import(path.join(home, 'bare.js'));
 const b = await load();
 const sine = (count, f = (x) => 40 * Math.sin(x / 20)) => Array.from({ length: count }, (_, x) => [x, f(x)]);
 const near = (a, c, by = 1e-9) => assert.ok(Math.abs(a - c) <= by, `${a} is not ${c}`);
@@ -24,6 +27,7 @@ test('the modules have the sizes that the README tells', () => {
   assert.ok(size('batten-sketch.wasm') <= 60000);
   assert.ok(size('batten-levels.wasm') <= 64000);
   assert.ok(size('batten.wasm') <= 162000);
+  names.forEach((name) => assert.ok(size(`${name}.js`) <= 1.015 * size(name), 'as text they are hardly more'));
   assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(fs.readFileSync(path.join(home, 'batten.wasm')))), []);
 });
 
@@ -196,7 +200,7 @@ test('numbers that nobody holds any more are freed by the collector', async () =
 });
 
 test('the small module draws, and says what it has not', async () => {
-  const small = await load({ small: true });
+  const small = await loadSketch();
   const curve = small.fit(sine(100));
   assert.match(curve.toSVG(), /^M/);
   const live = curve.live();
@@ -206,7 +210,7 @@ test('the small module draws, and says what it has not', async () => {
 });
 
 test('the small module of levels gives what the whole one gives, and says what it has not', async () => {
-  const small = await load({ small: 'levels' });
+  const small = await loadLevels();
   const of = (library) => {
     const curve = library.spline([[0, 0], [40, 30], [90, 5], [140, 40], [200, 0]], { tangents: [null, [1, 0], null, null, null] });
     const shape = library.fit(sine(200), { tolerance: 0.05 }).levels(2);
@@ -220,7 +224,17 @@ test('the small module of levels gives what the whole one gives, and says what i
   const shape = small.fit(sine(200)).levels(2);
   refuses('unsupported', () => shape.redraw(sine(60)));
   refuses('unsupported', () => small.live());
-  await assert.rejects(load({ small: 'tangents' }), (error) => error instanceof BattenError && error.status === 'argument');
+  await assert.rejects(load({ small: 'levels' }), { status: 'argument', message: /no option small/ });
+});
+
+test('without a module inside, it comes from an address, bytes or a compiled module', async () => {
+  const file = path.join(home, 'batten-sketch.wasm');
+  const bytes = fs.readFileSync(file);
+  for (const wasm of [new URL(`file://${file}`), `file://${file}`, path.relative('.', file), bytes, new WebAssembly.Module(bytes)]) {
+    assert.equal((await loadBare({ wasm })).fit([0, 0, 1, 1, 2, 0]).count, b.fit([0, 0, 1, 1, 2, 0]).count);
+  }
+  await assert.rejects(loadBare(), { status: 'argument', message: /no module inside/ });
+  await assert.rejects(loadBare({ wasm: 'nowhere.wasm' }), { status: 'state', message: /nowhere\.wasm cannot be read.*load\(\{ wasm \}\) takes/ });
 });
 
 test('in a worker', async () => {

@@ -14,7 +14,7 @@ after(() => fs.rmSync(project, { recursive: true }));
 const run = (command, ...args) => execFileSync(command, args, { cwd: project, encoding: 'utf8', env: { ...process.env, npm_config_cache: path.join(project, 'cache'), npm_config_update_notifier: 'false' } });
 const write = (name, text) => fs.writeFileSync(path.join(project, name), text);
 
-const USE = `const b = await load(WHERE);
+const USE = `const b = await load();
 const curve = b.fit([[0, 0], [10, 8], [20, 10], [30, 8], [40, 0]], { tolerance: 0.5 });
 const live = b.live({ tolerance: 1 });
 for (let x = 0; x < 60; x++) live.add(x, 9 * Math.sin(x / 9));
@@ -24,11 +24,13 @@ test('packed, installed into a fresh project and used', async (t) => {
   run('npm', 'init', '-y');
   const packed = run('npm', 'pack', '--silent', path.join(root, 'build/wasm/npm/batten-core')).trim();
   run('npm', 'install', '--offline', '--no-audit', '--no-fund', path.join(project, packed));
-  const files = fs.readdirSync(path.join(project, 'node_modules/batten-core')).sort();
+  const folder = path.join(project, 'node_modules/batten-core');
+  const files = fs.readdirSync(folder).sort();
 
   await t.test('everything is in it, nothing else', () => {
-    assert.deepEqual(files, ['LICENSE', 'README.md', 'adapters', 'batten-levels.wasm', 'batten-sketch.wasm', 'batten.wasm', 'call.js', 'calls.js', 'error.js',
-      'given.js', 'index.d.ts', 'index.js', 'memory.js', 'package.json', 'path.js']);
+    assert.deepEqual(files, ['LICENSE', 'README.md', 'adapters', 'bare.d.ts', 'bare.js', 'batten-levels.wasm', 'batten-levels.wasm.js', 'batten-sketch.wasm',
+      'batten-sketch.wasm.js', 'batten.wasm', 'batten.wasm.js', 'call.js', 'calls.js', 'error.js', 'given.js', 'index.d.ts', 'index.js', 'levels.d.ts', 'levels.js', 'library.js', 'memory.js',
+      'package.json', 'path.js', 'sketch.d.ts', 'sketch.js', 'source.js']);
     const told = JSON.parse(fs.readFileSync(path.join(project, 'node_modules/batten-core/package.json'), 'utf8'));
     assert.equal(told.dependencies, undefined);
     assert.ok(fs.readFileSync(path.join(root, 'include/batten/base.h'), 'utf8').includes(`"${told.version}"`));
@@ -39,41 +41,60 @@ test('packed, installed into a fresh project and used', async (t) => {
     assert.match(run('node', 'readme.mjs'), /^\d+ 0\.\d+ M[-\d. ]+C/);
   });
   await t.test('from Node', () => {
-    write('use.mjs', `import { load } from 'batten-core';\n${USE.replace('WHERE', '')}`);
+    write('use.mjs', `import { load } from 'batten-core';\n${USE}`);
     assert.match(run('node', 'use.mjs'), /^\d true true\n$/);
     write('adapters.mjs', `import fitCurve from 'batten-core/fit-curve';\nimport getStroke from 'batten-core/freehand';
 console.log(fitCurve([[0, 0], [5, 5], [10, 0]], 1).length > 0, getStroke([[0, 0], [5, 5], [10, 0]]).length > 9);`);
     assert.equal(run('node', 'adapters.mjs'), 'true true\n');
   });
-  await t.test('through a bundle of esbuild, minified', () => {
-    write('bundle.mjs', `import address from 'batten-core/batten.wasm';\nimport { load } from 'batten-core';\n${USE.replace('WHERE', '{ wasm: new URL(address, import.meta.url) }')}`);
-    run('esbuild', 'bundle.mjs', '--bundle', '--minify', '--format=esm', '--platform=node', '--loader:.wasm=file', '--outfile=out/bundle.mjs');
-    assert.match(run('node', 'out/bundle.mjs'), /^\d true true\n$/);
-  });
-  await t.test("as Vite's dev server bundles it, into a folder without the modules", () => {
-    run('esbuild', 'use.mjs', '--bundle', '--format=esm', '--platform=node', '--outfile=node_modules/.vite/deps/use.mjs');
-    assert.match(run('node', 'node_modules/.vite/deps/use.mjs'), /^\d true true\n$/);
+  await t.test('through a bundle of esbuild for browsers, with no options and nothing beside it', () => {
+    for (const [name, word] of [['use', ''], ['small', '/sketch']]) {
+      write(`${name}.mjs`, `import { load } from 'batten-core${word}';\n${USE}`);
+      run('esbuild', `${name}.mjs`, '--bundle', '--minify', '--format=esm', `--outfile=out/${name}.mjs`);
+      assert.match(run('node', `out/${name}.mjs`), /^\d true true\n$/);
+    }
+    const [whole, small] = ['use', 'small'].map((name) => fs.statSync(path.join(project, `out/${name}.mjs`)).size);
+    assert.ok(small < 0.6 * whole, 'only the module that is asked for goes along');
   });
   await t.test('what is served in place of a module is named', async () => {
     const server = http.createServer((_, response) => response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html>'));
     await new Promise((done) => server.listen(0, '127.0.0.1', done));
     const { load } = await import(path.join(project, 'node_modules/batten-core/index.js'));
-    await assert.rejects(load({ wasm: `http://127.0.0.1:${server.address().port}/batten.wasm` }), { status: 'state', message: /batten\.wasm is no WebAssembly but text\/html/ });
+    await assert.rejects(load({ wasm: `http://127.0.0.1:${server.address().port}/batten.wasm` }), { status: 'state', message: /batten\.wasm is no WebAssembly but text\/html\. load\(\{ wasm \}\) takes/ });
     server.close();
   });
   await t.test('its types have comments, and no any', () => {
-    const types = fs.readFileSync(path.join(project, 'node_modules/batten-core/index.d.ts'), 'utf8');
-    assert.doesNotMatch(types.replace(/\/\*[^]*?\*\//g, ''), /\bany\b/);
-    for (const [, kind, body] of types.matchAll(/export class (\w+) [^{]*\{([^]*?)\n\}/g)) {
-      for (const [, before, name] of body.matchAll(/(.*)\n {2}(?:readonly )?(\w+)[(:<]/g)) {
-        assert.ok(kind === 'BattenError' || kind === 'Numbers' || /\*\/$/.test(before) || /version|constructor/.test(name), `${kind}.${name}`);
+    const declared = fs.readdirSync(folder, { recursive: true }).filter((name) => name.endsWith('.d.ts'));
+    for (const name of declared) {
+      const types = fs.readFileSync(path.join(folder, name), 'utf8');
+      assert.doesNotMatch(types.replace(/\/\*[^]*?\*\/|\/\/.*/g, ''), /\bany\b/, name);
+      for (const [, before, what] of types.matchAll(/(.*)\n(export (?:declare )?(?:class|function|interface|type) \w+|declare function \w+)/g)) {
+        assert.match(before, /\*\/$/, `${name}: ${what}`);
+      }
+      for (const [, kind, body] of types.matchAll(/export class (\w+) [^{]*\{([^]*?)\n\}/g)) {
+        for (const [, before, member] of body.matchAll(/(.*)\n {2}(?:readonly )?(\w+\??|\[Symbol\.dispose\])[(:<]/g)) {
+          assert.ok(/\*\/$/.test(before), `${kind}.${member}`);
+        }
+      }
+    }
+    assert.ok(declared.length > 5);
+  });
+  await t.test('each function and class of its scripts has a comment, and no type any', () => {
+    const scripts = fs.readdirSync(folder, { recursive: true }).filter((name) => /(?<!\.wasm)\.js$/.test(name) && name !== 'calls.js');
+    for (const name of scripts) {
+      const text = fs.readFileSync(path.join(folder, name), 'utf8');
+      assert.doesNotMatch(text, /\{any\}|\bany>/, name);
+      const begins = /(.*)\n(?:export )?(?:default )?(?:async )?(?:function|class) (\w+)|(.*)\n(?:export )?const (\w+) = (?:async )?(?:\([^()]*\)|\w+) =>|(.*)\n {2}(?:static |async |get |set )*([#\w]+)\(.*\) \{\n/g;
+      for (const [, ...found] of text.matchAll(begins)) {
+        const [before, what] = found.filter((one) => one !== undefined);
+        assert.ok(/\*\/$/.test(before) || /^(constructor|if|for|while|switch)$/.test(what), `${name}: ${what}`);
       }
     }
   });
   await t.test('with types', () => {
     write('use.mts', `import { load, BattenError, type Curve } from 'batten-core';
 import fitCurve from 'batten-core/fit-curve';
-const b = await load({ small: false });
+const b = await load();
 const curve: Curve = b.fit([[0, 0], [1, 2], [3, 4]], { tolerance: 0.5, holdEnds: true });
 const error: number = b.fit(new Float64Array(8)).report.maxError;
 const shape = curve.levels(2, { frame: 'rmf' }).drag(0, 0.5, [0, 1]);

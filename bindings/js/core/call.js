@@ -3,6 +3,14 @@ import { BattenError, STATUSES } from './error.js';
 import { dimensionOf, evaluate, isNumbers, numbersOf } from './given.js';
 import { camel, countOf, intOf, Numbers, numberOf, valueOf } from './memory.js';
 
+/** A call as calls.txt describes it. @typedef {{ c: string, names: string[], args: [string, string][], returns: string, returned?: string }} Description */
+/** An argument of C: what kind it is of, its type with and without pointers, and what its word says of it.
+ * @typedef {{ word: string, type: string, bare: string, kind: string, name: string, formula?: string, missing?: string, least?: string, optional?: boolean,
+ *   whole?: boolean, handed?: boolean, back?: boolean, ends?: boolean }} Argument */
+/** @typedef {Description & { parsed: Argument[], positional: Argument[], options: Set<string>, writes: Argument | null }} Plan */
+/** A result: where it is, and how many. @typedef {Argument & { at: number, count: number, isHandle: boolean, into: Numbers | null }} Result */
+
+/** A type of C without const and pointers. @param {string} type */
 const bareOf = (type) => type.replace(/const|[ *]/g, '');
 const LITERALS = { false: false, true: true, inf: Infinity };
 
@@ -36,6 +44,7 @@ function parse([word, type]) {
   return is('scalar', { name: match[1], missing: match[2], least: match[3] });
 }
 
+/** What a call of calls.txt needs, found once. @param {Description} call @param {Record<string, import('./memory.js').Struct>} structs @returns {Plan} */
 export function prepare(call, structs) {
   const args = call.args.map(parse);
   const has = (arg) => ['scalar', 'array', 'struct'].includes(arg.kind);
@@ -54,8 +63,10 @@ export function prepare(call, structs) {
   return { ...call, writes: written.length === 1 ? written[0] : null, parsed: args, options, positional: args.filter((arg) => has(arg) && !isOptional(arg)) };
 }
 
+/** One call: its arguments by name, and the results that it is to bring. */
 export class Call {
-  /** @param {any} library @param {any} plan @param {any} self @param {unknown[]} given */
+  /** @param {import('./library.js').Batten} library @param {Plan} plan @param {import('./library.js').Curve | null} self or an object of another class
+   * @param {unknown[]} given what the caller gives */
   constructor(library, plan, self, given) {
     Object.assign(this, { library, plan, self, memory: library.memory });
     this.values = new Map();
@@ -75,6 +86,7 @@ export class Call {
     this.dimension = this.#dimension();
   }
 
+  /** The dimension: of the object, as an option says, or as the points show it. @returns {number} */
   #dimension() {
     const arrays = this.plan.parsed.filter(({ kind, formula, name }) => (kind === 'array' && /dim/.test(formula)) || (kind === 'struct' && name !== 'regions'));
     const [first] = arrays.map(({ name }) => this.values.get(name));
@@ -97,6 +109,7 @@ export class Call {
     return this.values.get(name) ?? this.self[camel(name)];
   };
 
+  /** How many records an argument has: points, or what its formula says. @param {string} name @returns {number} */
   #records(name) {
     const value = this.values.get(name);
     const arg = this.plan.parsed.find((one) => one.name === name && (one.kind === 'array' || one.kind === 'struct'));
@@ -113,6 +126,7 @@ export class Call {
     return numbers.length / (arg.whole ? 1 : evaluate(arg.formula, this.#look));
   }
 
+  /** A number, truth, word or handle, as C takes it. @param {Argument} arg @returns {number} */
   #scalar({ name, missing, least, type, bare }) {
     let value = this.values.get(name);
     if (value === undefined && missing !== undefined) {
@@ -132,10 +146,12 @@ export class Call {
     return type === 'double' ? numberOf(value, name) : type === 'bool' ? Number(Boolean(value)) : type === 'size_t' ? countOf(value, name) : intOf(value, name);
   }
 
+  /** How many levels the shape has that this is, or is an edit of. @returns {number} */
   #levels() {
     return this.self.levels ?? this.memory.exports.bat_shape_levels(this.memory.exports.bat_shape_live_shape(this.self.at_));
   }
 
+  /** Places numbers in memory. @param {Argument} arg @returns {number} their address; 0: none were given */
   #array({ name, whole, formula, optional }) {
     const value = this.values.get(name);
     if (optional && (value === undefined || value === null)) {
@@ -179,6 +195,7 @@ export class Call {
     }
   }
 
+  /** Places a struct of options: the defaults, and what was given. @param {Argument} arg @returns {number} its address */
   #options({ bare }) {
     const { memory } = this;
     const { size, fields } = memory.structs[bare];
@@ -193,6 +210,7 @@ export class Call {
     return at;
   }
 
+  /** Places a stroke, a spline or regions. @param {Argument} arg @returns {number} its address */
   #struct({ name, bare }) {
     const { memory } = this;
     const value = this.values.get(name);
@@ -236,6 +254,7 @@ export class Call {
     return at;
   }
 
+  /** Makes room for a result. @param {Argument} arg @returns {number} its address */
   #result(arg) {
     const { memory } = this;
     const { bare, formula, handed, name } = arg;
@@ -252,6 +271,7 @@ export class Call {
     return at;
   }
 
+  /** One argument, as C takes it. @param {Argument} arg @returns {number} */
   #argument(arg) {
     switch (arg.kind) {
       case 'self': return this.self ? this.library.handleOf(this.self, this.self.kind, 'this') : 0;
@@ -268,6 +288,7 @@ export class Call {
     }
   }
 
+  /** Options, which are read again after the call where they bring something back. @param {Argument} arg @returns {number} */
   #kept(arg) {
     const at = this.#options(arg);
     if (arg.back) {
@@ -276,6 +297,7 @@ export class Call {
     return at;
   }
 
+  /** A count, which has to be whole. @param {number} count @returns {number} */
   #whole(count) {
     if (!Number.isInteger(count)) {
       throw new BattenError('count', 'the numbers do not make whole points');
@@ -283,6 +305,7 @@ export class Call {
     return count;
   }
 
+  /** Makes the call: twice where the first says how much room the second needs. @returns {unknown} */
   run() {
     return this.memory.during(() => {
       const room = this.plan.parsed.find(({ kind }) => kind === 'room');
@@ -299,6 +322,7 @@ export class Call {
     });
   }
 
+  /** Places the arguments, calls, and reads the results; throws when the status is not ok. @returns {unknown} */
   #once() {
     const { plan, memory } = this;
     const args = plan.parsed.filter((arg) => arg.kind !== 'result').reduce((map, arg) => map.set(arg, this.#argument(arg)), new Map());
@@ -321,6 +345,7 @@ export class Call {
     throw new BattenError(status, memory.text(memory.exports.bat_status_message(returned)), best);
   }
 
+  /** What the function itself returned. @param {number} value @returns {unknown} */
   #returned(value) {
     const { plan, memory, library } = this;
     const bare = bareOf(plan.returns);
@@ -336,6 +361,7 @@ export class Call {
     return bare === 'bool' ? Boolean(value) : value;
   }
 
+  /** Reads one result. @param {Result} result @returns {unknown} */
   #read({ at, bare, formula, handed, count, isHandle, into, name, kind }) {
     const { memory, library } = this;
     if (isHandle && !handed) {

@@ -2,9 +2,12 @@
 import { BattenError } from './error.js';
 import { Numbers } from './memory.js';
 
+/** @param {unknown} value @returns {boolean} whether it is an array of any kind */
 const isRow = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+/** @param {unknown} value @returns {boolean} whether it is an array of points */
 const isNested = (value) => Array.isArray(value) && value.length > 0 && typeof value.find((one) => one !== null) === 'object';
 
+/** @param {unknown} value @returns {boolean} whether it can be numbers in a row */
 export const isNumbers = (value) => value instanceof Numbers || isRow(value);
 
 /** The dimension that points show by themselves; undefined when they are flat. */
@@ -13,6 +16,7 @@ export function dimensionOf(points) {
   return first === undefined ? undefined : isRow(first) ? first.length : 'z' in first ? 3 : 2;
 }
 
+/** The coordinates of one point; zeros where there is none. @param {number[] | { x: number, y: number, z?: number } | null} point @param {number} dimension @param {string} name */
 function coordinates(point, dimension, name) {
   const row = point === null ? new Array(dimension).fill(0) : isRow(point) ? point : [point.x, point.y, point.z].slice(0, dimension);
   if (row.length !== dimension) {

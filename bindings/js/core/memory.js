@@ -1,6 +1,12 @@
 // The module's memory: places for arguments and results, which are given back after each call.
 import { BattenError } from './error.js';
 
+/** A member of a struct of C: `at` bytes from its begin; `room`: how many numbers it has, where it is an array.
+ * @typedef {{ name: string, type: string, room: number, at: number }} Field */
+/** @typedef {{ size: number, fields: Field[] }} Struct */
+/** The words of each enumeration, and their numbers. @typedef {Record<string, Record<string, number>>} Enums */
+/** What is read from memory. @typedef {number | boolean | string | undefined | Float64Array | object} Value */
+
 const SIZES = { double: 8, int: 4, size_t: 4, bool: 1 };
 
 /** Frees the numbers that nobody holds any more. */
@@ -23,6 +29,7 @@ export class Numbers {
     this.values.fill(0);
   }
 
+  /** Where they are; throws when they have been freed. @returns {number} */
   get at() {
     if (!this.#at) {
       throw new BattenError('state', 'the array has been freed');
@@ -35,6 +42,7 @@ export class Numbers {
     return new Float64Array(this.#memory.buffer, this.at, this.length);
   }
 
+  /** Gives the memory back at once. */
   free() {
     if (this.#at) {
       this.#memory.exports.free(this.#at);
@@ -43,28 +51,32 @@ export class Numbers {
     }
   }
 
+  /** As free(): for `using`. */
   [Symbol.dispose ?? Symbol.for('Symbol.dispose')]() {
     this.free();
   }
 }
 
+/** The memory of an instance. */
 export class Memory {
   /** @type {number[]} */
   #held = [];
   /** @type {DataView | null} */
   #view = null;
 
-  /** @param {Record<string, Function>} exports @param {any} structs @param {any} enums */
+  /** @param {Record<string, Function>} exports @param {Record<string, Struct>} structs @param {Enums} enums */
   constructor(exports, structs, enums) {
     this.exports = exports;
     this.structs = structs;
     this.enums = enums;
   }
 
+  /** The memory as it is now: it is another when it has grown. @returns {ArrayBuffer} */
   get buffer() {
     return this.exports.memory.buffer;
   }
 
+  /** A view of the memory as it is now. @returns {DataView} */
   get view() {
     if (this.#view?.buffer !== this.buffer) {
       this.#view = new DataView(this.buffer);
@@ -112,19 +124,23 @@ export class Memory {
     return at;
   }
 
+  /** A copy of numbers. @param {number} at @param {number} count @returns {Float64Array} */
   doubles(at, count) {
     return new Float64Array(this.buffer, at, count).slice();
   }
 
+  /** A text of C. @param {number} at @returns {string} */
   text(at) {
     const bytes = new Uint8Array(this.buffer, at);
     return String.fromCharCode(...bytes.subarray(0, bytes.indexOf(0)));
   }
 
+  /** Bytes of a value of a type. @param {string} type @returns {number} */
   sizeOf(type) {
     return SIZES[type] ?? this.structs[type]?.size ?? 4;
   }
 
+  /** Reads a value. @param {string} type @param {number} at @returns {Value} */
   readOne(type, at) {
     if (type === 'double') {
       return this.view.getFloat64(at, true);
@@ -139,6 +155,7 @@ export class Memory {
     return type in this.enums ? wordOf(this.enums[type], number) : number;
   }
 
+  /** Writes a value. @param {string} type @param {number} at @param {unknown} value @param {string} name for errors */
   writeOne(type, at, value, name) {
     if (type === 'double') {
       this.view.setFloat64(at, numberOf(value, name), true);
@@ -185,8 +202,10 @@ export class Memory {
   }
 }
 
+/** A name of C as one of JavaScript: max_error is maxError. @param {string} name @returns {string} */
 export const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 
+/** A value that has to be a number. @param {unknown} value @param {string} name for errors @returns {number} */
 export function numberOf(value, name) {
   if (typeof value !== 'number') {
     throw new BattenError('argument', `${name} is not a number`);
@@ -194,6 +213,7 @@ export function numberOf(value, name) {
   return value;
 }
 
+/** A value that has to be a whole number of 32 bits. @param {unknown} value @param {string} name for errors @returns {number} */
 export function intOf(value, name) {
   if (!Number.isInteger(value) || Math.abs(value) > 0x7fffffff) {
     throw new BattenError('argument', `${name} is not a whole number`);
@@ -201,6 +221,7 @@ export function intOf(value, name) {
   return value;
 }
 
+/** A value that has to be a number of things. @param {unknown} value @param {string} name for errors @returns {number} */
 export function countOf(value, name) {
   if (!Number.isInteger(value) || value < 0 || value > 1 << 28) {
     throw new BattenError('count', `${name} is not a number of things`);
@@ -208,6 +229,7 @@ export function countOf(value, name) {
   return value;
 }
 
+/** The number of a word. @param {Record<string, number>} words @param {unknown} value @param {string} name for errors @returns {number} */
 export function valueOf(words, value, name) {
   if (!Object.hasOwn(words, value)) {
     throw new BattenError('argument', `${name} is one of ${Object.keys(words).join(', ')}`);
@@ -215,6 +237,7 @@ export function valueOf(words, value, name) {
   return words[value];
 }
 
+/** The word of a number. @param {Record<string, number>} words @param {number} number @returns {string | undefined} */
 function wordOf(words, number) {
   return Object.keys(words).find((word) => words[word] === number);
 }

@@ -2,7 +2,7 @@
 
 /**
  * Calls moveTo, bezierCurveTo and closePath of a path for cubics in the plane, which follow each other.
- * @param {Float64Array} points 4 points for each cubic @param {number} dimension @param {boolean} closed @param {any} path
+ * @param {Float64Array} points 4 points for each cubic @param {number} dimension @param {boolean} closed @param {import('./index.js').PathLike} path
  */
 export function trace(points, dimension, closed, path) {
   const at = (i) => [points[i * dimension], points[i * dimension + 1]];
@@ -27,22 +27,27 @@ export class PathText {
     this.#decimals = decimals;
   }
 
+  /** @param {string} letter @param {number[]} numbers */
   #add(letter, numbers) {
     this.#words.push(letter + numbers.map((one) => Number(one.toFixed(this.#decimals)) + 0).join(' '));
   }
 
+  /** As of a Path2D. @param {...number} place */
   moveTo(...place) {
     this.#add('M', place);
   }
 
+  /** As of a Path2D. @param {...number} places */
   bezierCurveTo(...places) {
     this.#add('C', places);
   }
 
+  /** As of a Path2D. */
   closePath() {
     this.#words.push('Z');
   }
 
+  /** SVG path data. @returns {string} */
   toString() {
     return this.#words.join('');
   }

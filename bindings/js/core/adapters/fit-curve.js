@@ -4,7 +4,9 @@ import { load } from '../index.js';
 
 const b = await load();
 
+/** The point between two, at a share of the way. @param {number[]} p @param {number[]} q @param {number} t @returns {number[]} */
 const lerp = (p, q, t) => p.map((one, i) => one + (q[i] - one) * t);
+/** @param {unknown} point @returns {boolean} whether it is a row of numbers */
 const isPoint = (point) => Array.isArray(point) && point.every((one) => typeof one === 'number');
 
 /**

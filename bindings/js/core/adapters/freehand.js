@@ -1,12 +1,14 @@
 // A brush for users of perfect-freehand: the outline of a stroke whose width follows the pressure, with its options. The middle
 // line is a fitted curve, so the outline is smooth without being smoothed, and lies where the pen was.
-import { BattenError, load } from '../index.js';
+import { BattenError, load } from '../sketch.js';
 
-const b = await load({ small: true });
+const b = await load();
 
+/** What options are when they are left out. */
 const DEFAULTS = { size: 16, thinning: 0.5, smoothing: 0.5, simulatePressure: true, easing: (t) => t };
 const RATE = 0.275; // how fast a simulated pressure follows the speed, as in perfect-freehand
 
+/** The distance of two points. @param {number[]} p @param {number[]} q */
 const hypot = (p, q) => Math.hypot(q[0] - p[0], q[1] - p[1]);
 
 /** [x, y, pressure] of each point that differs from the one before. */
@@ -56,6 +58,7 @@ function cap({ x, y, nx, ny }, radius, steps = 8) {
   });
 }
 
+/** A circle, as a closed polygon. @param {number[]} centre @param {number} radius @returns {number[][]} */
 const disc = ([x, y], radius) => Array.from({ length: 24 }, (_, i) =>
   [x + radius * Math.cos((i * Math.PI) / 12), y + radius * Math.sin((i * Math.PI) / 12)]);
 

@@ -1,0 +1,6 @@
+// Curves, fits, points with directions and levels of detail, in less than half the bytes.
+import { loader } from './source.js';
+import inside from './batten-levels.wasm.js';
+
+export * from './library.js';
+export const load = loader(inside);

@@ -1,0 +1,6 @@
+// Curves and fits with the sketch hand, in less than half the bytes.
+import { loader } from './source.js';
+import inside from './batten-sketch.wasm.js';
+
+export * from './library.js';
+export const load = loader(inside);
