@@ -13,7 +13,17 @@ add_custom_command(OUTPUT ${editor}/page/index.html VERBATIM COMMENT "The editor
     "-DWORDS=${words_list}" "-DFACE=${FACE_LIST}" -DROOT=${PROJECT_SOURCE_DIR}/web -DOUT=${made}/page -DFOLDER=${editor}/page
     -DHEAD=${CMAKE_CURRENT_SOURCE_DIR}/editor/head.txt -DPART=ON -P ${PROJECT_SOURCE_DIR}/cmake/embed_web.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${editor}/page/index.html)
-foreach(name index.js index.d.ts vite.js vite.d.ts README.md)
+if(NOT BATTEN_ESBUILD)
+  message(STATUS "No esbuild: the npm package batten-editor is not built")
+  set(editor_files)
+  return()
+endif()
+set(packer ${CMAKE_CURRENT_SOURCE_DIR}/editor/page.py)
+add_custom_command(OUTPUT ${editor}/page.js DEPENDS ${editor}/page/index.html ${packer} ${inside} VERBATIM COMMENT "The editor inside a script"
+  COMMAND ${PYTHON3} -B ${packer} ${PROJECT_SOURCE_DIR}/web ${editor}/page ${BATTEN_ESBUILD} ${made}/inside ${made}/page.packed
+  COMMAND ${PYTHON3} -B ${inside} ${made}/page.packed ${editor}/page.js)
+list(APPEND editor_files ${editor}/page.js)
+foreach(name index.js element.js inside.js bare.js index.d.ts bare.d.ts README.md)
   add_custom_command(OUTPUT ${editor}/${name} DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/editor/${name} VERBATIM
     COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/editor/${name} ${editor}/${name})
   list(APPEND editor_files ${editor}/${name})

@@ -12,6 +12,9 @@ import { bezier, downloaded, expectFaults, Hand, launch, quiet, SCREENSHOTS, set
 import { EXAMPLE, MODULE } from './server.mjs';
 
 const POLICY = "default-src 'none'; script-src 'self'; frame-src 'self'; connect-src 'self'; img-src data:; base-uri 'none'";
+/** Of a page whose editor is inside the script. */
+const INSIDE = "default-src 'none'; script-src 'self' blob: 'wasm-unsafe-eval'; frame-src 'self' blob:; worker-src blob:; style-src blob:; font-src blob:; " +
+  "connect-src 'self' blob:; img-src blob: data:; base-uri 'none'";
 const TYPES = { html: 'text/html', js: 'text/javascript', css: 'text/css', svg: 'image/svg+xml', json: 'application/json', wasm: 'application/wasm',
   woff2: 'font/woff2' };
 /** What a page that uses it has: elements are made by the tests, and what they tell is noted. */
@@ -27,6 +30,7 @@ globalThis.make = (attributes, where = document.body) => {
     globalThis.saved = event.detail.text;
     event.detail.waitUntil(globalThis.refuse ? Promise.reject(new Error(globalThis.refuse)) : Promise.resolve());
   });
+  globalThis.served && editor.setAttribute('page', globalThis.served);
   Object.entries(attributes).forEach(([name, value]) => editor.setAttribute(name, value));
   where.append(editor);
   return editor;
@@ -48,23 +52,24 @@ before(async () => {
   run('npm', 'init', '-y');
   const packed = run('npm', 'pack', '--silent', path.join(path.dirname(MODULE), 'npm/batten-editor')).trim();
   run('npm', 'install', '--offline', '--no-audit', '--no-fund', path.join(project, packed));
-  fs.writeFileSync(path.join(project, 'host.js'), HOST.replace("'batten-editor'", "'./node_modules/batten-editor/index.js'"));
+  fs.writeFileSync(path.join(project, 'host.js'), `globalThis.served = 'node_modules/batten-editor/page/';\n${HOST.replace("'batten-editor'", "'./node_modules/batten-editor/bare.js'")}`);
   fs.writeFileSync(path.join(project, 'index.html'), '<!doctype html><html lang="en"><title>Host</title><link rel="icon" href="data:,"><script type="module" src="host.js"></script><h1>A page</h1>');
-  // As Vite's dev server has it: bundled into a folder of its own, and the page itself in place of what is not there.
-  run('esbuild', 'node_modules/batten-editor/index.js', '--bundle', '--format=esm', '--outfile=node_modules/.vite/deps/batten-editor.js');
-  fs.writeFileSync(path.join(project, 'vite.js'), HOST.replace("'batten-editor'", "'./node_modules/.vite/deps/batten-editor.js'"));
-  fs.writeFileSync(path.join(project, 'vite.html'), fs.readFileSync(path.join(project, 'index.html'), 'utf8').replace('host.js', '/vite.js'));
+  // A bundle of one script, as the first that every bundler makes, and nothing beside it.
+  fs.mkdirSync(path.join(project, 'bundled'));
+  fs.writeFileSync(path.join(project, 'bundle.js'), HOST);
+  run('esbuild', 'bundle.js', '--bundle', '--outfile=bundled/host.js');
+  fs.writeFileSync(path.join(project, 'bundled/index.html'), fs.readFileSync(path.join(project, 'index.html'), 'utf8').replace('type="module" src="host.js"', 'defer src="/bundled/host.js"'));
   fs.copyFileSync(EXAMPLE, path.join(project, 'car.svg'));
   fs.writeFileSync(path.join(project, 'square.svg'), SQUARE);
   server = http.createServer((request, response) => {
-    const asked = new URL(request.url, 'http://x/').pathname.replace(/^\/nothing\/.*|^\/node_modules\/\.vite\/.*html$/, '/vite.html');
+    const asked = new URL(request.url, 'http://x/').pathname.replace(/^\/bundled\/nothing\/.*/, '/bundled/'); // as dev servers do
     const file = path.join(project, asked.replace(/\/$/, '/index.html'));
     if (!file.startsWith(project) || !fs.existsSync(file)) {
       response.writeHead(404).end();
       return;
     }
     const own = !file.includes('batten-editor');
-    response.writeHead(200, { 'Content-Type': TYPES[file.split('.').pop()], ...(own && { 'Content-Security-Policy': POLICY }) });
+    response.writeHead(200, { 'Content-Type': TYPES[file.split('.').pop()], ...(own && { 'Content-Security-Policy': asked.startsWith('/bundled/') ? INSIDE : POLICY }) });
     response.end(fs.readFileSync(file));
   });
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
@@ -118,27 +123,30 @@ const digest = (frame) => frame.evaluate(() => batten.engine.digest());
 const of = (page, id, what) => page.evaluate(([name, member]) => document.getElementById(name)[member], [id, what]);
 const paths = (svg) => svg.split('<path').length - 1;
 
-test('it works from the bundle of a dev server, and never shows the page around it inside itself', async () => {
-  const { page } = await visit({ id: 'one', src: 'square.svg' }, 'vite.html');
+test('from one script of a bundler, with nothing beside it: drawing, a worker, a reload; it never shows the page around it inside itself', async () => {
+  const { page, hand } = await visit({ id: 'one', src: '../square.svg' }, 'bundled/');
   assert.equal(paths(await of(page, 'one', 'svg')), 1);
+  const frame = await draw(page, hand);
+  await said(page, 'one', 'change');
+  const drawn = await digest(frame);
+  assert.equal(paths(await page.evaluate(() => one.read())), 2);
+  await frame.evaluate(() => { batten.files.leaving = true; location.reload(); });
+  await said(page, 'one', 'ready', 2);
+  assert.equal(await digest(await inside(page)), drawn);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'embed-inside.png') });
+  // What takes long is read in a worker.
+  await page.evaluate(() => one.save());
+  await page.waitForFunction(() => !one.unsaved);
+  const many = SQUARE.replace(/<path.*\/>/, (one) => one.repeat(20000));
+  const [worker, opened] = await Promise.all([page.waitForEvent('worker'), page.evaluate((svg) => one.load(svg, 'many.svg'), many)]);
+  assert.match(worker.url(), /^blob:/);
+  assert.equal(opened, true);
   await page.evaluate(() => { make({ id: 'lost', page: 'nothing/' }); });
   await said(page, 'lost', 'error');
   assert.match(await page.evaluate(() => told.find(([id]) => id === 'lost')[2]), /serve the folder "page" of batten-editor/);
   assert.equal(await page.evaluate(() => document.getElementById('lost').shadowRoot.querySelector('iframe')), null);
   assert.equal(page.frames().length, 2, 'the page and one editor');
   await page.context().close();
-});
-
-test('a build of Vite takes the page along', async () => {
-  const { default: battenEditor } = await import(path.join(project, 'node_modules/batten-editor/vite.js'));
-  const plugin = battenEditor();
-  const built = new Map();
-  plugin.configResolved({ build: { assetsDir: 'assets' } });
-  plugin.generateBundle.call({ emitFile: ({ fileName, source }) => built.set(fileName, source) });
-  const page = path.join(project, 'node_modules/batten-editor/page');
-  const files = fs.readdirSync(page, { recursive: true }).filter((name) => fs.statSync(path.join(page, name)).isFile());
-  assert.deepEqual([...built.keys()].sort(), files.map((name) => `assets/page/${name}`).sort());
-  assert.ok(built.get('assets/page/index.html').equals(fs.readFileSync(path.join(page, 'index.html'))));
 });
 
 test('it opens src, tells changes and saves to the page', async () => {
@@ -274,7 +282,8 @@ test('no src, one that is not there, one that is no drawing; no editor', async (
 
 test('everything is in the package; it is imported where there is no page, and has types', () => {
   const folder = path.join(project, 'node_modules/batten-editor');
-  assert.deepEqual(fs.readdirSync(folder).sort(), ['LICENSE', 'README.md', 'index.d.ts', 'index.js', 'package.json', 'page', 'vite.d.ts', 'vite.js']);
+  assert.deepEqual(fs.readdirSync(folder).sort(), ['LICENSE', 'README.md', 'bare.d.ts', 'bare.js', 'element.js', 'index.d.ts', 'index.js', 'inside.js',
+    'package.json', 'page', 'page.js']);
   assert.deepEqual(fs.readdirSync(path.join(folder, 'page')).filter((name) => !/^[0-9a-f]{16}$/.test(name)), ['index.html']);
   const [build] = fs.readdirSync(path.join(folder, 'page')).filter((name) => name !== 'index.html');
   // A dev server looks up every script that another names, also those that this page never asks for.
