@@ -26,7 +26,7 @@ SECTIONS = [
                     "docs/papers/errors.md"]),
     ("Why", ["docs/why/faster.md", "docs/why/cubics.md", "docs/why/frames.md"]),
     ("How fast", ["docs/benchmarks.md", "docs/user-test.md", "docs/jobs.md"]),
-    ("Packages", ["bindings/js/core/README.md", "bindings/js/editor/README.md", "docs/python.md"]),
+    ("Packages", ["bindings/js/core/README.md", "bindings/js/editor/README.md", "docs/react.md", "docs/vue.md", "docs/svelte.md", "docs/python.md"]),
     ("The program", ["docs/batten.1"]),
     ("Files", ["docs/format.md", "docs/journal.md"]),
     ("Mathematics", ["docs/math/sketch.md", "docs/math/levels.md", "docs/math/tangents.md", "docs/math/surfaces.md"]),
