@@ -186,13 +186,13 @@ test('arrays in the memory of the module are not copied, and memory does not lea
   assert.equal(b.memory.buffer.byteLength, before);
 });
 
-test('numbers that nobody holds any more are freed by the collector', async () => {
+test('numbers and curves that nobody holds any more are freed by the collector', async () => {
   v8.setFlagsFromString('--expose-gc');
   const collect = vm.runInNewContext('gc');
   const other = await load();
   const size = () => other.memory.buffer.byteLength;
   for (let i = 0; i < 40; i++) {
-    other.array(1 << 17);
+    other.clamped(other.array(1 << 16));
     collect();
     await new Promise((done) => setTimeout(done));
   }

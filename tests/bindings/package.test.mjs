@@ -108,6 +108,21 @@ b.fit([0, 0, 1, 1], { tolerence: 1 });
 // @ts-expect-error: no such word
 curve.levels(2, { frame: 'none' });
 export { shape, path, pieces };`);
-    run(path.join(root, 'tests/web/node_modules/.bin/tsc'), '--noEmit', '--strict', '--target', 'es2022', '--module', 'nodenext', '--lib', 'es2022,dom', 'use.mts');
+    write('bare.mts', `import { load } from 'batten-core/bare';
+export const count: number = (await load({ wasm: new Uint8Array(8) })).fit([0, 0, 1, 1, 2, 0]).count;
+// @ts-expect-error: there is no module inside
+export const none = load();`); // where there is no DOM
+    write('using.mts', `import { load, BattenError } from 'batten-core';
+const b = await load();
+const held = [];
+{
+  using curve = b.fit([[0, 0], [1, 2], [3, 4]]);
+  using numbers = b.array(9);
+  held.push(() => curve.count, () => numbers.values);
+}
+console.log(held.map((look) => { try { return look(); } catch (error) { return error instanceof BattenError && error.status; } }).join());`);
+    run(path.join(root, 'tests/web/node_modules/.bin/tsc'), '--outDir', 'typed', '--strict', '--target', 'es2022', '--module', 'nodenext', '--lib', 'es2022,dom', 'use.mts', 'using.mts');
+    assert.equal(run('node', 'typed/using.mjs'), 'state,state\n', 'using frees');
+    run(path.join(root, 'tests/web/node_modules/.bin/tsc'), '--noEmit', '--strict', '--target', 'es2022', '--module', 'nodenext', '--lib', 'es2022', 'bare.mts');
   });
 });
