@@ -38,8 +38,8 @@ BAT_API bat_status bat_editor_get(const bat_editor *editor, const char *property
  * change now, or a drag is under way; otherwise as bat_editor_set. */
 BAT_API bat_status bat_editor_enter(bat_editor *editor, const char *name, const char *text);
 /* The number as it is now ("12.5 mm"), "" when there is none; valid until the next call. A property in view pixels is given as
- * a length in the drawing. Also "page-width", "page-height", "page-unit"; "page-asks W × H": "yes" if those two would differ; "points": how many control points
- * are chosen together. */
+ * a length in the drawing. Also "page-width", "page-height", "page-unit"; "page-asks W × H": "yes" if those two would differ;
+ * "points": how many control points are chosen together. */
 BAT_API const char *bat_editor_number(bat_editor *editor, const char *name);
 /* What a pen's pressure (0..1) amounts to under the present properties: the share of a brush's reach, 0.25..1; it
  * never falls as the pressure rises. 1 when pressure is switched off. */

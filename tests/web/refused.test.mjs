@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, downloaded, expectFaults, GONE, launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, downloaded, expectFaults, GONE, inThemes, launch, open, place, SCREENSHOTS, settle, state } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -116,5 +116,29 @@ test('what is said of a drawing goes when another is opened', async (t) => {
   await page.evaluate((text) => batten.files.open(new TextEncoder().encode(text), 'other.svg'), fs.readFileSync(EXAMPLE, 'utf8'));
   await settle(page);
   assert.equal(await page.isVisible(UNSAVED), false);
+  await context.close();
+});
+
+test('a save that takes long says so until it is done', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  let go = () => {};
+  const held = new Promise((resolve) => { go = resolve; });
+  await page.route('**/document', async (route) => {
+    await (route.request().method() === 'PUT' ? held : null);
+    await route.continue();
+  });
+  await draw(page, hand);
+  await page.keyboard.press('Control+S');
+  await page.waitForSelector('[data-about=saving]');
+  assert.equal(await page.textContent('[data-about=saving] span'), 'Saving car.svg…');
+  await draw(page, hand); // it stays
+  await inThemes(page, async (colorScheme) => page.screenshot({ path: path.join(SCREENSHOTS, `saving-${colorScheme}.png`) }));
+  assert.equal(await page.isVisible('[data-about=saving]'), true);
+  go();
+  await page.waitForSelector('[data-about=saving]', { state: 'detached' });
+  assert.match((await state(page)).notice, /^Saved/);
+  assert.equal((await state(page)).unsaved, true, 'what was drawn meanwhile is not in the file');
   await context.close();
 });

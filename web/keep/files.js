@@ -21,6 +21,7 @@ import { counted, word } from '../page/words.js';
 
 const SVG = 'image/svg+xml';
 const JSON_TYPE = 'application/json';
+const PATIENCE = 500; // milliseconds of a save before it is said that it is under way
 
 /** @param {import('../engine/losses.js').Losses} losses */
 export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
@@ -235,10 +236,12 @@ export class Files {
       return;
     }
     this.saving = true;
+    let slow = 0;
     try {
       if (!native && !over && !(await this.#mayLose())) {
         return;
       }
+      slow = setTimeout(() => this.notices.ask('saving', word('shell.saving.help', this.name), [], true), PATIENCE);
       // The engine remembers the state that it asked to have saved: anything drawn meanwhile stays unsaved.
       await this.place.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
       this.engine.saved();
@@ -250,6 +253,8 @@ export class Files {
     } catch (error) {
       this.#tellUnsaved(error, over);
     } finally {
+      clearTimeout(slow);
+      this.notices.over('saving');
       this.saving = false;
       this.wake();
     }
