@@ -335,6 +335,24 @@ bat_status bat_bound_remake(const bat_object *object, const bat_id *ids, const b
     return status == BAT_OK || status == BAT_MEMORY ? status : bat_object_unbind(object, false, out);
 }
 
+/* ---- another order ---- */
+
+bat_status bat_bound_reorder(const bat_hold *hold, const size_t *order, bat_hold *out) {
+    const bat_bound *bound = hold->bound;
+    bat_id domains[BAT_BOUND_WIRES];
+    domain_ids(bound, bound->ids, domains);
+    double *rest = malloc((3 * bound->point_count + 1) * sizeof *rest);
+    if (!rest) return BAT_MEMORY;
+    for (size_t k = 0; k < bound->point_count; k++)
+        memcpy(rest + 3 * k, bound->rest + 3 * order[k], 3 * sizeof *rest);
+    *out = *hold;
+    const bat_status status = bat_bound_create((size_t)bound->count, bound->wires, bound->ids, domains,
+                                               &bound->options, bound->point_count, rest, bound->flat,
+                                               &out->bound, NULL);
+    free(rest);
+    return status;
+}
+
 /* ---- affine images ---- */
 
 static void image_points(size_t count, const double *from, const double m[6], double *to) {

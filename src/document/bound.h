@@ -46,6 +46,10 @@ void bat_bound_release(bat_bound *bound); /* NULL is fine */
 bat_status bat_bound_apply(const bat_bound *bound, const bat_curve *const *curves, double *points,
                            bat_wire_report *report);
 
+/* What the same points are bound to in another order: point k of it is point order[k]. *out: of one user, which
+ * bat_bound_release ends. */
+bat_status bat_bound_reorder(const bat_hold *hold, const size_t *order, bat_hold *out);
+
 /* For kinds whose objects can be bound: what bat_kind_type says. */
 bat_status bat_bound_remake(const bat_object *object, const bat_id *ids, const bat_object *const *from,
                             bat_object **out);

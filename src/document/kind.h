@@ -45,6 +45,9 @@ typedef struct bat_kind_type {
      * NULL with BAT_OK: what the curves are made from cannot produce the image; the transformed curves as a
      * path can. */
     bat_status (*transform)(const bat_object *object, const double matrix[6], bat_object **out);
+    /* For objects with an outer side: a copy with the other side out, bound to what it is bound to, made from nothing.
+     * NULL: it has no sides. */
+    bat_status (*flip)(const bat_object *object, bat_object **out);
     /* For objects that can be drawn on (a ground): the numbers that say where it lies, *count of them.
      * Journals call the ground by the kind's name. NULL: it is not a ground. */
     const double *(*ground)(const bat_object *object, int *count);

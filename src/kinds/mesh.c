@@ -3,6 +3,7 @@
 #include "base/users.h"
 #include "document/bound.h"
 #include "document/digest.h"
+#include "form/mesh/mesh.h"
 #include "form/mesh/strips.h"
 #include "format/json/bound.h"
 #include "format/json/fields.h"
@@ -152,20 +153,17 @@ static bat_status make_object(const bat_object *object, bat_id id, const char *n
     return status;
 }
 
-/* A new object, or (object) a copy with the same faces and another mesh, which is taken over on success, as is what `hold`
- * refers to (NULL: nothing). */
+/* A new object, or (object) a copy with another mesh, which is taken over on success, as is what `hold` refers to (NULL:
+ * nothing). edges: of a mesh with the same faces; NULL: they are found. */
 static bat_status make(const bat_object *object, bat_id id, const char *name, const bat_style *style,
-                       bat_polymesh *mesh, const bat_hold *hold, bat_object **out) {
+                       bat_polymesh *mesh, kept_edges *edges, const bat_hold *hold, bat_object **out) {
     own_part own = {.kept = calloc(1, sizeof *own.kept)};
-    kept_edges *edges = NULL;
     if (!own.kept) return BAT_MEMORY;
     bat_status status = BAT_OK;
-    if (object) {
-        edges = part_of(bat_object_own(object, &bat_kind_of_mesh))->kept->edges;
+    if (edges)
         bat_users_add(&edges->users);
-    } else {
+    else
         status = find_edges(mesh, &edges);
-    }
     if (hold) own.hold = *hold;
     *own.kept = (kept_mesh){.users = BAT_USERS_ONE, .mesh = mesh, .edges = edges};
     if (status == BAT_OK) {
@@ -186,7 +184,7 @@ bat_status bat_object_create_mesh(bat_id id, const char *name, const bat_style *
                                   const bat_polymesh *mesh, bat_object **out) {
     bat_polymesh *copy = NULL;
     bat_status status = style && mesh && out ? bat_polymesh_copy(mesh, &copy) : BAT_ARGUMENT;
-    if (status == BAT_OK) status = make(NULL, id, name, style, copy, NULL, out);
+    if (status == BAT_OK) status = make(NULL, id, name, style, copy, NULL, NULL, out);
     if (status != BAT_OK) bat_polymesh_free(copy);
     return status;
 }
@@ -207,17 +205,30 @@ static size_t points(const bat_object *object, double *out) {
     return count;
 }
 
-static bat_status put(const bat_object *object, const double *points, const bat_hold *hold,
-                      bat_object **out) {
-    bat_polymesh *mesh = NULL;
-    bat_status status = bat_polymesh_with(bat_object_mesh(object), points, &mesh, NULL);
-    if (status != BAT_OK) return status;
-    status = make(object, 0, NULL, NULL, mesh, hold, out);
+/* A copy of the object with this mesh, taken over in any case, and one more user of what it is bound to. */
+static bat_status remade(const bat_object *object, bat_polymesh *mesh, kept_edges *edges,
+                         const bat_hold *hold, bat_object **out) {
+    const bat_status status = make(object, 0, NULL, NULL, mesh, edges, hold, out);
     if (status != BAT_OK)
         bat_polymesh_free(mesh);
     else if (hold->bound)
         bat_bound_retain(hold->bound);
     return status;
+}
+
+static bat_status put(const bat_object *object, const double *points, const bat_hold *hold,
+                      bat_object **out) {
+    bat_polymesh *mesh = NULL;
+    bat_status status = bat_polymesh_with(bat_object_mesh(object), points, &mesh, NULL);
+    if (status != BAT_OK) return status;
+    return remade(object, mesh, part_of(bat_object_own(object, &bat_kind_of_mesh))->kept->edges, hold, out);
+}
+
+static bat_status flip(const bat_object *object, bat_object **out) {
+    bat_polymesh *mesh = NULL;
+    const bat_status status = bat_polymesh_flip(bat_object_mesh(object), &mesh);
+    return status == BAT_OK ? remade(object, mesh, NULL, hold(bat_object_own(object, &bat_kind_of_mesh)), out)
+                            : status;
 }
 
 static const bat_id *sources(const bat_object *object, int *count) {
@@ -254,7 +265,7 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
     if (status == BAT_OK && !member) return bat_fields_complain(f, node, "mesh", "an object");
     if (status == BAT_OK) status = bat_polymesh_from_json(f->json, member, &mesh, f->problem);
     if (status != BAT_OK) return status;
-    status = make(NULL, id, name, &style, mesh, NULL, out);
+    status = make(NULL, id, name, &style, mesh, NULL, NULL, out);
     if (status == BAT_OK) return bat_bound_read(f, node, out);
     bat_polymesh_free(mesh);
     return bat_fields_say(f, node, status);
@@ -278,6 +289,7 @@ const bat_kind_type bat_kind_of_mesh = {.number = BAT_KIND_MESH,
                                         .check = check,
                                         .digest = digest,
                                         .transform = bat_bound_transform,
+                                        .flip = flip,
                                         .sources = sources,
                                         .remake = bat_bound_remake,
                                         .points = points,

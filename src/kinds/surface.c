@@ -5,6 +5,8 @@
 #include "base/users.h"
 #include "document/bound.h"
 #include "document/digest.h"
+#include "form/relief/relief.h"
+#include "form/surface/surface.h"
 #include "format/json/bound.h"
 #include "format/json/fields.h"
 #include "format/json/recipe.h"
@@ -469,6 +471,43 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
     return status;
 }
 
+/* ---- the other side ---- */
+
+static bat_status flip_levels(const bat_object *object, bat_object **out) {
+    bat_relief *turned = NULL;
+    bat_status status = bat_relief_transpose(bat_object_relief(object), &turned);
+    if (status == BAT_OK) status = make_levelled(object, 0, NULL, NULL, turned, out);
+    if (status != BAT_OK) bat_relief_free(turned);
+    return status;
+}
+
+/* What it is bound to, with columns as rows. */
+static bat_status flip_hold(const bat_object *object, bat_hold *out) {
+    const bat_surface *surface = bat_object_surface(object);
+    const size_t rows = bat_surface_count(surface, BAT_U), columns = bat_surface_count(surface, BAT_V);
+    size_t *order = malloc(rows * columns * sizeof *order);
+    if (!order) return BAT_MEMORY;
+    for (size_t i = 0; i < rows; i++)
+        for (size_t j = 0; j < columns; j++) order[j * rows + i] = i * columns + j;
+    const bat_status status = bat_bound_reorder(bat_object_hold(object), order, out);
+    free(order);
+    return status;
+}
+
+/* u and v change places. */
+static bat_status flip(const bat_object *object, bat_object **out) {
+    bat_surface *turned = NULL;
+    bat_hold hold = {.bound = NULL};
+    if (bat_object_relief(object)) return flip_levels(object, out);
+    bat_status status = bat_surface_transpose(bat_object_surface(object), &turned);
+    if (status == BAT_OK && bat_object_hold(object)) status = flip_hold(object, &hold);
+    if (status == BAT_OK) status = make_held(object, 0, NULL, NULL, turned, NULL, &hold, out);
+    if (status == BAT_OK) return BAT_OK;
+    bat_surface_free(turned);
+    bat_bound_release(hold.bound);
+    return status;
+}
+
 /* ---- files: the lines are not written, as they are computed from the surface ---- */
 
 static bat_status read_levels(const bat_fields *f, uint32_t node, bat_id id, const char *name,
@@ -537,6 +576,7 @@ const bat_kind_type bat_kind_of_surface = {.number = BAT_KIND_SURFACE,
                                            .check = check,
                                            .digest = digest_surface,
                                            .transform = transform,
+                                           .flip = flip,
                                            .sources = sources,
                                            .remake = remake,
                                            .points = points,

@@ -90,6 +90,19 @@ bat_status bat_polymesh_with(const bat_polymesh *mesh, const double *vertices, b
     return BAT_OK;
 }
 
+bat_status bat_polymesh_flip(const bat_polymesh *mesh, bat_polymesh **out) {
+    bat_polymesh *copy;
+    const bat_status status = bat_polymesh_copy(mesh, &copy);
+    if (status != BAT_OK) return status;
+    for (size_t f = 0; f < copy->face_count; f++)
+        for (int low = copy->first[f] + 1, high = copy->first[f + 1] - 1; low < high; low++, high--) {
+            const int kept = copy->corners[low];
+            copy->corners[low] = copy->corners[high], copy->corners[high] = kept;
+        }
+    *out = copy;
+    return BAT_OK;
+}
+
 void bat_polymesh_free(bat_polymesh *mesh) { free(mesh); }
 
 size_t bat_polymesh_vertex_count(const bat_polymesh *mesh) { return mesh->vertex_count; }

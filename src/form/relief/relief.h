@@ -49,6 +49,9 @@ void bat_surface_gather(const bat_surface *surface, double *out);
 /* A surface on the same knots with other control points. */
 bat_status bat_surface_remade(const bat_surface *surface, const double *points, bat_surface **out);
 
+/* u and v change places, so that the normals point the other way, at every level up to rounding. */
+bat_status bat_relief_transpose(const bat_relief *relief, bat_relief **out);
+
 /* The frames at the nodes of a level (math 8), from the surfaces below as they stand. */
 bat_status bat_relief_frames(const bat_relief *relief, int level, bat_triad *out);
 /* For each node of a level, the level that carries its frame: the highest below it that is not folded there. */
