@@ -28,12 +28,15 @@ test('curves are coloured by their distance, and followed', async (t) => {
   await page.keyboard.type('PointDeviation');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('two or more'));
+  await page.keyboard.press('v');
   await page.evaluate(() => {
     batten.engine.act('editor_select', 2, 0);
     batten.engine.act('editor_select', 1, 1);
-    batten.engine.command('deviation');
     batten.wake();
   });
+  await page.click('#actions [data-name=further]');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'deviation-offered.png') });
+  await page.click('#actions [data-name=deviation]');
   await settle(page);
   assert.match(await numbers(page), /^greatest [\d.]+ px, mean [\d.]+ px, rms [\d.]+ px$/);
   assert.ok((await labels(page)).some((text) => text.startsWith('Distance from')));
@@ -42,7 +45,6 @@ test('curves are coloured by their distance, and followed', async (t) => {
   const was = await numbers(page);
 
   // The measured curve alone is moved by the pen: the numbers follow, and settle when it is lifted.
-  await page.keyboard.press('v');
   await page.evaluate(() => { batten.engine.act('editor_select', 2, 0); batten.wake(); });
   const from = await place(page, 100, 260);
   await hand.stroke([from, [from[0], from[1] + 20], [from[0], from[1] + 60]], { pointerType: 'mouse' });
@@ -71,6 +73,11 @@ test('sheets in space are coloured, too', async (t) => {
   }
   assert.match(await numbers(page), /rms/);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'deviation-sheets.png') });
+  for (const shown of [/^$/, /rms/]) {
+    await page.keyboard.press('Shift+E');
+    await settle(page);
+    assert.match(await numbers(page), shown);
+  }
   assert.equal((await state(page)).check, '');
   await context.close();
 });

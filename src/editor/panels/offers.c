@@ -10,6 +10,7 @@
 #include "editor/panels/panels.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
+#include "editor/show/deviate_samples.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
@@ -23,7 +24,9 @@ typedef struct facts {
     int open, closed, space;   /* number of curves; of those in space */
     int curved, compound;      /* number of objects that are made of curves; of several */
     int others;                /* number of objects that are no groups */
-    bool page;                 /* there is a page to align a single root to */
+    int measured,
+        formed; /* number of objects that distances can be measured of; of surfaces and meshes among them */
+    bool page;  /* there is a page to align a single root to */
 } facts;
 
 static bat_status find(const bat_context *c, facts *f) {
@@ -45,6 +48,8 @@ static bat_status find(const bat_context *c, facts *f) {
             f->others += !bat_object_is_group(object);
             f->curved += curves > 0;
             f->compound += curves > 1;
+            f->measured += bat_deviating_takes(object);
+            f->formed += bat_deviating_takes(object) && !bat_object_is_made_of_curves(object);
             for (int j = 0; j < curves; j++) {
                 const bat_curve *curve = bat_object_curve(object, j);
                 ++*(bat_curve_is_closed(curve) ? &f->closed : &f->open);
@@ -113,6 +118,7 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
     case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;
     case BAT_COMMAND_BODY_PATH: return f->roots <= 2 && bat_command_body_path_fits(c);
+    case BAT_COMMAND_DEVIATION: return f->roots > 1 && f->measured > 1 && (f->formed > 0 || f->measured == 2);
     case BAT_COMMAND_CURVE_OFFSET:
     case BAT_COMMAND_CURVE_OUTLINE: return f->open + f->closed > f->space;
     case BAT_COMMAND_MIRROR_LINE: return f->roots > 1 && f->open > 0;
