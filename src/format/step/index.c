@@ -27,6 +27,7 @@ static const struct {
              {"BEZIER_SURFACE", BAT_STEP_SURFACE},
              {"UNIFORM_SURFACE", BAT_STEP_SURFACE},
              {"QUASI_UNIFORM_SURFACE", BAT_STEP_SURFACE},
+             {"ADVANCED_FACE", BAT_STEP_FACE},
              {"EDGE_CURVE", BAT_STEP_BOUNDS | BAT_STEP_PLAIN},
              {"SURFACE_CURVE", BAT_STEP_BOUNDS | BAT_STEP_PLAIN},
              {"SEAM_CURVE", BAT_STEP_BOUNDS | BAT_STEP_PLAIN},

@@ -181,7 +181,8 @@ static bat_status read_all(parser *p) {
         const bool spline = instance->flags & (BAT_STEP_CURVE | BAT_STEP_SURFACE);
         if (instance->bounds) continue;
         if (spline) status = read_one(p, instance);
-        p->out->left_out += instance->flags == 0;
+        const bool trimmed = instance->flags & BAT_STEP_FACE && !bat_step_is_whole(&p->file, instance);
+        p->out->left_out += instance->flags == 0 || trimmed;
     }
     if (status == BAT_OK && p->out->surface_count + p->out->curve_count == 0)
         status = bat_problem_set(p->problem, BAT_COUNT, "",

@@ -14,7 +14,8 @@ enum {
     BAT_STEP_LENGTH = 8,  /* a unit of length */
     BAT_STEP_UNITS = 16,  /* a context with units */
     BAT_STEP_PLAIN = 32,  /* says nothing of its own about shape */
-    BAT_STEP_POINT = 64
+    BAT_STEP_POINT = 64,
+    BAT_STEP_FACE = 128 /* a part of a surface, or all of it */
 };
 
 typedef struct bat_step_instance {
@@ -38,6 +39,9 @@ bat_status bat_step_wrong(const bat_step_place *at, bat_status status, const cha
 bat_status bat_step_index(const char *text, size_t size, bat_step_file *out, bat_problem *problem);
 /* NULL: there is none. */
 bat_step_instance *bat_step_find(const bat_step_file *file, double id);
+
+/* Whether a face is all of its surface: what bounds it are at most two seams, each there and back. O(log instances). */
+bool bat_step_is_whole(const bat_step_file *file, const bat_step_instance *face);
 
 /* Millimetres of the file's unit of length; 1 when it has none. BAT_UNSUPPORTED: several that differ. */
 bat_status bat_step_unit(const bat_step_file *file, double *out, bat_problem *problem);
