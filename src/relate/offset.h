@@ -34,6 +34,8 @@ bat_status bat_offset_enlarged(const bat_curve *curve, double size, bat_offset_w
 /* ---- trim.c ---- */
 /* Shares of the tolerance that the raw parallel may take, and the removal of its knots. */
 extern const double bat_offset_fit, bat_offset_removal;
+/* Whether rounding decides: the tolerance is below 1e-12 of the greatest coordinate of what lies within `far` of the curve. */
+bool bat_offset_is_rounding(const bat_curve *curve, double far, double tolerance);
 /* What is left of a raw parallel of the curve, whose places the finder finds, or (brim) of its brim; *max_error (may be NULL) as
  * bat_curve_offset. */
 bat_status bat_offset_trim(const bat_curve *raw, const bat_curve *curve, const bat_finder *finder,

@@ -502,13 +502,16 @@ static bat_status offset_large(const bat_curve *large, double factor, const void
                             out, error);
 }
 
+bool bat_offset_is_rounding(const bat_curve *curve, double far, double tolerance) {
+    return !(tolerance >= ROUNDING * (bat_segments_reach_of(curve) + far));
+}
+
 bat_status bat_curve_offset(const bat_curve *curve, double distance, double tolerance, double corner,
                             size_t *count, bat_curve ***out, double *max_error) {
     if (!curve || !count || !out || !(tolerance > 0) || !(corner >= 0)) return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
     if (!(fabs(distance) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
-    if (distance != 0 && !(tolerance >= ROUNDING * (bat_segments_reach_of(curve) + fabs(distance))))
-        return BAT_TOLERANCE;
+    if (distance != 0 && bat_offset_is_rounding(curve, fabs(distance), tolerance)) return BAT_TOLERANCE;
     if (distance != 0 && bat_segments_reach_of(curve) + fabs(distance) < BAT_OFFSET_LEAST)
         return bat_offset_enlarged(curve, bat_segments_reach_of(curve) + fabs(distance), offset_large,
                                    &(offset_asked){distance, tolerance, corner}, count, out, max_error);

@@ -431,6 +431,11 @@ static void bad_data(void **state) {
     bat_nib nib = good;
     nib.width = 0;
     assert_int_equal(bat_curve_outline_width(line, &nib, &p, 1e-3, 0.1, &count, &out, NULL), BAT_ARGUMENT);
+    for (double tolerance = 1e-14; tolerance > 0; tolerance *= 1e-155) {
+        assert_int_equal(bat_curve_outline_width(line, &good, &p, tolerance, 0.1, &count, &out, NULL),
+                         BAT_TOLERANCE);
+        assert_int_equal(bat_curve_outline(line, &good, tolerance, 0.1, &count, &out, NULL), BAT_TOLERANCE);
+    }
     assert_int_equal(bat_curve_outline_width(NULL, &good, &p, 1e-3, 0.1, &count, &out, NULL), BAT_ARGUMENT);
     assert_int_equal(bat_curve_outline_width(line, &good, &bad, 1e-3, 0.1, &count, &out, NULL), BAT_NUMBER);
     assert_int_equal(bat_curve_cover_width(line, &good, &p, 0, 0.1, &count, &points), BAT_ARGUMENT);

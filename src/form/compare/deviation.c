@@ -48,7 +48,7 @@ static bat_status sample_span(bat_sums *sums, const bat_curve *curve, int span) 
     const double low = curve->knots[span], wide = curve->knots[span + 1] - low;
     if (!(wide > 0)) return BAT_OK;
     const double count = steps_of(speed_in(curve, span), wide, sums->found.spacing), step = wide / count;
-    bat_status status = BAT_OK;
+    bat_status status = count <= BAT_SUMS_MOST ? BAT_OK : BAT_COUNT;
     bat_sums_piece(sums, 0, (const double[2]){step, 0});
     for (double i = 0; i <= count && status == BAT_OK; i++) {
         const double at = i < count ? low + i * step : low + wide;
@@ -117,7 +117,7 @@ static bat_status sample_spans(bat_sums *sums, const bat_surface *surface, const
     }
     bat_status status = count[0] * count[1] <= BAT_SUMS_MOST ? BAT_OK : BAT_COUNT;
     bat_sums_piece(sums, 0, step);
-    for (double i = 0; i <= count[0]; i++)
+    for (double i = 0; i <= count[0] && status == BAT_OK; i++)
         for (double j = 0; j <= count[1] && status == BAT_OK; j++) {
             const double x[2] = {i < count[0] ? low[0] + i * step[0] : low[0] + wide[0],
                                  j < count[1] ? low[1] + j * step[1] : low[1] + wide[1]};

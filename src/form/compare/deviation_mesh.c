@@ -64,7 +64,7 @@ static bat_status sample_triangle(bat_sums *sums, faces *f, size_t t) {
     const double area = 0.5 * vec_norm(vec_cross(vec_sub(at[1], at[0]), vec_sub(at[2], at[0]))) / (n * n);
     bat_status status = n * n <= BAT_SUMS_MOST ? BAT_OK : BAT_COUNT;
     bat_sums_piece(sums, t, (const double[2]){1 / n, 1 / n});
-    for (double i = 0; i <= n; i++)
+    for (double i = 0; i <= n && status == BAT_OK; i++)
         for (double j = 0; i + j <= n && status == BAT_OK; j++) {
             status = sample_corner(sums, f, corner, i, j, n, area * around(i, j, n) / 12);
             for (int k = 1; k <= 2 && status == BAT_OK && i + j + k <= n; k++)

@@ -192,6 +192,7 @@ static bat_status read_options(const bat_surface *surface, const bat_tessellate_
     if (!isfinite(own->tolerance) || !isfinite(own->angle)) return BAT_NUMBER;
     if (own->tolerance < 0 || own->angle < 0) return BAT_ARGUMENT;
     if (own->tolerance == 0) own->tolerance = 1e-3 * surface->size;
+    own->tolerance = fmax(own->tolerance, 1e-16 * surface->size); /* no finer than the points themselves */
     if (own->angle == 0) own->angle = 0.25;
     if (own->triangles_max == 0) own->triangles_max = TRIANGLES;
     if (own->triangles_max > INT_MAX / 8) own->triangles_max = INT_MAX / 8;

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <float.h>
 #include <math.h>
 #include <string.h>
 #include <stdlib.h>
@@ -300,6 +301,13 @@ static void what_is_refused(void **state) {
     assert_int_equal(bat_curve_deviation(ring, r, -1, &d), BAT_ARGUMENT);
     assert_int_equal(bat_curve_deviation(ring, r, NAN, &d), BAT_ARGUMENT);
     assert_int_equal(bat_curve_deviation(ring, r, 1e-3, &d), BAT_COUNT);
+    const double corners[9] = {0, 0, 5, 4, 0, 5, 1, 3, 5};
+    bat_polymesh *triangle = mesh_of(3, corners, 1, (const int[3]){0, 1, 2});
+    bat_surface *ball = solid_sphere(2, 8, 4);
+    assert_int_equal(bat_curve_deviation(ring, r, DBL_TRUE_MIN, &d), BAT_COUNT); /* at once */
+    assert_int_equal(bat_surface_deviation(ball, r, DBL_TRUE_MIN, &d), BAT_COUNT);
+    assert_int_equal(bat_polymesh_deviation(triangle, r, DBL_TRUE_MIN, &d), BAT_COUNT);
+    bat_surface_free(ball), bat_polymesh_free(triangle);
     assert_int_equal(bat_polymesh_deviation(point, r, 0, &d), BAT_OK);
     assert_true(d.greatest == 0 && d.mean == 0 && d.rms == 0 && d.extent == 1);
     bat_reference_free(r), bat_reference_free(NULL), bat_polymesh_free(point), bat_curve_free(ring);

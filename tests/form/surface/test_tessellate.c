@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <float.h>
 #include <math.h>
 #include <string.h>
 #include <cmocka.h>
@@ -403,6 +404,11 @@ static void limits(void **state) {
     assert_int_equal(bat_surface_tessellate(s, &options, &t, &report), BAT_OK);
     bat_tessellation_mesh(t, &m);
     assert_true(report.limited && m.triangle_count <= 3000 && report.max_error > 1e-9);
+    bat_tessellation_free(t);
+    t = NULL;
+    options.tolerance = DBL_TRUE_MIN;
+    assert_int_equal(bat_surface_tessellate(s, &options, &t, &report), BAT_OK);
+    assert_true(report.limited);
     bat_tessellation_free(t);
     t = NULL;
     options.tolerance = 1, options.angle = 1e-6;
