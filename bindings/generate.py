@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Reads calls.txt and the public headers, and writes what the packages are made from.
 
-Usage: generate.py ROOT OUT. In OUT: calls.json (the calls, structs and enums; offsets for wasm32), exports.txt (the C
+Usage: generate.py ROOT OUT [python]. In OUT: calls.json (the calls, structs and enums; offsets for wasm32), exports.txt (the C
 functions), layout.c (asserts that a compiler for wasm32 lays structs out as calls.json says), docs.json (what the headers
-say of each function, struct and member).
+say of each function, struct and member). With "python" the calls that are in Python only are there, too.
 """
 import json
 import pathlib
@@ -12,18 +12,22 @@ import sys
 
 CLASSES = {"bat_curve": "Curve", "bat_finder": "Finder", "bat_frame_chain": "Chain", "bat_shape": "Shape",
            "bat_shape_live": "LiveShape", "bat_sketch_live": "LiveSketch"}
-SCALARS = {"double": 8, "int": 4, "size_t": 4, "bool": 1}  # sizes on wasm32, which are the alignments too
+PYTHON = {"bat_surface": "Surface", "bat_surface_finder": "SurfaceFinder", "bat_tessellation": "Tessellation", "bat_relief": "Relief",
+          "bat_sweep": "Sweep", "bat_polymesh": "Mesh", "bat_reference": "Reference", "bat_binding": "Binding", "bat_tracks": "Tracks",
+          "bat_line_drawing": "LineDrawing", "bat_camera": "Camera", "bat_take": "Take", "bat_motion": "Motion",
+          "bat_picture": "Picture", "bat_object": "Object", "bat_document": "Document"}  # classes that are in Python only
+SCALARS = {"double": 8, "int": 4, "size_t": 4, "bool": 1, "char": 1, "float": 4, "uint32_t": 4, "uint64_t": 8, "bat_id": 8}  # sizes on wasm32, which are the alignments too
 FREES = {"Curve": "bat_curve_free", "Finder": "bat_finder_free", "Chain": "bat_frame_chain_free", "Shape": "bat_shape_free",
          "LiveShape": "bat_shape_live_cancel", "LiveSketch": "bat_sketch_live_cancel"}
+PYTHON_FREES = {name: f"{c}_{'release' if name in ('Object', 'Picture') else 'free'}" for c, name in PYTHON.items()}
 # Called by hand-written parts of the packages.
 ALSO = [*FREES.values(), "bat_free", "bat_version", "bat_status_message", "bat_meeting_free", "bat_frame_chain_many"]
-CONSTANTS = {"BAT_DIMENSION_MAX": 3}
-TITLES = {"bat_frame3": "Frame"}  # of structs in the packages; the others are called as in C: Near, FitReport
+TITLES = {"bat_frame3": "Frame", "bat_mesh": "TriangleGrid"}  # of structs in the packages; the others are called as in C: Near, FitReport
 
 
 class Headers:
     def __init__(self, root):
-        self.calls, self.header, self.structs, self.enums, self.docs, self.members = {}, {}, {}, {}, {}, {}
+        self.calls, self.header, self.structs, self.enums, self.docs, self.members, self.numbers = {}, {}, {}, {}, {}, {}, {}
         for path in sorted((root / "include/batten").glob("*.h")):
             self.docs |= documented(path.read_text("utf-8"))
             for said, body, name in re.findall(r"(?:(/\*(?:(?!\*/).)*\*/)\n)?typedef struct \w+ \{(.*?)\} (\w+);", path.read_text("utf-8"), re.S):
@@ -34,6 +38,8 @@ class Headers:
                 self.header[name] = path.name
             for body, name in re.findall(r"typedef enum \w+ \{(.*?)\} (\w+);", text, re.S):
                 self.enums[name] = self.words(body)
+            for body in re.findall(r"\benum(?: \w+)? \{(.*?)\}", text, re.S):
+                self.numbers |= dict(self.valued(body))
             for body, name in re.findall(r"typedef struct \w+ \{(.*?)\} (\w+);", text, re.S):
                 self.structs[name], self.header[name] = body, path.name
 
@@ -47,15 +53,20 @@ class Headers:
         return found
 
     @staticmethod
-    def words(body):
-        names, at, found = [], 0, {}
+    def valued(body):
+        """(name, value) of each word of an enum; those with a value that is not a plain number are left out."""
+        at = 0
         for one in body.split(","):
-            if one.strip():
-                name, _, value = (part.strip() for part in one.partition("="))
-                at = int(value) if value else at
-                names.append((name, at))
+            name, _, value = (part.strip() for part in one.partition("="))
+            at = int(value) if value.isdigit() else at
+            if name and (not value or value.isdigit()):
+                yield name, at
                 at += 1
-        names = [pair for pair in names if not pair[0].endswith("_COUNT") or pair[0] == "BAT_COUNT"]
+
+    @staticmethod
+    def words(body):
+        found = {}
+        names = [pair for pair in Headers.valued(body) if not pair[0].endswith("_COUNT") or pair[0] == "BAT_COUNT"]
         stem = names[0][0]
         while len(names) > 1 and not all(name.startswith(stem) for name, _ in names):
             stem = stem[:-1]
@@ -71,11 +82,11 @@ class Headers:
     @staticmethod
     def declared(line):
         first, *others = [part.strip() for part in " ".join(line.split()).split(",")]
-        type_, name, room = re.fullmatch(r"(.*?)(\w+)(?:\[(\w+)\])?", first).groups()
+        type_, name, room = re.fullmatch(r"(.*?)(\w+)\s*(?:\[(.+)\])?", first).groups()
         yield type_.strip(), name, room
         for other in others:
             star, name, room = re.fullmatch(r"(\**)(\w+)(?:\[(\w+)\])?", other).groups()
-            yield type_.strip().rstrip("* ").strip() + (" *" if star else ""), name, room
+            yield type_.strip().rstrip("* ").strip() + (" " + star if star else ""), name, room
 
     def place(self, type_):
         """Size and alignment on wasm32."""
@@ -92,12 +103,25 @@ class Headers:
         at, most, fields = 0, 1, []
         for type_, field, room in self.fields(name):
             size, align = self.place(type_)
-            many = int(CONSTANTS.get(room, room)) if room else 0
+            many = eval(" ".join(room.split()), {}, self.numbers) if room else 0
             at = -(-at // align) * align
             fields.append({"name": field, "type": type_, "room": many, "at": at})
             at += size * (many or 1)
             most = max(most, align)
         return {"size": -(-at // most) * most, "align": most, "fields": fields}
+
+
+def counting(fields):
+    """Says of each field of a struct by which field it is counted, and which fields count."""
+    names = [field["name"] for field in fields if field["type"] in ("size_t", "int") and not field["room"] and re.search(r"(^|_)count$", field["name"])]
+    for before, field in zip([{"name": ""}, *fields], fields):
+        own = field["name"][:-1] + "_count"
+        shared = names[:1] if field["type"].endswith("**") and field["name"] != "owned" else []  # with what stands before it
+        if found := [own] * (own in names) or [before["name"]] * (before["name"] in names) or shared:
+            if field["type"].endswith("*") or field["room"]:
+                field["counted"] = found[0]
+    for field in fields:
+        field["counts"] = field["name"] in names
 
 
 def prose(comment):
@@ -134,9 +158,11 @@ def members(name, said, body):
     return found
 
 
-def rows(path):
-    """(C name or header, names or None, words or reason) of calls.txt."""
+def rows(path, python=True):
+    """(C name or header, names or None, words or reason) of calls.txt; without Python what stands before its part."""
     for line in path.read_text("utf-8").splitlines():
+        if line.startswith("# In Python only") and not python:
+            return
         if line.strip() and not line.startswith("#"):
             name, called, *words = line.split()
             yield name, None if called == "-" else called, " ".join(words) if called == "-" else words
@@ -145,7 +171,7 @@ def rows(path):
 def used(headers, type_, found):
     """Adds the structs and enums that a type needs."""
     bare = re.sub(r"\bconst\b|\*", "", type_).strip()
-    if bare in headers.structs and bare not in found and bare not in CLASSES:
+    if bare in headers.structs and bare not in found and bare not in CLASSES | PYTHON:
         title = re.sub(r"_(\w)", lambda letter: letter[1].upper(), bare.removeprefix("bat"))
         found[bare] = {**headers.layout(bare), "title": TITLES.get(bare, title)}
         for inner, _, _ in headers.fields(bare):
@@ -159,10 +185,11 @@ def write(path, text):
 
 
 def main():
-    root, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    root, out, python = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3:] == ["python"]
+    classes, frees = (CLASSES | PYTHON, FREES | PYTHON_FREES) if python else (CLASSES, FREES)
     headers = Headers(root)
     calls, structs = [], {}
-    for name, called, words in rows(root / "bindings/calls.txt"):
+    for name, called, words in rows(root / "bindings/calls.txt", python):
         if called is None:
             continue
         returns, parameters = headers.calls[name]
@@ -174,14 +201,17 @@ def main():
         calls.append({"c": name, "names": called.split(","), "returns": returns,
                       "returned": next((word[2:-1] for word in words if word.startswith("<")), None),
                       "args": [[word, type_] for word, (type_, _) in zip(given, parameters)]})
-    used(headers, "bat_frame_arrays", structs)
+    for name in ["bat_frame_arrays", *(["bat_mesh", "bat_seen_line", "bat_svg_options", "bat_svg_report"] if python else [])]:
+        used(headers, name, structs)
+    for struct in structs.values() if python else []:
+        counting(struct["fields"])
     inits = {name: name + "_init" for name in structs if name + "_init" in headers.calls}
     enums = {name: headers.enums[name] for name in headers.enums
              if name == "bat_status" or any(name == field["type"] for s in structs.values() for field in s["fields"])
-             or any(name == type_ for call in calls for _, type_ in call["args"])}
+             or any(name == type_ for call in calls for _, type_ in [*call["args"], (None, call["returns"])])}
     out.mkdir(parents=True, exist_ok=True)
     write(out / "calls.json", json.dumps({"calls": calls, "structs": structs, "enums": enums, "inits": inits,
-                                          "classes": CLASSES, "frees": FREES}, indent=None) + "\n")
+                                          "classes": classes, "frees": frees}, indent=None) + "\n")
     docs = {call["c"]: f"{headers.docs[call['c']]}\nIn C: {call['c']}, <batten/{headers.header[call['c']]}>".strip() for call in calls}
     for name in structs:
         docs |= members(name, *headers.members[name])

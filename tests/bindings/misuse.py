@@ -13,16 +13,42 @@ import tempfile
 import numpy as np
 
 
+VIEW = {"eye": [10, -50, 30], "target": [10, 0, 1.5], "fov": 40}
+BONES = [{"name": "hip", "parent": -1, "offset": [0, 0, 0], "channels": ["x_position", "z_rotation", "x_rotation", "y_rotation"]},
+         {"name": "leg", "parent": 0, "offset": [0, -1, 0], "channels": ["z_rotation", "x_rotation"]}, {"name": "foot", "parent": 1, "end": True, "offset": [0, -1, 0]}]
+TURNS = [[0, 0, 0.1 * i, 1] for i in range(6)]
+PNG = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\2\0\0\0\3\x08\2\0\0\0" + bytes(20)
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9" viewBox="0 0 9 9"><path d="M0 0L9 0L9 9Z"/><text>a</text></svg>'
+CLASSES = ("Curve", "Finder", "Chain", "Shape", "LiveShape", "LiveSketch", "Surface", "SurfaceFinder", "Tessellation", "Relief", "Sweep", "Mesh", "Reference",
+           "Binding", "Tracks", "LineDrawing", "Camera", "Take", "Motion", "Picture", "Object", "Document")
+ANEW = {"LiveShape": lambda made: made["Shape"].live(0), "LiveSketch": lambda made: sketched(made["Curve"]), "Tessellation": lambda made: made["Surface"].tessellate(),
+        **dict.fromkeys(("Shape", "Relief", "Camera", "Motion", "Document"), None)}  # what a call changes is made, or copied, for each call
+
+
+def sketched(curve):
+    x, live = np.linspace(0, 20, 41)[9:30], curve.live()
+    return live.add_many(np.column_stack([x, np.sin(x) + 0.1]))
+
+
 def things(batten):
     """One of each class, fresh."""
     x = np.linspace(0, 20, 41)
     curve = batten.fit(np.column_stack([x, np.sin(x)]), tolerance=0.01)
     square = batten.clamped([[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]], degree=1).close()
     shape = curve.levels(2)
-    live = curve.live()
-    live.add_many(np.column_stack([x[9:30], np.sin(x[9:30]) + 0.1]))
-    return {"Curve": curve, "Closed": square, "Finder": curve.finder(), "Chain": curve.frame_chain(), "Shape": shape,
-            "LiveShape": shape.live(0), "LiveSketch": live, "b": batten}
+    space = curve.to_dimension(3)
+    sections = [space.transform([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, height]) for height in range(4)]
+    surface, take = batten.loft(sections), batten.take(BONES, np.random.default_rng(1).uniform(-20, 20, (20, 6)), 0.05)
+    document, camera = batten.document(), space.camera(base={"degree": 3, "points": TURNS, "knots": [0, 0, 0, 0, 1, 2, 3, 3, 3, 3]})
+    document.add(batten.path_object([square]))
+    camera.add_shake(7, 0.1, 2.0)
+    return {"Curve": curve, "Closed": square, "Space": space, "Sections": sections, "Finder": curve.finder(), "Chain": curve.frame_chain(), "Shape": shape,
+            "LiveShape": shape.live(0), "LiveSketch": sketched(curve), "Surface": surface, "SurfaceFinder": surface.finder(), "Tessellation": surface.tessellate(),
+            "Relief": surface.levels(1), "Sweep": space.sweep(batten.clamped([[-0.1, 0], [0, 0.1], [0.1, 0]], degree=2)),
+            "Mesh": batten.mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 1]], [[0, 1, 2], [0, 2, 3]]), "Reference": batten.reference(curves=[space]),
+            "Binding": batten.bind([{"reference": space, "radius": 3.0}], surface.points.reshape(-1, 3)), "Tracks": surface.section([0, 0, 1.5], [0, 0, 1]),
+            "LineDrawing": batten.line_drawing(VIEW, [surface]), "Camera": camera, "Take": take, "Motion": take.motion(), "Picture": batten.picture(PNG),
+            "Object": document.at(0), "Document": document, "b": batten}
 
 
 def samples(made):
@@ -39,7 +65,77 @@ def samples(made):
             "samples": wave[:3], "range": [middle - 1, middle + 1], "limit": 0.1, "kind": "smooth", "live.kind": "new", "c0": [1, 0], "c1": [0, 1], "direction": [1, 1],
             "level": 1, "level0.level": 0, "left": True, "deltas": [[0.1, 0]], "first": 0, "muted": True, "gain": 1.5, "targets": [wave[20]], "Shape.sketch.u": [middle],
             "levels": 2, "coarsest": 8, "onto": made["Curve"], "rule": "rmf", "n": 5, "decimals": 2, "continuity": 0, "gap": 100.0,
-            "place": 1.0, "many.u": [middle]}
+            "place": 1.0, "many.u": [middle], **more(made, wave, middle)}
+
+
+def more(made, wave, middle):
+    """The same for what there is beside curves."""
+    surface, space, b = made["Surface"], made["Space"], made["b"]
+    return {"v": 0.5, "at_grid.u": [middle], "at_grid.v": [0.5], "normal_grid.u": [middle], "normal_grid.v": [0.5], "direction": "u", "tangents_k.direction": [1, 1],
+            "hits.origin": [5, 0, 1.5], "hits.direction": [0, 1, 0], "origin": [0, 0, 1.5], "revolve.direction": [1, 0, 0], "revolve.origin": [0, -5, 0], "normal": [0, 0, 1],
+            "Surface.nearest.point": [1, 2, 3], "SurfaceFinder.nearest.point": [1, 2, 3], "Reference.nearest.point": [1, 2, 3], "view_project.point": [1, 2, 3],
+            "Surface.isocurve.at": 0.5, "Surface.refine.knots": np.sort(np.r_[surface.knots("u"), middle]), "Surface.transform.matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0],
+            "Relief.transform.matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], "Surface.redraw.direction": "v", "Surface.redraw.at": 0.5, "Surface.redraw.line": surface.isocurve("v", 0.5),
+            "Surface.sketch.direction": "v", "Surface.sketch.at": 1 / 3, "view": VIEW, "Surface.sketch.stroke": strokes(b, surface.isocurve("v", 1 / 3)),
+            "Surface.pick_line.marking": strokes(b, surface.isocurve("v", 1 / 3)), "Surface.intersect.b": surface, "Surface.is_equal.b": surface, "Mesh.is_equal.b": made["Mesh"],
+            "Surface.levels.levels": 1, "Surface.levels_to.levels": 1, "Surface.levels_to.coarsest": [12, 4], "surface": surface, "moved": [1, 2], "reference": made["Reference"],
+            "Relief.move.index": [0], "Relief.move.deltas": [[0, 0, 1]], "Relief.drag.delta": [0, 0, 0.1], "Relief.drag_finest.delta": [0, 0, 0.1], "Relief.redraw.level": 0,
+            "Relief.redraw.direction": "v", "Relief.redraw.at": 0.5, "Relief.redraw.line": made["Relief"].surface(0).isocurve("v", 0.5), "Relief.copy_levels.onto": surface,
+            "profile": b.clamped([[-0.1, 0], [0, 0.1], [0.1, 0]], degree=2), "sides": [b.clamped(one) for one in QUAD], "sections": made["Sections"], "recipe": {"kind": "loft"},
+            "recipe_surface.curves": made["Sections"], "check_recipe.count": 3, "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 1]], "curves": [made["Closed"]],
+            "Binding.apply.curves": [space], "surfaces": [surface], "meshes": [made["Mesh"]], "edges": [[0, 1]], "wires": [{"reference": space, "radius": 3.0}],
+            "bind.points": np.zeros((4, 3)), "i": 0, "scene": [surface], "pixel": [100, 200], "cast.view": {**VIEW, "eye": [0, 0, 50], "up": [0, 1, 0]}, "cast.stroke": wave + 300,
+            "canvas": {"normal": [0, 0, 1]}, "path": space, "Camera.add_level.knots": [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], "details": np.zeros((6, 3)), "seed": 7, "amount": 0.1, "rate": 2.0,
+            "Camera.take_levels.other": made["Camera"], "duration": 3.0, "retime.points": [[0, 0], [0.5, 0.2], [1, 1]], "rotation": [0, 0, 0, 1], "Camera.turn.level": 1, "key": 1,
+            "degrees": 50.0, "target": [1, 2, 3], "up": [0, 0, 1], "time": 0.3, "times": [0.0, 1.0], "insert_knot.times": 1, "remove_knot.times": 1, "pose": made["Camera"].at(middle),
+            "size": [800, 600], "keys.place": 0.1, "keys.angle": 0.01, "values": [3.0, 1.0, 2.0], "frame": 3, "joint": 1, "angle": 0, "revolve.angle": 1.0, "Motion.set_gain.level": 1,
+            "Motion.redraw.level": 0, "Motion.redraw.points": [[0.1, 5], [0.2, 6], [0.3, 5]], "Motion.bend.path": space, "Motion.take_style.other": made["Motion"],
+            "picture": made["Picture"], "matrix": [1, 0, 1, 0, 1, 1], "Curve.transform.matrix": [1, 0, 1, 0, 1, 1], "axis": 0, "at": 3.0, "axes": [1, 0, 0, 0, 1, 0],
+            "plane_object.origin": [0, 0, 0], "Object.bind.wires": [{"reference": space, "radius": 1.0}], "sources": [b.path_object([one], id=i + 50) for i, one in enumerate(made["Sections"])], "mesh": made["Mesh"], "relief": made["Relief"],
+            "camera": made["Camera"], "motion": made["Motion"], "seconds": 0.3, "parent": 0, "name": "a", "id": 1, "curve": made["Closed"], "shape": made["Closed"].shape(), "style": {},
+            "paint": {"dashes": [1, 2]}, "index": 2, "Object.bind.curves": [b.path_object([space], id=7)], "Object.with_matrix.matrix": [1, 0, 0, 1, 0, 0],
+            "image_object.matrix": [1, 0, 0, 1, 0, 0], "foreign_object.matrix": [1, 0, 0, 1, 0, 0], "foreign_object.picture": b.picture(SVG.encode()), "Object.curve.index": 0, "Object.shape.index": 0, "Object.with_curve.index": 0, "Object.with_shape.index": 0, "cover.curve": 0,
+            "Document.at.index": 0, "Document.insert.index": 1, "Document.insert.object": b.guide_object(0, 1.0, id=9), "Document.replace.index": 0,
+            "Document.replace.object": b.path_object([made["Closed"]], id=1), "Document.remove.index": 0, "Document.end.index": 0, "page": [0, 0, 10, 10], "millimetres": 2.0, "unit": "mm",
+            "object": made["Object"], "glyph": made["Document"].to_glif(), "text": "{}", "read_svg.text": SVG, "model": [surface, made["Mesh"]], "write_model.model": [surface],
+            "losses": {"count": [1] * 32}, "lossKind": "text", "loss_key.kind": "text", "report": made["Motion"].report, "Camera.to_gltf_scene.scene": [surface], "line_drawing.scene": [surface],
+            "region": made["Closed"], "offset_region.distance": 0.1, "offset_region.tolerance": 0.01, "nib": {"width": 0.3}, "outline_width.profile": [(0, 1), (1, 0.2)], "cover_width.profile": [(0, 1), (1, 0.2)],
+            "check_widths.profile": [(0, 1)], "width_at.profile": [(0, 1)], "width_is_even.profile": [(0, 1)], "width_at.at": 0.5, "function": 3.0, "x": 0.5, "bytes": PNG,
+            "read_document.text": made["Document"].write(), "read_curve.text": made["Curve"].write(), "read_surface.text": surface.write(), "read_mesh.text": made["Mesh"].write(),
+            "read_model.text": surface.write(), "read_obj.text": b.write_obj(surface), "read_iges.text": b.write_iges(surface), "read_step.text": b.write_step(surface),
+            "read_bvh.text": made["Take"].to_bvh(), "read_view.text": b.write_view(VIEW), "read_canvas.text": '{"plane":{"origin":[0,0,0],"normal":[0,0,1]}}',
+            "read_camera.text": made["Camera"].write(), "read_points.text": "1 2\n3 4\n", "read_stroke.text": "x,y\n1,2\n3,4\n",
+            "read_spline.text": '{"points":[[0,0],[1,1]]}', "read_shape.text": made["Shape"].write(), "edit.text": "[]", "read_relief.text": made["Relief"].write(),
+            "read_sweep.text": f'{{"path":{space.write()},"profile":{b.clamped([[0, 0], [0, 1]], degree=1).write()}}}',
+            "read_wires.text": f'{{"wires":[{{"reference":{space.write()},"radius":3,"curve":{space.write()}}}]}}',
+            "surface.points": surface.points, "u_knots": None, "v_knots": None, "surface.u_knots": surface.knots("u"), "surface.v_knots": surface.knots("v"),
+            "surface.degree": (surface.degree("u"), surface.degree("v")), "faces": [[0, 1, 2]], "joints": BONES, "take.values": np.zeros((3, 6)), "frame_time": 0.1,
+            "Sweep.surface.tolerance": 0.05, "Relief.drag.level": 1, "Object.with_guide.at": 1.0}
+
+
+QUAD = ([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]], [[0, 3, 0], [1, 3, 1], [2, 3, 0], [3, 3, 0]], [[0, 0, 0], [0, 1, 0], [0, 2, 0], [0, 3, 0]], [[3, 0, 0], [3, 1, 0], [3, 2, 1], [3, 3, 0]])
+
+
+def strokes(b, line):
+    """A line of a surface as it is seen."""
+    return [b.view_project(VIEW, place).pixel for place in line.at_many(np.linspace(*line.domain, 40))]
+
+
+MANY = ("flatten.tolerance", "keys.place", "keys.angle", "section.tolerance", "cover_width.tolerance")  # refused after a million pieces
+TEXTS = ("text", "name", "up", "down", "glyph", "bytes")
+NEEDED = {"Curve.camera": {"mode": "along"}}  # options without which there is nothing to do
+SPACE = ("sweep", "revolve", "camera", "stands")
+
+
+def object_for(batten, made, name):
+    """An object that the call can do something with."""
+    kinds = {"with_matrix": lambda: batten.image_object(made["Picture"], [1, 0, 0, 1, 0, 0]), "with_guide": lambda: batten.guide_object(0, 1.0),
+             "with_spline": lambda: batten.spline_object([[0, 0], [1, 1], [2, 0]]), "to_path": lambda: batten.spline_object([[0, 0], [1, 1], [2, 0]]),
+             "with_motion": lambda: batten.skeleton_object(made["Motion"]), "at_time": lambda: batten.skeleton_object(made["Motion"]),
+             "with_camera": lambda: batten.camera_object(made["Camera"]), "cover": lambda: batten.path_object([made["Curve"]]).with_paint({"widths": [(0, 1), (1, 0.2)]}),
+             "unbind": lambda: batten.path_object([made["Space"]], id=2).bind([{"reference": made["Space"], "radius": 1.0}], [batten.path_object([made["Space"]])]),
+             **dict.fromkeys(("with_surface", "with_relief", "with_recipe"), lambda: batten.surface_object(made["Surface"]))}
+    return kinds.get(name, lambda: made["Object"])()
 
 
 class Odd:
@@ -75,9 +171,10 @@ def table(batten):
     """(how many calls, faults)."""
     faults, count, worked = [], 0, 0
     allowed = (batten.BattenError, TypeError)
-    names = [(kind, name, hand) for kind, hand in [(kind, getattr(batten, kind)) for kind in ("Curve", "Finder", "Chain", "Shape", "LiveShape", "LiveSketch")] for name in dir(hand)]
+    names = [(kind, name, hand) for kind, hand in [(kind, getattr(batten, kind)) for kind in CLASSES] for name in dir(hand)]
     calls = [(kind, name, getattr(hand, name)) for kind, name, hand in names if not name.startswith("_") and inspect.isfunction(getattr(hand, name)) and name not in ("free", "add")]
-    calls += [("b", name, one) for name, one in vars(batten).items() if inspect.isfunction(one) and getattr(one, "__signature__", None) and not name.startswith("_")]
+    calls += [("b", name, one) for name, one in vars(batten).items() if inspect.isfunction(one) and one.__module__ == "batten" and not name.startswith("_")
+              and name != "read_svg"]
     never, perhaps = wrong_values(batten)
     for kind, name, function in calls:
         made = things(batten)
@@ -92,6 +189,10 @@ def table(batten):
             right["u"] = 0.5
         if kind == "Shape" and name == "live" or kind == "LiveShape":
             right["level"] = 0
+        if name in SPACE:
+            made["Curve"] = made["Space"]
+        if kind == "Object":
+            made["Object"] = object_for(batten, made, name)
 
         def value(argument, kind=kind, name=name, right=right):
             return next((right[key] for key in (f"{kind}.{name}.{argument}", f"{name}.{argument}", argument) if key in right), None)
@@ -101,8 +202,8 @@ def table(batten):
         others = [p.name for p in parameters if p.kind == p.KEYWORD_ONLY or p.kind == p.POSITIONAL_OR_KEYWORD and p.default is not p.empty]
 
         def run(options, kind=kind, name=name, required=required):
-            given = {one: value(one) for one in required} | options
-            target = things(batten)[kind] if kind in ("LiveShape", "LiveSketch") else made[kind]
+            given = {one: value(one) for one in required} | NEEDED.get(f"{kind}.{name}", {}) | ({"curves": [made["Space"]]} if name == "reference" else {}) | options
+            target = made[kind] if kind not in ANEW else ANEW[kind](made) if ANEW[kind] else made[kind].copy()
             return getattr(target, name)(**given)
 
         try:
@@ -111,18 +212,21 @@ def table(batten):
         except Exception as error:  # noqa: BLE001: named below
             faults.append(f"{kind}.{name} does not work at all: {error}")
         for argument in [*required, *others]:
-            for wrong in [*never, *perhaps]:
+            values = [*never, *perhaps]
+            for wrong in values if kind in CLASSES[:6] else values[len(name + argument) % 3::3]:
+                if f"{name}.{argument}" in MANY and isinstance(wrong, float) and 0 < wrong < 1e-9:
+                    continue
                 count += 1
                 what = f"{kind}.{name}({argument}={type(wrong).__name__} {str(wrong)[:40]!r})"
                 error = tried(lambda: run({argument: wrong}), allowed, faults, what)  # noqa: B023: called at once
-                if any(wrong is one for one in never) and (error is None or argument not in str(error)):
+                if any(wrong is one for one in never) and not (argument in TEXTS and isinstance(wrong, (str, bytes))) and (error is None or argument not in str(error)):
                     faults.append(f"{what}: {'taken in silence' if error is None else error}")
     for name, thing in things(batten).items():
-        if name != "b":
+        if name in CLASSES:
             count += ended(batten, name, faults)
             tried(lambda: type(thing)(1, 2), TypeError, faults, f"{name}(1, 2)")  # noqa: B023
             tried(lambda: setattr(thing, "dim", 7), AttributeError, faults, f"{name}.dim = 7")  # noqa: B023
-    if worked < 90:
+    if worked < 300:
         faults.append(f"only {worked} calls were tried")
     return count, faults
 
@@ -163,4 +267,4 @@ if __name__ == "__main__":
     tries, found = table(package)
     print(*found, sep="\n")
     print(f"{tries} wrong things, {len(found)} faults")
-    sys.exit(bool(found) or tries < 5000)
+    sys.exit(bool(found) or tries < 20000)

@@ -2,6 +2,7 @@
 """The Python package, built by pip and installed into an empty folder: beside scipy, with views, types and errors; and the page
 docs/python.md, whose code is run. Usage: BATTEN_LIBRARY=libbatten.so test_python.py ROOT
 """
+import ast
 import copy
 import dataclasses
 import doctest
@@ -297,6 +298,99 @@ class Values(unittest.TestCase):
         self.assertEqual(batten.fit(bytes_), self.open)
         spline = interpolate.BSpline(self.open.knots, self.open.points, self.open.degree)
         np.testing.assert_allclose(spline(0.5), self.open(0.5), atol=1e-12)
+
+
+class Whole(unittest.TestCase):
+    """All of the library but the editor."""
+
+    def setUp(self):
+        curve = batten.fit(WAVE, tolerance=0.5).to_dimension(3)
+        self.sections = [curve.transform([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 10 * height]) for height in range(4)]
+        self.surface = batten.loft(self.sections)
+
+    def test_path_to_path(self):
+        document = batten.read_svg('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1L5 1L5 5L1 5Z"/><path d="M4 4L8 4L8 8L4 8Z"/><text>a</text></svg>')
+        self.assertEqual(sum(document.report.lost.count), batten.losses_total(document.report.lost))
+        curves = [curve.simplify(0.01) for one in document.objects for curve in one.curves]
+        grown = batten.offset_region(batten.combine("union", curves, tolerance=0.001), 1, tolerance=0.001, join="miter")
+        self.assertAlmostEqual(sum(curve.area for curve in grown), 6 * 6 * 2 - 3 * 3, delta=0.01)
+        out = batten.document()
+        out.set_page([0, 0, 10, 10]).add(batten.path_object(grown, name="grown", style={"filled": True, "stroked": False}))
+        again = batten.read_svg(out.to_svg())
+        self.assertTrue(again.report.native)
+        self.assertEqual((again.objects[0].curves, again.digest), (grown, out.digest))
+        for text in (out.to_dxf(), out.to_gcode(feed=500.0), out.to_glif()):
+            self.assertGreater(len(text), 50)
+
+    def test_loft_wire_and_stl(self):
+        surface, line = self.surface, self.sections[0]
+        np.testing.assert_allclose(surface.at(line.domain[0], 0), line.at(line.domain[0]), atol=1e-9)
+        points = surface.points.reshape(-1, 3)
+        moved = batten.bind([{"reference": line, "radius": 100.0}], points).apply([line.transform([1, 0, 0, 0, 0, 1, 0, 7, 0, 0, 1, 0])])
+        self.assertAlmostEqual(moved.report.largest, 7, delta=1e-9)
+        bent = batten.surface(moved.points.reshape(surface.points.shape), surface.knots("u"), surface.knots("v"), degree=(surface.degree("u"), surface.degree("v")))
+        np.testing.assert_allclose(bent.at(line.domain[0], 0), line.at(line.domain[0]) + [0, 7, 0], atol=1e-9)
+        data = batten.write_stl(bent, tolerance=0.1)
+        self.assertEqual(len(data), 84 + 50 * int.from_bytes(data[80:84], "little"))
+        self.assertEqual(batten.read_step(batten.write_step(bent)).surfaces, [bent])
+
+    def test_values(self):
+        camera, relief = self.sections[0].camera(mode="along"), self.surface.levels(1)
+        camera.add_shake(7, 0.1, 2.0)
+        document, mesh = batten.document(), batten.mesh(np.eye(3), [[0, 1, 2]])
+        document.add(batten.surface_object(self.surface, name="ж"))
+        sweep = self.sections[0].sweep(batten.clamped([[-1, 0], [0, 1], [1, 0]], degree=2), twist=1.0)
+        take = batten.take([{"name": "hip", "parent": -1, "offset": [0, 0, 0], "channels": ["x_rotation"]}], [[1.0], [5.0], [2.0]], 0.1)
+        says = {self.surface: lambda one: one, mesh: lambda one: one, camera: lambda one: one.write(), relief: lambda one: one.write(),
+                document: lambda one: one.digest, sweep: lambda one: one.at(1, 0.5), self.surface.finder(): lambda one: one.nearest([1, 2, 3]),
+                batten.reference(surfaces=[self.surface]): lambda one: one.nearest([1, 2, 3]).distance, take: lambda one: one.to_bvh(),
+                self.surface.section([0, 0, 5], [0, 0, 1]): lambda one: one.points(0), document.at(0): lambda one: (one.name, one.surface())}
+        for one, what in says.items():
+            for make in (copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))):
+                self.assertEqual(what(make(one)), what(one), one)
+        self.assertEqual({self.surface: 1}[copy.copy(self.surface)], 1)
+        motion = take.motion()
+        self.assertEqual(copy.copy(motion).positions(0.1).tolist(), motion.positions(0.1).tolist())
+        for one in (motion, self.surface.tessellate()):
+            with self.assertRaisesRegex(TypeError, "cannot be"):
+                pickle.dumps(one)
+        kept = motion.take()
+        motion.free()
+        self.assertEqual(kept.joints[0].name, "hip")
+
+    def test_readers_say_the_place(self):
+        for read, text, place in ((batten.read_obj, "v 1 2 3\nf 1 2 9\n", "line 2"), (batten.read_curve, '{"degree":x}', "line 1, column 11: expected a value"),
+                                  (batten.read_svg, "<svg>\n<g></svg>", "line 2"), (batten.read_bvh, "HIERARCHY\nROOT\n", "line")):
+            with self.assertRaisesRegex(batten.BattenError, place):
+                read(text)
+        with self.assertRaisesRegex(batten.BattenError, r"wires\[0\].radius.constant: expected a finite number, found nan"):
+            batten.bind([{"reference": self.sections[0], "radius": np.nan}], [[0, 0, 0]])
+        with self.assertRaisesRegex(batten.BattenError, "sources: expected an Object, found a Curve"):
+            batten.made_object({"kind": "loft"}, self.sections)
+
+    def test_two_that_change_in_two_threads(self):
+        cameras = [self.sections[0].camera(mode="along").add_shake(seed, 0.1, 2.0) for seed in (1, 2)]
+        threads = [threading.Thread(target=lambda a=a, b=b: [a.take_levels(b) for _ in range(300)]) for a, b in (cameras, cameras[::-1])]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join(60)
+            self.assertFalse(thread.is_alive())
+
+    def test_types_have_all_names(self):
+        tree, classes = ast.parse((pathlib.Path(PLACE.name) / "batten/__init__.pyi").read_text("utf-8")), {}
+        for one in tree.body:
+            if isinstance(one, ast.ClassDef):
+                classes[one.name] = {part.name: any(getattr(d, "id", "") == "property" for d in part.decorator_list) for part in one.body if isinstance(part, ast.FunctionDef)}
+        found = 0
+        for name in set(classes) & set(vars(batten)):
+            own = {key: isinstance(value, property) for key, value in vars(getattr(batten, name)).items() if not key.startswith("_") and (callable(value) or isinstance(value, property))}
+            if hasattr(getattr(batten, name), "_made_by"):
+                self.assertEqual(own, {key: value for key, value in classes[name].items() if key[0] != "_"}, name)
+                found += len(own)
+        functions = {one.name for one in tree.body if isinstance(one, ast.FunctionDef)}
+        self.assertEqual(functions, {key for key, value in vars(batten).items() if getattr(value, "__module__", "") == "batten" and not isinstance(value, type) and key[0] != "_"})
+        self.assertGreater(found + len(functions), 300)
 
 
 class Building(unittest.TestCase):

@@ -1,23 +1,25 @@
 """Calls of C as calls.txt describes them: arguments are made, the function is called, results are read."""
 import collections
+import copy
 import ctypes
 import functools
 import inspect
 import math
-import numbers
 import re
 
 import numpy as np
 
-from ._library import (CLASSES, DOCS, NUMBERS_MOST, NUMPY, SCALARS, STRUCTS, TABLE, Record, bare, check, copied, doubles,
-                       integers, lib, pointer, record, shown, value_type, wrong)
+from ._library import (CLASSES, DOCS, KINDS, NUMBERS_MOST, NUMPY, SCALARS, STRUCTS, TABLE, Record, bare, check, copied, doubles,
+                       handle, lib, pointer, record, shown, text_at, value_type, word_of, wrong)
+from ._values import FLAT, address, array_of, converted, encoded, filled, set_field
 
-KINDS = {}  # the classes, by name
+LIBRARY = {}  # the functions of the library, by name
 RESULTS = {}  # the tuples that calls with several results give, by name
-WITHIN = {"dimension": (2, 3), "degree": (1, 7), "order": (0, 7), "per_span": (1, 4096), "substeps": (0, 4096), "steps": (0, 4096),
-          "times": (1, 8), "solves_max": (0, 4096), "pins": (0, 1 << 20)}  # whole numbers that have no use beyond, by name
+CHECKED = {"bat_width_eval": "bat_width_check", "bat_width_is_even": "bat_width_check", "bat_function_eval": "bat_function_check"}
+CURVED = ("Curve", "Finder", "Chain", "Shape", "LiveShape", "LiveSketch")  # classes that have a dimension
+REMADE = ("Finder", "Chain", "SurfaceFinder", "Sweep", "Reference", "Binding", "Tracks", "LineDrawing")  # pickled as the call that made them
 FAST = {float, int, np.float64}
-Word = collections.namedtuple("Word", "kind name type bare formula whole optional missing least handed ends", defaults=[None] * 9)
+Word = collections.namedtuple("Word", "kind name type bare formula whole optional missing least handed ends kept", defaults=[None] * 10)
 LITERALS = {"false": False, "true": True, "inf": float("inf")}
 
 
@@ -36,35 +38,43 @@ def parse(word, type_):
         return make("follows", "", formula=word[1:])
     if word[0] in "#%":
         return make("count" if word[0] == "#" else "room", word[1:])
-    if found := re.fullmatch(r"\((\w+)\)", word):
-        return make("struct", found[1])
+    if word[0] == "!":
+        return make("told", word[1:])
+    if word[0] == "&":
+        return parse(word[1:], type_)._replace(handed=True)
+    if found := re.fullmatch(r'"(\w+)"(\??)', word):
+        return make("text", found[1], optional=bool(found[2]))
+    if found := re.fullmatch(r"\((\w+)\)(\??)", word):
+        return make("struct", found[1], optional=bool(found[2]))
     if found := re.fullmatch(r"\{(>?)(\w+)\}", word):
         return make("options", found[2], handed=bool(found[1]))
     if found := re.fullmatch(r">(\w+)(\*?)(?:\[(.*)\])?", word):
         return make("result", found[1], handed=bool(found[2]), formula=found[3])
-    if found := re.fullmatch(r"(\w+)\[(=?)(.*)\](\??)", word):
-        return make("array", found[1], whole=bool(found[2]), formula=found[3], optional=bool(found[4]))
-    name, missing, least = re.fullmatch(r"(\w+)(?:=(.+)|:(\d))?", word).groups()
-    return make("scalar", name, missing=missing, least=least)
+    if found := re.fullmatch(r"(\w+)(!?)\[(=?)(.*)\](\??)", word):
+        return make("array", found[1], kept=bool(found[2]), whole=bool(found[3]), formula=found[4], optional=bool(found[5]))
+    name, kept, missing, least = re.fullmatch(r"(\w+)(!?)(?:=(.+)|:(\d))?", word).groups()
+    return make("scalar", name, kept=bool(kept), missing=missing, least=least)
 
 
 class Plan:
     """A call, prepared."""
 
     def __init__(self, call, name):
-        self.name = name
+        self.name, self.kind = name, call["names"][0].split(".")[0]
         self.c, self.returns, self.returned = call["c"], call["returns"], call["returned"]
         self.words = [parse(*one) for one in call["args"]]
-        own = [w for w in self.words if w.kind in ("scalar", "array", "struct")]
+        own = [w for w in self.words if w.kind in ("scalar", "array", "struct", "text")]
+        self.counted = {w.name for w in self.words if w.kind == "count"}
+        flats = [w for w in self.words if w.kind == "struct" and w.bare in FLAT]
         self.required = [w.name for w in own if not w.optional and w.missing is None]
         self.defaults = {w.name: w.missing for w in own if w.optional or w.missing is not None}
-        self.fields = [f["name"] for w in self.words if w.kind in ("options", "struct") and w.name != "regions"
+        self.fields = [f["name"] for w in self.words if w.kind == "options" or w in flats
                        for f in TABLE["structs"][w.bare]["fields"] if f["name"] not in ("size", "count", "points", "dimension")]
-        flat = ["dimension"] if any(w.kind in ("dim", "struct") and w.name != "regions" for w in self.words) else []
+        flat = ["dimension"] if flats or any(w.kind == "dim" for w in self.words) else []
         self.options = {name: None for name in [*self.defaults, *self.fields, *flat] if name not in self.required}
-        self.arrays = [w for w in self.words if w.kind == "array" and "dim" in w.formula or w.kind == "struct" and w.name != "regions"]
-        results = [w for w in self.words if w.kind == "result"]
-        used = {part for w in results for part in re.findall(r"\w+", w.formula or "")}
+        self.arrays = [w for w in self.words if w.kind == "array" and "dim" in w.formula or w in flats]
+        results = [w for w in self.words if w.kind == "result" or w.kind == "array" and w.handed]
+        used = {part for formula in [self.returned, *(w.formula for w in results if w.kind == "result")] for part in re.findall(r"\w+", formula or "")}
         if any(w.kind == "room" for w in self.words):
             used.add("count")
         self.shown = [w for w in results if w.name not in used]
@@ -80,7 +90,7 @@ class Plan:
 
     @staticmethod
     def c_type(word):
-        if word.kind in ("self", "null", "array", "struct", "options", "result") or "*" in word.type:
+        if word.kind in ("self", "null", "array", "struct", "options", "result", "text", "told") or "*" in word.type:
             return ctypes.c_void_p
         return SCALARS.get(word.bare, ctypes.c_int)
 
@@ -96,9 +106,18 @@ def factors(formula):
     return re.findall(r"\([^)]*\)|[^*]+", formula)
 
 
+def said(told, message):
+    """What a call told of its failure: in a problem, or by the index of what is wrong."""
+    for item in told:
+        if isinstance(item, ctypes.c_size_t):
+            return f"{message} (number {item.value})" if item.value < 2**63 else ""
+        return ": ".join(one.decode("utf-8", "replace") for one in (item.place, item.message) if one)
+    return ""
+
+
 class Call:
     def __init__(self, plan, self_, given, options):
-        self.plan, self.self, self.options, self.kept, self.results = plan, self_, options, [], []
+        self.plan, self.self, self.options, self.kept, self.results, self.given, self.told = plan, self_, options, [], [], [], []
         self.values = dict(zip(plan.required, given))
         self.values |= {name: options.get(name) for name in plan.defaults}
         self.arrays = {}
@@ -106,7 +125,7 @@ class Call:
         self.counting = False
 
     def dimension(self):
-        if self.self is not None:
+        if self.self is not None and self.plan.kind in CURVED:
             if (given := self.options.get("dimension")) is not None and converted("int", given, "dimension") != self.self.dim:
                 raise wrong("dimension", self.self.dim, shown(given), "dimension")
             return self.self.dim
@@ -131,7 +150,7 @@ class Call:
                     raise wrong(word.name, f"a dict of points and perhaps {', '.join(f for f in fields if f != 'points')}",
                                 f"one of {', '.join(map(str, value)) or 'nothing'}")
                 value = value["points"]
-            self.arrays[word.name] = doubles(value, word.name)
+            self.arrays[word.name] = array_of(word.bare if word.kind == "array" else "double", value, word.name, word.formula != "1")
         return self.arrays[word.name]
 
     def evaluate(self, formula):
@@ -146,7 +165,7 @@ class Call:
 
     def shape(self, formula):
         """The factors of a formula as the shape of an array; what has no derivatives has no axis for them."""
-        shape = tuple(self.evaluate(f) for f in factors(formula) if not (f == "(order+1)" and self.values["order"] in (0, None)))
+        shape = tuple(self.evaluate(f) for f in factors(formula) if not (f.startswith("(order") and self.values["order"] in (0, None)))
         most = math.prod(shape)
         if min(shape) < 0 or most > NUMBERS_MOST:
             names = [name for name in re.findall(r"[a-z]\w*", formula) if name in self.values]
@@ -159,16 +178,20 @@ class Call:
         if name.startswith("#"):
             return self.records(name[1:])
         if name == "level_count":
-            return self.self.curve(self.values["level"]).count
+            return self.self._level_count(self.values["level"])
         value = self.values.get(name)
-        return value if value is not None else getattr(self.self, name)
+        if value is None:
+            value = getattr(self.self, name)
+        return value(*[self.values[one] for one in ("direction",) if one in self.values]) if callable(value) else value
 
     def records(self, name):
-        word = next(w for w in self.plan.words if w.name == name and w.kind in ("array", "struct"))
+        word = next(w for w in self.plan.words if w.name == name and w.kind in ("array", "struct", "text"))
         value = self.values[name]
         if value is None and word.optional:
             return 0
-        if name == "regions":
+        if word.kind == "text":
+            return len(encoded(value, name))
+        if word.kind == "struct" and word.bare not in FLAT or word.bare in CLASSES:
             if not isinstance(value, (list, tuple)):
                 raise wrong(name, "a list", shown(value))
             return len(value)
@@ -178,17 +201,18 @@ class Call:
             raise wrong(name, f"points of {each} numbers", f"{size} numbers", "count")
         return size // each
 
-    def address(self, value, kind, name):
-        """The address of an object, which lives as long as the call."""
-        if not isinstance(value, KINDS[kind]):
-            raise wrong(name, f"a {kind}", shown(value))
-        if kind == "Curve" and value is not self.self and name != "regions" and self.plan.name != "is_equal" and value.dim != self.dim:
+    def address(self, value, word, name):
+        """The address of an object, which lives as long as the call; of one that the call keeps, that of a copy."""
+        kind = CLASSES[word.bare]
+        found = address(value, kind, name, self.kept)
+        if kind == "Curve" and name in ("b", "onto") and self.plan.name != "is_equal" and value.dim != self.dim:
             raise wrong(name, f"a Curve of dimension {self.dim}", f"one of dimension {value.dim}", "dimension")
-        if value is not self.self and not value._own:
-            raise wrong(name, f"a {kind}", f"one that has been {value._ended}", "state")
-        memory = value._memory()
-        self.kept.append(memory)
-        return memory.address
+        if word.kept:
+            out = ctypes.c_void_p()
+            check(getattr(lib, word.bare + "_copy")(ctypes.c_void_p(found), ctypes.byref(out)))
+            self.given.append((value._free, out.value))
+            return out.value
+        return found
 
     def scalar(self, word):
         value = self.values[word.name]
@@ -199,98 +223,99 @@ class Call:
                      else int(word.missing) if re.fullmatch(r"\d+", word.missing) else word.missing)
             self.values[word.name] = value
         if word.bare in CLASSES:
-            return self.address(value, CLASSES[word.bare], word.name)
+            return self.address(value, word, word.name)
         if word.bare == "double" and word.missing == "inf" and isinstance(value, (float, np.floating)) and value == np.inf:
             return value
-        value = converted(word.bare, value, word.name)
+        key = f"{self.plan.kind}.{word.name}"
+        value = converted(word.bare, value, word.name, key)
         if word.least is not None and not int(word.least) <= value <= self.self._level_total():
             raise wrong(word.name, f"a level from {word.least} to {self.self._level_total()}", value)
         if word.bare in ("int", "size_t"):
             self.values[word.name] = value
         return value
 
+    def text(self, word):
+        value = self.values[word.name]
+        if value is None and word.optional:
+            return None
+        self.kept.append(encoded(value, word.name, whole=word.name in self.plan.counted))
+        return self.kept[-1]
+
+    def tell(self, word):
+        self.told.append(STRUCTS["bat_problem"]() if word.bare == "bat_problem" else ctypes.c_size_t(2**64 - 1))
+        return ctypes.byref(self.told[-1])
+
     def array(self, word):
         value = self.values[word.name]
         if value is None and word.optional:
             return None
+        if word.bare in CLASSES:
+            count = self.records(word.name)
+            if word.whole and count != self.evaluate(word.formula):
+                raise wrong(word.name, f"{self.evaluate(word.formula)} of them", count, "count")
+            self.kept.append((ctypes.c_void_p * count)(*[self.address(one, word, word.name) for one in value]))
+            return ctypes.byref(self.kept[-1])
         array = self.points(word)
         if array.ndim == 2 and "dim" in word.formula and not word.whole and array.shape[1] != self.dim:
             raise wrong(word.name, f"points of {self.dim} coordinates", shown(array), "dimension")
         size = self.evaluate(word.formula)
         if array.size != size if word.whole else array.size % size:
             raise wrong(word.name, f"{size} numbers" if word.whole else f"points of {size} numbers", shown(array), "count")
+        if word.handed:
+            array = array.copy()
+            self.results.append((word, array, None))
         self.kept.append(array)
         return pointer(array)
 
-    def set_field(self, item, struct, field, value, size):
-        fields = TABLE["structs"][struct]["fields"]
-        name, type_ = field["name"], field["type"]
-        if type_.endswith("*"):
-            array = doubles(value, name, size) if bare(type_) == "double" else integers(value, name)
-            self.kept.append(array)
-            setattr(item, name, array.ctypes.data)
-            before = fields[fields.index(field) - 1]["name"]
-            if before.endswith("_count"):
-                setattr(item, before, array.size)
-        elif field["room"]:
-            array = doubles(value, name).ravel()
-            if array.size not in (field["room"], self.dim):
-                raise wrong(name, f"{field['room']} numbers", shown(array), "count")
-            getattr(item, name)[:array.size] = array.tolist()
-            if hasattr(item, "has_" + name):
-                setattr(item, "has_" + name, True)
-        else:
-            setattr(item, name, converted(type_, value, name))
-
     def struct(self, word, options=False):
+        if options:
+            item = STRUCTS[word.bare]()
+            self.kept.append(item)
+            getattr(lib, TABLE["inits"][word.bare])(ctypes.byref(item), ctypes.c_size_t(ctypes.sizeof(item)))
+            for field in TABLE["structs"][word.bare]["fields"]:
+                if (value := self.options.get(field["name"])) is not None and field["name"] != "size":
+                    set_field(item, word.bare, field, value, field["name"], self.kept, self.dim)
+            if word.handed:
+                self.results.append((word, item, None))
+            return ctypes.byref(item)
+        value = self.values[word.name]
+        if word.bare in FLAT:
+            return ctypes.byref(self.flat(word, value))
+        if value is None and word.optional and word.bare != "bat_style":
+            return None
+        many = word.name in self.plan.counted
+        items = filled(word.bare, value if many else [{} if value is None else value], word.name, self.kept, many)
+        return ctypes.byref(items)
+
+    def flat(self, word, value):
+        """A stroke or a spline: points, and the rest by name."""
         item = STRUCTS[word.bare]()
         self.kept.append(item)
-        if options:
-            getattr(lib, TABLE["inits"][word.bare])(ctypes.byref(item), ctypes.c_size_t(ctypes.sizeof(item)))
-            given, count = self.options, None
-        elif word.name == "regions":
-            return self.regions(self.values["regions"])
-        else:
-            value = self.values[word.name]
-            given = {**self.options, **(value if isinstance(value, dict) else {"points": value})}
-            count = self.records(word.name)
-            points = self.points(word)
-            if points.ndim == 2 and points.shape[1] != self.dim:
-                raise wrong(word.name, f"points of {self.dim} coordinates", shown(points), "dimension")
-            given |= {"dimension": self.dim, "count": count, "points": points}
+        given = {**self.options, **(value if isinstance(value, dict) else {"points": value})}
+        count, points = self.records(word.name), self.points(word)
+        if points.ndim == 2 and points.shape[1] != self.dim:
+            raise wrong(word.name, f"points of {self.dim} coordinates", shown(points), "dimension")
+        given |= {"dimension": self.dim, "count": count, "points": points}
         each = {"points": self.dim, "tangents": self.dim, "tension": 2, "pressure": 1, "time": 1}
         for field in TABLE["structs"][word.bare]["fields"]:
-            value = given.get(field["name"])
-            if value is None or field["name"] == "size":
+            name, value = field["name"], given.get(field["name"])
+            if value is None:
                 continue
-            size = each.get(field["name"])
-            if count is not None and field["type"].endswith("*") and doubles(value, field["name"], size).size != count * size:
-                raise wrong(field["name"], f"{count * size} numbers for {count} points", shown(np.asarray(value)), "count")
-            self.set_field(item, word.bare, field, value, size)
-        if options and word.handed:
-            self.results.append((word, item, None))
-        return ctypes.byref(item)
-
-    def regions(self, value):
-        """Regions: each a curve, a list of curves, or a dict of curves and even_odd."""
-        items = (STRUCTS["bat_region"] * len(value))()
-        self.kept.append(items)
-        for item, region in zip(items, value):
-            own = region.get("curves") if isinstance(region, dict) else region if isinstance(region, (list, tuple)) else [region]
-            if not isinstance(own, (list, tuple)):
-                raise wrong("regions", "curves, lists of curves, or dicts of curves and even_odd", shown(region))
-            curves = (ctypes.c_void_p * len(own))(*[self.address(curve, "Curve", "regions") for curve in own])
-            self.kept.append(curves)
-            item.count, item.curves = len(own), ctypes.addressof(curves)
-            item.even_odd = isinstance(region, dict) and bool(region.get("even_odd"))
-        return ctypes.byref(items)
+            if name == "count":
+                item.count = count
+                continue
+            size = each.get(name)
+            if field["type"].endswith("*") and doubles(value, name, size).size != count * size:
+                raise wrong(name, f"{count * size} numbers for {count} points", shown(np.asarray(value)), "count")
+            set_field(item, word.bare, field, value, name, self.kept, self.dim, size)
+        return item
 
     def result(self, word):
         if word.handed or word.bare in CLASSES:
             item = ctypes.c_void_p()
         elif word.formula is None:
             item = value_type(word.bare)()
-        elif self.counting and word.formula == "room":
+        elif self.counting and "room" in word.formula:
             return None
         elif word.bare in NUMPY:
             item = np.empty(self.shape(word.formula), dtype=NUMPY[word.bare])
@@ -303,7 +328,7 @@ class Call:
 
     def argument(self, word):
         if word.kind == "self":
-            return self.address(self.self, type(self.self).__name__, "self")
+            return self.own()
         if word.kind == "dim":
             return converted("int", self.dim, "dimension")
         if word.kind == "follows":
@@ -312,28 +337,43 @@ class Call:
             return self.values["room"]
         if word.kind == "count":
             return self.records(word.name)
-        return {"null": lambda _: None, "scalar": self.scalar, "array": self.array, "struct": self.struct,
+        return {"null": lambda _: None, "scalar": self.scalar, "array": self.array, "struct": self.struct, "text": self.text, "told": self.tell,
                 "options": lambda w: self.struct(w, True), "result": self.result}[word.kind](word)
+
+    def own(self):
+        memory = self.self._memory()
+        self.kept.append(memory)
+        return memory.address
 
     def run(self):
         if any(w.kind == "room" for w in self.plan.words):
             self.counting, self.values["room"] = True, 0
             returned = self.once()
             counted = next((item.value for word, item, _ in self.results if word.name == "count"), returned)
-            self.counting, self.values["room"], self.results = False, counted, []
+            self.counting, self.values["room"], self.results, self.told = False, counted, [], []
         return self.once()
 
     def once(self):
         plan = self.plan
         # The object comes last: what converts the others is code of others, which may end the object.
         order = sorted(plan.words, key=lambda w: (w.kind == "result") + 2 * (w.kind == "self"))
-        arguments = {id(w): self.argument(w) for w in order}
-        returned = plan.function(*[arguments[id(w)] for w in plan.words])
+        called = False
+        try:
+            arguments = {id(w): self.argument(w) for w in order}
+            if guard := CHECKED.get(plan.c):
+                check(getattr(lib, guard)(arguments[id(plan.words[0])]), None, f" ({plan.words[0].name})")
+            called, returned = True, plan.function(*[arguments[id(w)] for w in plan.words])
+        finally:
+            for free, copied_ in [] if called else self.given:  # a call that fails frees them, too
+                free(copied_)
         if plan.words and plan.words[0].ends:
             self.self._own.address = None
             self.self._end("committed")
         if self.counting:
             return returned
+        for word, item, _ in self.results:
+            if word.formula is None and word.bare in ("int", "size_t"):
+                self.values[word.name] = item.value
         if plan.returns != "bat_status":
             return self.assemble() if plan.returns == "void" or "room" in self.values else self.returned(returned)
         best = None
@@ -342,24 +382,29 @@ class Call:
             best = self.assemble()
         if returned:
             given = ", ".join(f"{name}={shown(value)}" for name, value in {**self.values, **self.options}.items() if value is not None and name != "room")
-            check(returned, best, f" ({plan.name}({given}))")
+            check(returned, best, f" ({plan.name.lstrip('_')}({given}))", said(self.told, lib.bat_status_message(returned).decode()))
         return self.assemble()
 
     def returned(self, value):
         kind = bare(self.plan.returns)
         if self.plan.returned:
-            shape = self.shape(self.plan.returned)
-            return copied(kind, value, shape)
+            return copied(kind, value, self.shape(self.plan.returned))
+        if kind == "char":
+            return text_at(value)
         if kind in CLASSES:
-            out = ctypes.c_void_p()
-            check(getattr(lib, kind + "_copy")(ctypes.c_void_p(value), ctypes.byref(out)))
-            return KINDS[CLASSES[kind]]._made(out.value, self.dim)
-        return record(kind, STRUCTS[kind].from_address(value)) if "*" in self.plan.returns else value
+            return handle(kind, value)
+        if "*" in self.plan.returns:
+            return record(kind, STRUCTS[kind].from_address(value)) if value else None
+        return word_of(kind, value) if kind in TABLE["enums"] else value
 
     def read(self, word, item):
         make = KINDS.get(CLASSES.get(word.bare))
         if make and not word.handed:
             return make._made(item.value, self.values.get("dimension") or self.dim) if item.value else None
+        if word.bare == "char":
+            data = ctypes.string_at(item.value, self.values["size"])
+            lib.bat_free(item)
+            return data.decode() if word.name == "text" else data
         if word.handed and word.kind == "result":
             shape = self.shape(word.formula)
             found = ([make._made(address, self.dim) for address in (ctypes.c_void_p * shape[0]).from_address(item.value)] if make and item.value
@@ -373,21 +418,27 @@ class Call:
         if word.bare not in STRUCTS:
             return item.value
         found = record(word.bare, item)
-        if word.bare == "bat_meeting":
-            lib.bat_meeting_free(ctypes.byref(item))
+        for end in ("_free", "_clear"):  # of what the library has put into it
+            if word.kind == "result" and hasattr(lib, word.bare + end):
+                getattr(lib, word.bare + end)(ctypes.byref(item))
         if word.bare == "bat_sketch_live_info":
             found.target = copied("double", item.target, (item.target_count, self.dim))
         return found
 
+    def remembered(self):
+        """The call as it was, for what is made by it again in another process, and for what looks at its arguments."""
+        given = [self.values[name] for name in self.plan.required]
+        options = {**{name: self.values[name] for name in self.plan.defaults if self.values[name] is not None}, **self.options}
+        return None if self.self is None else self.self.__copy__(), self.plan.name, *copy.deepcopy((given, options))
+
     def assemble(self):
         """The results as one value."""
-        for word, item, _ in self.results:
-            if word.formula is None and word.bare in ("int", "size_t"):
-                self.values[word.name] = item.value
         found = [(word, self.read(word, item)) for word, item, _ in self.results if word in self.plan.shown or word.kind != "result"]
         made = [value for word, value in found if word.bare in CLASSES and not word.handed]
         rest = {word.name: value for word, value in found if not (word.bare in CLASSES and not word.handed)}
         if len(made) == 1:
+            if type(made[0]).__name__ in REMADE:
+                made[0]._own.made_of = self.remembered()
             if made[0] is not None and rest:
                 info = rest.pop("info", None)
                 report = {**vars(info), **vars(info.report)} if info else vars(rest.pop("report")) if "report" in rest else {}
@@ -411,35 +462,6 @@ class Report(Record):
 Report.__module__ = "batten"
 
 
-def converted(type_, value, name):
-    if isinstance(value, np.ndarray) and value.ndim == 0 and not np.ma.is_masked(value):
-        value = value[()]
-    if type_ in TABLE["enums"]:
-        words = TABLE["enums"][type_]
-        if not isinstance(value, str) or value not in words:
-            raise wrong(name, f"one of {', '.join(words)}", shown(value))
-        return words[value]
-    if type_ == "bool":
-        if not isinstance(value, (bool, np.bool_)):
-            raise wrong(name, "True or False", shown(value))
-        return bool(value)
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise wrong(name, "a number", shown(value))
-    try:
-        number = float(value)
-    except (OverflowError, ValueError):
-        number = np.inf
-    if not np.isfinite(number):
-        raise wrong(name, "a finite number", shown(value), "number")
-    if type_ == "double":
-        return number
-    low, high = WITHIN.get(name, (0 if type_ == "size_t" else -0x7fffffff, 0x7fffffff))
-    if number != int(number) or not low <= number <= high:
-        raise wrong(name, f"a whole number from {low} to {high}", shown(value),
-                    name if name in ("degree", "dimension") else "count" if type_ == "size_t" else "argument")
-    return int(number)
-
-
 def bound(plan, given, options):
     """The arguments that must be there, in their order; those that have a name are taken out of the options."""
     missing = plan.required[len(given):]
@@ -452,6 +474,13 @@ def bound(plan, given, options):
     if unknown := set(options) - set(plan.options):
         raise TypeError(f"{plan.name}() has no option {min(unknown)}, but {', '.join(plan.options)}")
     return given
+
+
+def settled(value):
+    """A copy of what changes, made in its turn: a call that holds two of them could wait for one that holds the same."""
+    if getattr(value, "_changes", False) and value._own:
+        return value.copy()
+    return [settled(one) for one in value] if isinstance(value, (list, tuple)) and any(getattr(one, "_changes", False) for one in value) else value
 
 
 def quick(plan, run):
@@ -488,6 +517,13 @@ def quick(plan, run):
     return call
 
 
+def value_of(missing):
+    """The value of a default of calls.txt; start and end stand for those of the curve."""
+    if missing in LITERALS:
+        return LITERALS[missing]
+    return (int if missing.isdigit() else float)(missing) if re.match(r"[\d.-]", missing or "") else missing
+
+
 def method(call, called):
     """The Python function of one name of a call. Its signature names what it takes."""
     kind, name = called
@@ -496,24 +532,24 @@ def method(call, called):
 
     if free:
         def run(*given, **options):
-            return Call(plan, None, bound(plan, given, options), options).run()
+            return Call(plan, None, [settled(one) for one in bound(plan, given, options)], options).run()
     else:
         def run(self, /, *given, **options):
             if not isinstance(self, KINDS[kind]):
                 raise wrong("self", f"a {kind}", shown(self))
-            given = bound(plan, given, options)
+            given = [settled(one) for one in bound(plan, given, options)]
             with self._lock:
                 return Call(plan, self, given, options).run()
 
     plain = all(w.kind in ("self", "result") for w in plan.words)
-    makes = any(w.bare in CLASSES and w.kind == "result" for w in plan.words) or "bat_shape *" in plan.returns
+    makes = any(w.bare in CLASSES and w.kind == "result" for w in plan.words) or bare(plan.returns) in CLASSES
     is_property = not free and plain and not makes and call["c"] != "bat_shape_commit"
     found = quick(plan, run) if kind == "Curve" else run
     parameter = inspect.Parameter
     found.__signature__ = inspect.Signature(
         ([] if free else [parameter("self", parameter.POSITIONAL_ONLY)])
         + [parameter(word, parameter.POSITIONAL_OR_KEYWORD) for word in plan.required]
-        + [parameter(word, parameter.KEYWORD_ONLY, default=plan.defaults.get(word)) for word in plan.options])
+        + [parameter(word, parameter.KEYWORD_ONLY, default=value_of(plan.defaults.get(word))) for word in plan.options])
     found.__name__, found.__qualname__, found.__module__ = name, name if free else f"{kind}.{name}", "batten"
     found.__doc__ = DOCS[call["c"]]
     return found, is_property

@@ -12,9 +12,12 @@ HERE = pathlib.Path(__file__).resolve().parent
 TABLE = json.loads((HERE / "calls.json").read_text("utf-8"))
 DOCS = json.loads((HERE / "docs.json").read_text("utf-8"))
 CLASSES = TABLE["classes"]
-SCALARS = {"double": ctypes.c_double, "int": ctypes.c_int, "size_t": ctypes.c_size_t, "bool": ctypes.c_bool}
-NUMPY = {"double": np.float64, "int": np.intc}
+KINDS = {}  # their Python classes, by name
+SCALARS = {"double": ctypes.c_double, "int": ctypes.c_int, "size_t": ctypes.c_size_t, "bool": ctypes.c_bool, "char": ctypes.c_char,
+           "uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "bat_id": ctypes.c_uint64}
+NUMPY = {"double": np.float64, "int": np.intc, "size_t": np.uintp, "bool": np.bool_}
 WHEN_NEEDED = None if int(np.__version__.split(".")[0]) > 1 else False  # for np.array(copy=...)
+SHARED = ("bat_object", "bat_picture")  # whose users are counted
 NUMBERS_MOST = 1 << 26  # of one result: half a GB
 
 
@@ -42,6 +45,10 @@ def shown(value):
         text = str(value) if isinstance(value, np.generic) else repr(value) if not isinstance(value, int) or abs(value) < 10**30 else "a huge number"
         return text if len(text) <= 40 else text[:40] + "..."
     return f"a {type(value).__name__}" + (f" of {len(value)}" if isinstance(value, (list, tuple, dict)) else "")
+
+
+def a(kind):
+    return f"an {kind}" if kind[0] in "AEIOU" else f"a {kind}"
 
 
 def wrong(name, expected, found, status="argument"):
@@ -103,10 +110,10 @@ lib.bat_free.argtypes = [ctypes.c_void_p]
 lib.bat_free.restype = None
 
 
-def check(code, best=None, where=""):
-    """Raises what a status says, but for OK."""
+def check(code, best=None, where="", told=""):
+    """Raises what a status says, but for OK; what the call told of it comes first."""
     if code:
-        raise BattenError(word_of("bat_status", code), lib.bat_status_message(code).decode() + where, best)
+        raise BattenError(word_of("bat_status", code), (told or lib.bat_status_message(code).decode()) + where, best)
 
 
 def word_of(enum, number):
@@ -141,12 +148,12 @@ def doubles(value, name, size=None):
     return array
 
 
-def integers(value, name):
+def integers(value, name, type_="int", dimensions=(1,)):
     """An array of whole numbers as C has them."""
-    array = numeric(value, name)
-    if array.ndim != 1 or not (np.isfinite(array).all() and (array == np.trunc(array)).all() and (abs(array) <= 0x7fffffff).all()):
-        raise wrong(name, "a row of whole numbers", shown(value))
-    return np.ascontiguousarray(array, dtype=np.intc)
+    array, least = numeric(value, name), 0 if type_ == "size_t" else -0x7fffffff
+    if array.ndim not in dimensions or not (np.isfinite(array).all() and (array == np.trunc(array)).all() and (least <= array).all() and (array <= 0x7fffffff).all()):
+        raise wrong(name, "a row of whole numbers" if dimensions == (1,) else "whole numbers", shown(value))
+    return np.ascontiguousarray(array, dtype=NUMPY[type_])
 
 
 def pointer(array):
@@ -154,30 +161,62 @@ def pointer(array):
 
 
 def copied(type_, address, shape):
-    """A copy of what lies at an address: numbers as an array, structs as a list."""
+    """A copy of what lies at an address: numbers as an array, structs as a list; None where nothing lies."""
     count = int(np.prod(shape))
-    if not address or not count:
+    if not count:
         return np.empty(shape, dtype=NUMPY[type_]) if type_ in NUMPY else []
+    if not address:
+        return None
     items = (value_type(type_) * count).from_address(address)
     if type_ in NUMPY:
         return np.frombuffer(items, dtype=NUMPY[type_]).reshape(shape).copy()
     return [record(type_, item) for item in items]
 
 
+def handle(type_, address):
+    """An object of its own for one that something else owns."""
+    if not address:
+        return None
+    out = ctypes.c_void_p(address)
+    if type_ in SHARED:
+        getattr(lib, type_ + "_retain")(out)
+    else:
+        check(getattr(lib, type_ + "_copy")(out, ctypes.byref(out)))
+    return KINDS[CLASSES[type_]]._made(out.value)
+
+
+def text_at(address):
+    return ctypes.string_at(address).decode("utf-8", "replace") if address else None
+
+
+def pointed(type_, value, count):
+    """What a pointer in a struct points to; without a count before it, one."""
+    type_, many = bare(type_), type_.count("*") > 1
+    if type_ == "char":
+        return text_at(value)
+    if type_ in CLASSES and not many:
+        return handle(type_, value)
+    if count is None:
+        return record(type_, STRUCTS[type_].from_address(value)) if value and type_ in STRUCTS else None
+    if type_ in CLASSES:
+        return [handle(type_, one) for one in (ctypes.c_void_p * count).from_address(value)] if value else []
+    return copied(type_, value, (count,))
+
+
 def record(type_, item):
-    """A struct as a namespace. Pointers are left out, but for those with a count before them."""
-    found, count = {}, 0
+    """A struct as a namespace. Arrays that no field counts are left out."""
+    found = {}
     for field in TABLE["structs"][type_]["fields"]:
         name, kind = field["name"], field["type"]
-        value = getattr(item, name)
+        if field["counts"] or name == "size":
+            continue
+        value, count = getattr(item, name), getattr(item, field["counted"]) if "counted" in field else None
         name += "_" * keyword.iskeyword(name)  # from_
         if kind.endswith("*"):
-            if bare(kind) in STRUCTS:
-                found[name] = copied(bare(kind), value, (count,))
-        elif kind == "size_t" and re.search(r"(^|_)count$", name):
-            count = value
+            if count is not None or bare(kind) not in NUMPY and not kind.endswith("**"):
+                found[name] = pointed(kind, value, count)
         elif field["room"]:
-            found[name] = np.array(value[:]) if kind == "double" else list(value)
-        elif name != "size":
+            found[name] = np.array(value[:]) if kind == "double" else [word_of(kind, one) for one in value[:count]] if kind in TABLE["enums"] else list(value)
+        else:
             found[name] = record(kind, value) if kind in STRUCTS else word_of(kind, value) if kind in TABLE["enums"] else value
     return RECORDS[type_](**found)
