@@ -71,12 +71,23 @@ export class Shell {
     painter.onlate = () => this.notices.say(word('shell.late.help'));
     painter.onpicture = async (picture) => {
       const { decode } = await want(import('./stage/pictures.js'));
-      painter.pictures.set(picture, await decode(engine.picture(picture)));
-      painter.retheme();
-      this.wake();
+      const { turned } = theme;
+      const made = await decode(engine.picture(picture), turned);
+      if (turned === theme.turned) {
+        painter.pictures.set(picture, made);
+        painter.retheme();
+        this.wake();
+      } else {
+        painter.onpicture(picture);
+      }
     };
     const { foot } = this.panel;
+    let { turned } = theme;
     theme.onchange = () => {
+      if (turned !== theme.turned) {
+        turned = theme.turned;
+        painter.forgetDrawings();
+      }
       painter.retheme();
       foot.showTheme(theme);
       this.wake();

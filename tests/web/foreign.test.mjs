@@ -48,6 +48,15 @@ test('it is seen in its order, chosen, moved, deleted, and saved as the element 
     [30, 230, BLACK], [110, 230, PAPER], [170, 240, RED], [330, 50, BLACK]]);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'foreign.png') });
   assert.deepEqual(asked.filter((address) => !address.startsWith('blob:') && !/\/(stage|module|page|engine|sheets|styles|icons)\//.test(address)), []);
+  // On dim paper its colours are turned over, too: what was black is seen.
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await quiet(page);
+  await shown(page);
+  await expect(page, [[30, 230, PAPER]]);
+  await page.emulateMedia({ colorScheme: 'light' });
+  await quiet(page);
+  await shown(page);
+  await expect(page, [[30, 230, BLACK]]);
 
   await page.keyboard.press('v');
   await page.mouse.click(...await place(page, 200, 60));

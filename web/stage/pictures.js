@@ -22,22 +22,34 @@ export async function bytesOf(file) {
 
 const TAG = 60; // "<"
 
+const TURN = '<style>:root{filter:invert(1) hue-rotate(180deg)}</style>';
+
+/** An SVG file with its colours turned over, as dim paper needs them; one that shows a photograph stays as it is. @param {string} text */
+function turnedOver(text) {
+  const end = text.lastIndexOf('</');
+  return /<image\b/.test(text) || end < 0 ? text : text.slice(0, end) + TURN + text.slice(end);
+}
+
 /**
  * Foreign content, an SVG file, as an image: the browser then runs nothing in it and fetches nothing for it.
- * @param {Uint8Array} bytes
+ * @param {Uint8Array} bytes @param {boolean} [turned] its colours are turned over
  */
-export async function isolated(bytes) {
+export async function isolated(bytes, turned = false) {
   const image = new Image();
-  image.src = `data:image/svg+xml,${encodeURIComponent(new TextDecoder().decode(bytes))}`; // a blob's would taint the canvas
+  const text = new TextDecoder().decode(bytes);
+  image.src = `data:image/svg+xml,${encodeURIComponent(turned ? turnedOver(text) : text)}`; // a blob's would taint the canvas
   await image.decode();
   return image;
 }
 
-/** @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<ImageBitmap | HTMLImageElement | null>} null when it cannot be decoded */
-export async function decode(bytes) {
+/**
+ * @param {Uint8Array<ArrayBuffer>} bytes @param {boolean} [turned] an SVG file's colours are turned over
+ * @returns {Promise<ImageBitmap | HTMLImageElement | null>} null when it cannot be decoded
+ */
+export async function decode(bytes, turned = false) {
   try {
     if (bytes[0] === TAG) {
-      return await isolated(bytes);
+      return await isolated(bytes, turned);
     }
     return await createImageBitmap(new Blob([bytes]));
   } catch {
