@@ -81,22 +81,7 @@ export class Shell {
         painter.onpicture(picture);
       }
     };
-    const { foot } = this.panel;
-    let { turned } = theme;
-    theme.onchange = () => {
-      if (turned !== theme.turned) {
-        turned = theme.turned;
-        painter.forgetDrawings();
-      }
-      painter.retheme();
-      foot.showTheme(theme);
-      this.wake();
-    };
-    foot.showTheme(theme);
-    foot.paper.addEventListener('click', () => theme.dimPaper(!theme.dim));
-    this.panel.theme = theme;
-    this.panel.painter = painter;
-    this.panel.themeButton?.addEventListener('click', () => theme.toggle());
+    this.panel.follow(theme, painter);
     this.words.onchange = (tables) => {
       this.panel.retold(tables);
       this.requests.commands?.fill();

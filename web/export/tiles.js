@@ -1,12 +1,12 @@
 // A drawing in its true size over sheets of paper, as `batten render --tile` lays them out, which the browser prints or keeps as PDF.
 
-import { PAPERS } from '../sheets/papers.js';
+import { PAPERS } from '../page/papers.js';
 import { isolated } from '../stage/pictures.js';
 import { Refusal, word } from '../page/words.js';
 import { row, select } from './fields.js';
 import { printAlone } from './picture.js';
 
-/** @typedef {import('../sheets/papers.js').Sides} Sides in mm */
+/** @typedef {import('../page/papers.js').Sides} Sides in mm */
 /** @typedef {{ paper: string, sheet: Sides, overlap: number }} Paper paper: '': one page of the drawing's own size */
 /** In mm, each for x and y. @typedef {{ sheet: Sides, shown: Sides, step: Sides, margin: Sides, count: Sides }} Layout */
 

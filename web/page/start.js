@@ -4,7 +4,7 @@
 import { addressOf, dress, want } from './build.js';
 import { keep, kept } from './kept.js';
 import { tell, word } from './words.js';
-import { PAPERS } from '../sheets/papers.js';
+import { PAPERS } from './papers.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 

@@ -3,10 +3,10 @@
 
 import { Measure } from '../page/measure.js';
 import { tell, word } from '../page/words.js';
-import { PAPERS } from './papers.js';
+import { PAPERS } from '../page/papers.js';
 
 /** @typedef {import('./panel.js').Panel} Panel */
-/** @typedef {import('./papers.js').Sides} Sides */
+/** @typedef {import('../page/papers.js').Sides} Sides */
 
 const SIDES = ['width', 'height'];
 const UNITS = ['px', 'mm', 'in'];

@@ -66,6 +66,25 @@ export class Panel {
     }
   }
 
+  /** Colours: the painter's, and the buttons that choose them. @param {import('../stage/theme.js').Theme} theme @param {import('../stage/paint.js').Painter} painter */
+  follow(theme, painter) {
+    this.theme = theme;
+    this.painter = painter;
+    let { turned } = theme;
+    theme.onchange = () => {
+      if (turned !== theme.turned) {
+        turned = theme.turned;
+        painter.forgetDrawings();
+      }
+      painter.retheme();
+      this.foot.showTheme(theme);
+      this.wake();
+    };
+    this.foot.showTheme(theme);
+    this.foot.paper.addEventListener('click', () => theme.dimPaper(!theme.dim));
+    this.themeButton.addEventListener('click', () => theme.toggle());
+  }
+
   /** Opens a sheet, filling it the first time. @param {string} name */
   #sheet(name) {
     const sheet = this.sheets.get(name) ?? want(SHEETS[name]()).then(({ fill }) => {
