@@ -53,6 +53,12 @@ const compare = (page, points, width) => page.evaluate(([along, wide]) => {
   return counts;
 }, [points, width]);
 
+/** White paper, in the dark theme too: a line is what is not white. */
+async function whitened(page) {
+  await page.evaluate(() => batten.theme.dimPaper(false));
+  await quiet(page);
+}
+
 const wave = (x, y) => bezier([x, y], [x + 150, y - 190], [x + 260, y + 210], [x + 420, y - 20]);
 
 for (const [name, style] of [['thin', { 'stroke-width': 2 }], ['thick', { 'stroke-width': 14, 'stroke-colour': 0xc23616ff }], ['pressed', { 'stroke-width': 16, 'pressure-width': 1 }]]) {
@@ -62,6 +68,7 @@ for (const [name, style] of [['thin', { 'stroke-width': 2 }], ['thick', { 'strok
       t.after(() => server.close());
       const { page, hand, context } = await open(browser, server.address, options);
       const scale = device === 'phone' ? 0.7 : 1;
+      await whitened(page);
       await page.evaluate((values) => Object.entries(values).forEach(([key, value]) => batten.engine.set(key, value)), style);
       await look(page, 'before');
       const points = wave(90, 300).map(([x, y]) => [x * scale, y]);
@@ -91,6 +98,7 @@ test('a redraw in both themes: the old curve is pale, the new one as it will be'
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
   t.after(() => server.close());
   const { page, hand, context } = await open(browser, server.address);
+  await whitened(page);
   await inThemes(page, async (colorScheme) => {
     await look(page, 'before');
     const points = await Promise.all(bezier([440, 135], [490, 78], [580, 60], [690, 115]).map(([x, y]) => place(page, x, y)));
