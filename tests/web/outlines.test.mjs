@@ -33,7 +33,7 @@ for (const [locale, colorScheme, size] of [['en', 'light', undefined], ['ko-KR',
     await page.keyboard.press('Control+a');
     await quiet(page);
     const begun = await state(page);
-    await page.waitForSelector('#actions [data-name=curve-outline]');
+    await page.waitForSelector('#actions [data-name=curve-outline]', { state: 'attached' });
     await page.evaluate(() => document.querySelector('#actions [data-name=curve-outline]').click());
     await quiet(page);
     assert.ok((await objects()).every(({ style }) => style.filled && !style.stroked), 'both are shapes');

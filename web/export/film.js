@@ -5,6 +5,7 @@ import { Engine } from '../engine/engine.js';
 import { Gif } from './gif.js';
 import { ready } from '../page/ready.js';
 import { Painter } from '../stage/paint.js';
+import { THEME } from '../stage/small.js';
 
 /** @typedef {{ x: number, y: number, zoom: number, angle: number }} View */
 /** A line of the journal; what a pen drew, in the drawing; when it begins, and for how long, milliseconds.
@@ -15,6 +16,7 @@ const REST = 900; // of them, for the drawing as it is in the end
 const STROKE = 250; // what a stroke counts beside its own time, which weighs less the longer it is
 const STEP = 200; // what anything else counts
 const PEN = 5; // radius of the pen's tip, pixels
+const AROUND = '#f1f2f4'; // the page is white, whatever the theme
 const BETWEEN = 80; // milliseconds between the pictures of a file
 
 /** Places of a stroke in the drawing; none in a view that is tilted. @param {any} step @returns {[number, number][]} */
@@ -46,9 +48,8 @@ export class Film {
     this.canvas = document.createElement('canvas');
     [this.canvas.width, this.canvas.height] = [size[0] * size[2], size[1] * size[2]];
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d', { willReadFrequently: true }));
-    this.painter = new Painter(canvases[0], canvases[1], shell.theme);
+    this.painter = new Painter(canvases[0], canvases[1], THEME);
     this.painter.resize(...size);
-    this.around = getComputedStyle(shell.stage).backgroundColor;
     this.accent = getComputedStyle(document.documentElement).accentColor;
     const lines = new TextDecoder().decode(journal).split('\n').filter((line) => line && !line.startsWith('#'));
     const bytes = new TextEncoder();
@@ -103,7 +104,7 @@ export class Film {
   /** The picture, and the pen over it. @param {Step | undefined} step @param {number} time */
   #compose(step, time) {
     const { context, painter, size: [, , ratio], view } = this;
-    context.fillStyle = this.around;
+    context.fillStyle = AROUND;
     context.fillRect(0, 0, this.canvas.width, this.canvas.height);
     context.drawImage(painter.still, 0, 0);
     context.drawImage(painter.overlay, 0, 0);

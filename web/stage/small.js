@@ -17,7 +17,7 @@ const QUALITIES = [0.85, 0.5]; // the second where the first is too large
 
 const NOTHING = { stroke: 'transparent', fill: 'transparent' };
 /** What a frame takes the colours from: paper is white, guides and grids are not painted. @type {any} */
-const THEME = {
+export const THEME = {
   ground: '#fff',
   paper: '#fff',
   turned: false,
