@@ -71,15 +71,9 @@ export class Shell {
     painter.onlate = () => this.notices.say(word('shell.late.help'));
     painter.onpicture = async (picture) => {
       const { decode } = await want(import('./stage/pictures.js'));
-      const { turned } = theme;
-      const made = await decode(engine.picture(picture), turned);
-      if (turned === theme.turned) {
-        painter.pictures.set(picture, made);
-        painter.retheme();
-        this.wake();
-      } else {
-        painter.onpicture(picture);
-      }
+      painter.pictures.set(picture, await decode(engine.picture(picture), theme.turned));
+      painter.retheme();
+      this.wake();
     };
     this.panel.follow(theme, painter);
     this.words.onchange = (tables) => {

@@ -1,6 +1,7 @@
 /* Strokes of varying width: sides, corners and ends put together (docs/math/relate.md 8). */
 #include "base/gauss.h"
 #include "base/real.h"
+#include "relate/offset.h"
 #include "relate/segment.h"
 #include "relate/widen.h"
 
@@ -236,6 +237,7 @@ static bat_status check(const bat_curve *curve, const bat_nib *nib, const bat_wi
         (unsigned)nib->join > 2)
         return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
+    if (bat_offset_is_rounding(curve, nib->width, tolerance)) return BAT_TOLERANCE;
     return bat_width_check(profile);
 }
 

@@ -248,6 +248,7 @@ bat_status bat_outline_parallels(const bat_curve *curve, const bat_nib *nib, dou
         (unsigned)nib->join > 2)
         return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
+    if (bat_offset_is_rounding(curve, nib->width, tolerance)) return BAT_TOLERANCE;
     outline o = {.curve = curve,
                  .whole = curve,
                  .half = 0.5 * nib->width,

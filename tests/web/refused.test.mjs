@@ -132,7 +132,7 @@ test('a save that takes long says so until it is done', async (t) => {
   await draw(page, hand);
   await page.keyboard.press('Control+S');
   await page.waitForSelector('[data-about=saving]');
-  assert.equal(await page.textContent('[data-about=saving] span'), 'Saving car.svg…');
+  assert.equal(await page.textContent('[data-about=saving] span'), 'Saving car.svg.');
   await draw(page, hand); // it stays
   await inThemes(page, async (colorScheme) => page.screenshot({ path: path.join(SCREENSHOTS, `saving-${colorScheme}.png`) }));
   assert.equal(await page.isVisible('[data-about=saving]'), true);

@@ -40,6 +40,7 @@ test('the width tool pulls a stroke wider with the pen, and a number is typed', 
   const server = await serve({ name: 'widths.svg', bytes: Buffer.from(FILE) });
   t.after(() => server.close());
   const { page, hand } = await open(browser, server.address, { colorScheme: 'dark' });
+  await page.evaluate(() => batten.theme.dimPaper(false)); // colours as they are in the file
   const first = (await state(page)).digest;
   const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `width-tool-${name}.png`) });
   await page.locator('#stage').focus();

@@ -34,15 +34,6 @@ export class Foot {
     this.#fillTolerance();
     this.zoom = this.#readout(list, 'shell.zoom');
     this.pending = this.#pending();
-    /** Whether the paper is dim, in the dark theme. */
-    this.paper = buttons.plain('paper', 'shell.dim-paper', { help: 'shell.dim-paper.help' });
-    list.after(this.paper);
-  }
-
-  /** @param {import('../stage/theme.js').Theme} theme */
-  showTheme(theme) {
-    this.paper.hidden = !theme.dark;
-    this.paper.setAttribute('aria-pressed', String(theme.dim));
   }
 
   #fillTolerance() {

@@ -1,7 +1,8 @@
-// What the tool in hand can be told, in the middle of the bar. Fetched after the page has been painted; on a narrow window all of it
-// is in the settings.
+// What the tool in hand can be told, in the middle of the bar, and which paper the dark theme has, at the end of the foot. Fetched
+// after the page has been painted; on a narrow window all of it is in the settings.
 
 import { dress } from '../page/build.js';
+import { loadIcons } from '../page/icons.js';
 import { tell } from '../page/words.js';
 
 /** The properties of each tool. @type {Record<string, string[]>} */
@@ -20,21 +21,28 @@ const OF = {
 export class Options {
   /** @param {import('./panel.js').Panel} panel */
   static async make(panel) {
-    await dress('styles/options.css');
+    await Promise.all([dress('styles/options.css'), loadIcons('arrange')]);
     return new Options(panel);
   }
 
   /** @param {import('./panel.js').Panel} panel */
-  constructor({ tables, controls }) {
+  constructor({ tables, controls, buttons, theme }) {
     this.tables = tables;
     this.controls = controls;
     this.tool = -1;
     /** The controls of each tool. @type {Map<number, HTMLElement[]>} */
     this.made = new Map();
-    this.box = tell(document.createElement('div'), { label: 'shell.tool-options' });
+    this.box = document.createElement('div');
     this.box.className = 'options';
     this.box.setAttribute('role', 'group');
     document.getElementById('tools')?.before(this.box);
+    const paper = buttons.plain('paper', 'shell.dim-paper', { help: 'shell.dim-paper.help' });
+    paper.addEventListener('click', () => theme?.dimPaper(!theme.dim));
+    controls.list.push(() => {
+      paper.hidden = !theme?.dark;
+      paper.setAttribute('aria-pressed', String(theme?.dim));
+    });
+    document.getElementById('readouts')?.after(paper);
   }
 
   /** @param {number} tool */
@@ -52,6 +60,7 @@ export class Options {
       this.tool = frame.tool;
       const made = this.#of(frame.tool);
       this.box.hidden = made.length === 0;
+      tell(this.box, { label: `tool.${this.tables.tools[frame.tool].name}` });
       this.box.replaceChildren(...made);
       this.controls.refresh();
     }

@@ -70,18 +70,11 @@ export class Panel {
   follow(theme, painter) {
     this.theme = theme;
     this.painter = painter;
-    let { turned } = theme;
     theme.onchange = () => {
-      if (turned !== theme.turned) {
-        turned = theme.turned;
-        painter.forgetDrawings();
-      }
       painter.retheme();
-      this.foot.showTheme(theme);
+      this.controls.refresh();
       this.wake();
     };
-    this.foot.showTheme(theme);
-    this.foot.paper.addEventListener('click', () => theme.dimPaper(!theme.dim));
     this.themeButton.addEventListener('click', () => theme.toggle());
   }
 

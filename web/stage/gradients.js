@@ -18,15 +18,16 @@ const CORNERS = 13; // numbers in the path around a picture
 const PATTERN = 2; // in the place of `radial`
 const TILE = 2048; // pixels of the side of a pattern's picture, at most
 
-/** @typedef {{ pictures: Map<number, ImageBitmap | HTMLImageElement | null>, onpicture: (picture: number) => void }} Album */
+/** @typedef {{ pictures: Map<number, ImageBitmap | HTMLImageElement | null>, onpicture: (picture: number) => void, theme: Theme }} Album */
 
 /**
- * A decoded picture; null as long as it is being fetched, or cannot be decoded.
+ * A decoded picture; null as long as it is being fetched, or cannot be decoded. A drawing of another program is fetched anew when
+ * the theme turns colours over, or no longer does.
  * @param {Album} album @param {number} picture its number
  */
 export function pictureOf(album, picture) {
   const bitmap = album.pictures.get(picture);
-  if (bitmap === undefined) {
+  if (bitmap === undefined || (bitmap && 'dataset' in bitmap && bitmap.dataset.turned !== String(album.theme.turned))) {
     album.pictures.set(picture, null);
     album.onpicture(picture);
   }
@@ -34,7 +35,7 @@ export function pictureOf(album, picture) {
 }
 
 /** Has what patterns repeat. @type {Album} */
-let album = { pictures: new Map(), onpicture: () => {} };
+let album = { pictures: new Map(), onpicture: () => {}, theme: /** @type {any} */ (null) };
 
 /** @param {Album} painter */
 export function takeTilesFrom(painter) {

@@ -110,11 +110,6 @@ export class Painter {
     this.overlayEmpty = true;
   }
 
-  /** What shows drawings of other programs is made anew when it is next painted: their colours are turned over with the theme. */
-  forgetDrawings() {
-    [...this.pictures].filter(([, picture]) => picture instanceof Element).forEach(([number]) => this.pictures.delete(number));
-  }
-
   /** Called when the theme's colours have changed. */
   retheme() {
     this.stale = true;

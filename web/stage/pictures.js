@@ -38,6 +38,7 @@ export async function isolated(bytes, turned = false) {
   const image = new Image();
   const text = new TextDecoder().decode(bytes);
   image.src = `data:image/svg+xml,${encodeURIComponent(turned ? turnedOver(text) : text)}`; // a blob's would taint the canvas
+  image.dataset.turned = String(turned);
   await image.decode();
   return image;
 }

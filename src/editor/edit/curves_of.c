@@ -1,4 +1,5 @@
 #include "editor/edit/curves_of.h"
+#include "editor/edit/arrange.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/style.h"
@@ -68,7 +69,9 @@ bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string lab
     }
     const bat_id made = bat_document_new_id(c->session->document);
     const bat_style style = bat_styling_new(c);
-    status = bat_insert_curve(c, made, &style, c->choice->layer, curve);
+    bat_id parent; /* not a layer where it could not be seen, or not be chosen */
+    bat_arrange_place(c, &parent);
+    status = bat_insert_curve(c, made, &style, parent, curve);
     if (status == BAT_OK) status = bat_dash_new(c, made, bat_styling_dashes(c));
     status = bat_transaction_end(c, status, label);
     if (status == BAT_OK && id) *id = made;

@@ -353,7 +353,7 @@ static bat_status read_view(const bat_json *json, bat_view *view, bat_problem *p
     const double far = BAT_COORDINATE_MAX;
     const double size = BAT_PIXELS_MAX, wide = 170; /* degrees */
     const double
-        low[11] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180, 0, -far, -far, -far, 1, 1, 1},
+        low[11] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180, 0, -far, -far, -far, 1, 0, 0},
         high[11] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180, 180, far, far, far, wide, size, size};
     uint32_t list = bat_json_member(json, 1, "view"), node = bat_json_first(json, list);
     uint32_t count = bat_json_count(json, list);

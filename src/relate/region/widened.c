@@ -1,5 +1,4 @@
 /* The outline of a stroke of varying width: what its sheets cover together (docs/math/relate.md 8). */
-#include "relate/offset.h"
 #include "relate/outline.h"
 #include "relate/widen.h"
 
@@ -133,8 +132,6 @@ static const bat_width_profile EVEN = {0};
 
 bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
                              size_t *count, bat_curve ***out, double *max_error) {
-    if (curve && nib && tolerance > 0 && bat_offset_is_rounding(curve, nib->width, tolerance))
-        return BAT_TOLERANCE;
     const bat_status status = bat_outline_parallels(curve, nib, tolerance, corner, count, out, max_error);
     return status == BAT_SINGULAR
                ? outline_sheets(curve, nib, &EVEN, tolerance, corner, count, out, max_error)
@@ -162,7 +159,6 @@ bat_status bat_curve_outline_width(const bat_curve *curve, const bat_nib *nib,
     const bat_status status = bat_width_check(profile);
     if (status != BAT_OK) return status;
     if (!curve || !nib) return BAT_ARGUMENT;
-    if (tolerance > 0 && bat_offset_is_rounding(curve, nib->width, tolerance)) return BAT_TOLERANCE;
     return bat_width_is_even(profile)
                ? outline_even(curve, nib, profile, tolerance, corner, count, out, max_error)
                : outline_sheets(curve, nib, profile, tolerance, corner, count, out, max_error);
