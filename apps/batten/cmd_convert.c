@@ -304,8 +304,7 @@ const cli_command command_convert = {
     .options =
         {{"--to", "KIND", "the format of OUT, whatever its name: batten, svg, json ..."},
          {"--tolerance", "T",
-          "knots of imported paths are removed within T units of the drawing; triangles and lines are within "
-          "T units"},
+          "knots of imported paths go within T units of the drawing; triangles and lines lie within T"},
          {"--arcs", "T", "to .dxf: curves as arcs and lines within T mm, for cutters; to .gcode: 0.01"},
          {"--feed", "F", "to .gcode: millimetres a minute, 1000 by default"},
          {"--up", "L", "to .gcode: lines that raise the tool, \\n between them; G0 Z5 by default"},

@@ -2,7 +2,6 @@
 // journal, which is replayed into a drawing of its own; play=ADDRESS and study=ADDRESS, the drawing that a journal
 // begins with; replay=TEXT, the journal that the address itself carries (export/link.js). Fetched when an address asks.
 
-import { bytesOf } from './gzip.js';
 import { want } from '../page/build.js';
 import { word } from '../page/words.js';
 
@@ -50,6 +49,7 @@ async function openFile(drawings, asked) {
 /** @param {Drawings} drawings @param {string} asked @param {boolean} whole or only what it begins with */
 async function openJournal(drawings, asked, whole) {
   const { file, name } = await fetched(asked);
+  const { bytesOf } = await want(import('./gzip.js')); // what a drawing of the page's own does not need
   const bytes = await bytesOf(file);
   return run(drawings, asked, name.replace(/\.[a-z]+$/i, ''), whole ? bytes : startOf(bytes), !whole);
 }
