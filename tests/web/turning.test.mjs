@@ -52,6 +52,8 @@ test('no picture of an orbit is empty, and the overlay goes along', async (t) =>
   await page.keyboard.press('Shift+Alt+ArrowUp');
   await page.waitForFunction(() => batten.loop.space?.counts.painted > 0);
   await quiet(page);
+  await page.waitForSelector('.dot', { state: 'attached' });
+  await page.evaluate(() => document.querySelectorAll('.dot').forEach((dot) => dot.replaceChildren())); // red, and no part of the drawing
   const pictures = [];
   client.on('Page.screencastFrame', ({ data, sessionId }) => {
     pictures.push(data);

@@ -37,7 +37,7 @@ const foreign = (page) => page.evaluate((names) => {
       .map((node) => node.nodeValue);
     said.push(...own, element.getAttribute('aria-label') ?? '', element.title, element.getAttribute('placeholder') ?? '');
   }
-  const kept = /^([-=\d., ]*(px|mm|in)|English|Letter|Batten|Esc|#[0-9a-f]{6,8})$/;
+  const kept = /^([-=\d., ]*(px|mm|in)|English|Letter|Legal|Batten|Esc|#[0-9a-f]{6,8})$/;
   return said.map((text) => text.trim()).filter((text) => /[A-Za-z]{2}/.test(text) && !/[가-힣]/.test(text) && !kept.test(text)
     && !names.includes(text));
 }, NAMES);
