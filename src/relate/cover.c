@@ -1,7 +1,7 @@
 /* Strokes of varying width: sides, corners and ends put together (docs/math/relate.md 8). */
 #include "base/gauss.h"
 #include "base/real.h"
-#include "relate/offset.h"
+#include "relate/outline.h"
 #include "relate/segment.h"
 #include "relate/widen.h"
 
@@ -232,13 +232,9 @@ static void clear(stroke *k) {
 
 static bat_status check(const bat_curve *curve, const bat_nib *nib, const bat_width_profile *profile,
                         double tolerance, double corner) {
-    if (!curve || !nib || !profile || !(tolerance > 0) || !(corner >= 0) || !(nib->width > 0) ||
-        !(nib->width <= BAT_COORDINATE_MAX) || !(nib->miter_limit >= 1) || (unsigned)nib->cap > 2 ||
-        (unsigned)nib->join > 2)
-        return BAT_ARGUMENT;
-    if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
-    if (bat_offset_is_rounding(curve, nib->width, tolerance)) return BAT_TOLERANCE;
-    return bat_width_check(profile);
+    if (!profile) return BAT_ARGUMENT;
+    const bat_status status = bat_outline_check(curve, nib, tolerance, corner);
+    return status == BAT_OK ? bat_width_check(profile) : status;
 }
 
 static bat_status cover(const bat_curve *curve, const bat_nib *nib, const bat_width_profile *profile,

@@ -241,14 +241,21 @@ static bat_status outline_large(const bat_curve *large, double factor, const voi
     return bat_outline_parallels(large, &wide, asked->tolerance * factor, asked->corner, count, out, error);
 }
 
-bat_status bat_outline_parallels(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
-                                 size_t *count, bat_curve ***out, double *max_error) {
-    if (!curve || !nib || !count || !out || !(tolerance > 0) || !(corner >= 0) || !(nib->width > 0) ||
+bat_status bat_outline_check(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner) {
+    if (!curve || !nib || !(tolerance > 0) || !(corner >= 0) || !(nib->width > 0) ||
         !(nib->width <= BAT_COORDINATE_MAX) || !(nib->miter_limit >= 1) || (unsigned)nib->cap > 2 ||
         (unsigned)nib->join > 2)
         return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
     if (bat_offset_is_rounding(curve, nib->width, tolerance)) return BAT_TOLERANCE;
+    return BAT_OK;
+}
+
+bat_status bat_outline_parallels(const bat_curve *curve, const bat_nib *nib, double tolerance, double corner,
+                                 size_t *count, bat_curve ***out, double *max_error) {
+    if (!count || !out) return BAT_ARGUMENT;
+    const bat_status asked = bat_outline_check(curve, nib, tolerance, corner);
+    if (asked != BAT_OK) return asked;
     outline o = {.curve = curve,
                  .whole = curve,
                  .half = 0.5 * nib->width,

@@ -1,6 +1,7 @@
 // A colour beside the selection: of its line or of its fill, as it is seen; a press lets another be chosen.
 
 import { tell } from '../page/words.js';
+import { hexOf } from './swatches.js';
 
 export class Dot {
   /**
@@ -34,9 +35,9 @@ export class Dot {
 
   /** @returns {boolean} whether what is selected has such a colour */
   show() {
-    const value = this.engine.get(this.colour) >>> 0;
-    this.input.value = `#${(value >>> 8).toString(16).padStart(6, '0')}`;
-    this.mark.style.setProperty('--colour', `#${value.toString(16).padStart(8, '0')}`);
+    const value = this.engine.get(this.colour);
+    this.input.value = hexOf(value | 255);
+    this.mark.style.setProperty('--colour', hexOf(value));
     return this.engine.get(this.shown) !== 0;
   }
 }

@@ -3,12 +3,12 @@
 
 import { keep, kept } from '../page/kept.js';
 import { tell, word } from '../page/words.js';
-import { Swatches } from './swatches.js';
+import { colourOf, Swatches } from './swatches.js';
 
-/** A switch, what is seen while it is on, a row each, and the colour among it. */
+/** A switch, what is seen while it is on (a colour, and more in a row), and the colour where none has been seen. */
 const PARTS = [
-  { name: 'stroked', colour: 'stroke-colour', rows: [['stroke-colour'], ['stroke-width', 'widths']], first: 0x000000ff },
-  { name: 'filled', colour: 'fill-colour', rows: [['fill-colour']], first: 0xd9d9d9ff },
+  { name: 'stroked', colour: 'stroke-colour', more: ['stroke-width', 'widths'], first: 0x000000ff },
+  { name: 'filled', colour: 'fill-colour', more: [], first: 0xd9d9d9ff },
 ];
 
 /** What is shown while it is open; something else opens it. @param {HTMLElement[]} rows */
@@ -69,16 +69,17 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
     return row;
   };
 
-  const parts = PARTS.map(({ name, colour, rows, first }) => {
+  const parts = PARTS.map(({ name, colour, more, first }) => {
     const box = control(name);
-    const made = rows.map((names) => together(names));
+    const row = together([colour]);
     const number = swatches.make(colour);
-    made[0].querySelector('.together')?.insertBefore(number.field, made[0].querySelector('[type=range]'));
-    made[0].after(number.row);
-    const part = { name, colour, last: first, on: -1, folded: fold([made[0], number.row, ...made.slice(1)]) };
+    const input = (/** @type {HTMLElement} */ from, /** @type {string} */ type) => /** @type {HTMLInputElement} */ (from.querySelector(`[type=${type}]`));
+    const [toggle, well, alpha] = [input(box, 'checkbox'), input(row, 'color'), input(row, 'range')];
+    alpha.before(number.field);
+    const part = { name, toggle, well, alpha, last: first, on: false, folded: fold([row, number.row, together(more)]) };
     // Turned on, it is seen: a colour that cannot be seen gives way to the last one that could.
     box.addEventListener('input', (event) => {
-      if (/** @type {HTMLInputElement} */ (event.target).checked && (engine.get(colour) & 255) === 0) {
+      if (toggle.checked && (engine.get(colour) & 255) === 0) {
         event.stopPropagation();
         engine.set(colour, part.last);
         changed();
@@ -91,13 +92,14 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
   sheet.append(control('opacity'), rare('style-more', [...rest.keys()].map(control)), family('style-'),
     rare('select-same', [family('select-same-')]));
 
-  // What else opens one, a command that asks for its colour, leaves it open until the switch changes.
+  // After the controls have read their values. What else opens one, a command that asks for its colour, leaves it open until the
+  // switch changes.
   controls.list.push(() => {
     for (const part of parts) {
-      const [on, colour] = [engine.get(part.name), engine.get(part.colour)];
-      part.last = colour & 255 ? colour : part.last;
-      part.folded.open = part.on === on ? part.folded.open : on !== 0;
-      part.on = on;
+      const { toggle: { checked }, well, alpha } = part;
+      part.last = alpha.valueAsNumber ? colourOf(well.value) - 255 + alpha.valueAsNumber : part.last;
+      part.folded.open = part.on === checked ? part.folded.open : checked;
+      part.on = checked;
     }
   });
 
@@ -118,7 +120,7 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
       swatches.refresh();
       controls.refresh();
       for (const { name, on, folded } of parts) {
-        folded.open = on !== 0 || mixed.includes(name);
+        folded.open = on || mixed.includes(name);
       }
     },
   };

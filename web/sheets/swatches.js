@@ -15,7 +15,7 @@ export function colourOf(text) {
 }
 
 /** @param {number} colour */
-const hexOf = (colour) => `#${(colour >>> 0).toString(16).padStart(8, '0').replace(/ff$/, '')}`;
+export const hexOf = (colour) => `#${(colour >>> 0).toString(16).padStart(8, '0').replace(/ff$/, '')}`;
 
 export class Swatches {
   /**

@@ -1,10 +1,8 @@
 /* The points tool: knots that are inserted and removed, corners that are made and smoothed. */
 #include "editor/tools/points/state.h"
 #include "curve/curve.h"
-#include "editor/choice/choice.h"
 #include "editor/edit/curves_of.h"
 #include "editor/session/notice.h"
-#include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/settings.h"
 #include "editor/view/stage.h"
@@ -124,7 +122,6 @@ static bat_status delete_curve(bat_context *c, bat_pointing *p) {
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK)
         status = bat_transaction_end(c, bat_remove_curve(c, p->object, p->curve), BAT_STRING_STEP_DELETE);
-    bat_selection_prune(&c->choice->selection, c->session->document);
     bat_pointing_settle(c, p);
     return bat_pointing_told(c, status);
 }
