@@ -33,9 +33,8 @@ export async function settleIn(shell) {
       const { Dial } = await want(import('../stage/dial.js'));
       shell.dial = new Dial(shell.engine, shell.stage, shell.wake);
       shell.wake();
-      await dressed; // what stands in the middle would change its width
       const { Options } = await want(import('../sheets/options.js'));
-      shell.panel.shows.push(await Options.make(shell.panel));
+      shell.panel.shows.push(await Options.make(shell.panel, dressed)); // what stands in the middle would change its width
       shell.wake();
       if (!shell.server.sole) { // else another page says what is drawn
         greet(shell);

@@ -1,4 +1,4 @@
-// What the tool in hand can be told, in the middle of the bar, and which paper the dark theme has, at the end of the foot. Fetched
+// What the tool in hand can be told, in the middle of the bar, and which paper the dark theme has, in the foot. Fetched
 // after the page has been painted; on a narrow window all of it is in the settings.
 
 import { dress } from '../page/build.js';
@@ -18,15 +18,30 @@ const OF = {
   surface: ['line-reach', 'line-ruling', 'look'],
 };
 
+/** The button of the paper, in the room that the foot keeps for it. @param {import('./panel.js').Panel} panel */
+function addPaper({ controls, buttons, theme }) {
+  const paper = buttons.plain('paper', 'shell.dim-paper', { help: 'shell.dim-paper.help' });
+  paper.addEventListener('click', () => theme?.dimPaper(!theme.dim));
+  const look = () => {
+    paper.hidden = !theme?.dark;
+    paper.setAttribute('aria-pressed', String(theme?.dim));
+  };
+  look();
+  controls.list.push(look);
+  document.getElementById('readouts')?.after(paper);
+}
+
 export class Options {
-  /** @param {import('./panel.js').Panel} panel */
-  static async make(panel) {
+  /** @param {import('./panel.js').Panel} panel @param {Promise<void>} faced when the type face is there, or will not come */
+  static async make(panel, faced) {
     await Promise.all([dress('styles/options.css'), loadIcons('arrange')]);
+    addPaper(panel);
+    await faced;
     return new Options(panel);
   }
 
   /** @param {import('./panel.js').Panel} panel */
-  constructor({ tables, controls, buttons, theme }) {
+  constructor({ tables, controls }) {
     this.tables = tables;
     this.controls = controls;
     this.tool = -1;
@@ -36,13 +51,6 @@ export class Options {
     this.box.className = 'options';
     this.box.setAttribute('role', 'group');
     document.getElementById('tools')?.before(this.box);
-    const paper = buttons.plain('paper', 'shell.dim-paper', { help: 'shell.dim-paper.help' });
-    paper.addEventListener('click', () => theme?.dimPaper(!theme.dim));
-    controls.list.push(() => {
-      paper.hidden = !theme?.dark;
-      paper.setAttribute('aria-pressed', String(theme?.dim));
-    });
-    document.getElementById('readouts')?.after(paper);
   }
 
   /** @param {number} tool */
