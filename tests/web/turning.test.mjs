@@ -54,6 +54,7 @@ test('no picture of an orbit is empty, and the overlay goes along', async (t) =>
   await quiet(page);
   await page.waitForSelector('.dot', { state: 'attached' });
   await page.evaluate(() => document.querySelectorAll('.dot').forEach((dot) => dot.replaceChildren())); // red, and no part of the drawing
+  await settle(page); // what is filmed first has been painted after it
   const pictures = [];
   client.on('Page.screencastFrame', ({ data, sessionId }) => {
     pictures.push(data);
