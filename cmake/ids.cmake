@@ -35,7 +35,7 @@ set(text "/* Made by cmake/ids.cmake from strings.def and commands.def. */
 #ifndef BATTEN_EDITOR_TABLES_IDS_H
 #define BATTEN_EDITOR_TABLES_IDS_H
 ")
-enumerate(bat_string BAT_STRING_COUNT ${STRINGS} "TEXT|HELP" "    BAT_STRING_ID,")
+enumerate(bat_string BAT_STRING_COUNT ${STRINGS} "TEXT|HELP|LATE" "    BAT_STRING_ID,")
 enumerate(bat_command_id BAT_COMMAND_COUNT ${COMMANDS} "COMMAND|HELD|SECTION" "    BAT_MACRO_ID,")
 string(REPLACE BAT_HELD_ BAT_COMMAND_ text "${text}")
 enumerate(bat_property_id BAT_PROPERTY_COUNT ${COMMANDS} "PROPERTY|SUBJECT" "    BAT_MACRO_ID,")

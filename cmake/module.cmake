@@ -2,7 +2,8 @@
 # tests/wasm adds modules of the same objects, whose results must equal the native ones.
 find_program(WASM_OPT wasm-opt REQUIRED)
 find_program(WASM_SPLIT wasm-split REQUIRED)
-set(WASM_FEATURES "--enable-simd --enable-bulk-memory") # the features enabled for clang, as options of binaryen
+find_program(PYTHON3 python3 REQUIRED)
+set(WASM_FEATURES --enable-simd --enable-bulk-memory) # the features enabled for clang, as options of binaryen
 include(cmake/words.cmake)
 
 # The files in which a stroke spends its time: compiled for speed, the rest for size.
@@ -26,12 +27,11 @@ endfunction()
 
 file(GLOB MODULE_SOURCES CONFIGURE_DEPENDS web/module/*.c)
 add_module(batten_module batten $<TARGET_OBJECTS:batten_objects> ${MODULE_SOURCES})
-target_link_options(batten_module PRIVATE -Wl,-Map,batten.map)
+target_link_options(batten_module PRIVATE -Wl,-Map,batten.map -Wl,-O0)
 set(first ${CMAKE_CURRENT_SOURCE_DIR}/web/module/first.txt)
-set_target_properties(batten_module PROPERTIES LINK_DEPENDS "${first};${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake")
+set_target_properties(batten_module PROPERTIES LINK_DEPENDS "${first};${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.py")
 add_custom_command(TARGET batten_module POST_BUILD VERBATIM
-  COMMAND ${CMAKE_COMMAND} -DMODULE=$<TARGET_FILE:batten_module> -DMAP=batten.map -DFIRST=${first}
-    -DOPT=${WASM_OPT} -DSPLIT=${WASM_SPLIT} "-DFLAGS=${WASM_FEATURES}"
-    -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.cmake)
+  COMMAND ${PYTHON3} -B ${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.py $<TARGET_FILE:batten_module> batten.map ${first}
+    ${WASM_OPT} ${WASM_SPLIT} ${CMAKE_NM} ${WASM_FEATURES})
 add_subdirectory(bindings/js)
 add_subdirectory(tests/wasm)

@@ -14,7 +14,7 @@ if(BATTEN_WASM_CLANG AND EXISTS /usr/include/wasm32-wasi/wasi/api.h)
   endif()
   add_custom_command(OUTPUT ${BATTEN_MODULE} ${BATTEN_WORDS} VERBATIM COMMENT "The WASM module, in build/wasm"
     DEPENDS ${MODULE_INPUTS} ${PROJECT_SOURCE_DIR}/cmake/wasm.cmake ${PROJECT_SOURCE_DIR}/cmake/module.cmake
-      ${PROJECT_SOURCE_DIR}/cmake/split_module.cmake ${PROJECT_SOURCE_DIR}/cmake/wasm_clang.cmake
+      ${PROJECT_SOURCE_DIR}/cmake/split_module.py ${PROJECT_SOURCE_DIR}/cmake/wasm_clang.cmake
       ${PROJECT_SOURCE_DIR}/cmake/words.cmake ${PROJECT_SOURCE_DIR}/src/editor/tables/words.in
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     COMMAND ${CMAKE_COMMAND} --preset wasm --log-level=WARNING

@@ -49,7 +49,7 @@ export class Shell {
     this.panel = new Panel(engine, this.wake);
     this.files = new Files(engine, this.server, this.notices, this.wake);
     this.input = new Input(this.stage, engine, this.wake);
-    this.whole = new Whole(engine, this.notices, () => this.pack());
+    this.whole = new Whole(engine, this.notices, () => this.pack(), words);
     this.drawings = new Drawings(this);
     this.requests = new Requests(this);
     /** @type {import('./page/mirror.js').Mirror | undefined} */

@@ -16,7 +16,7 @@ from sources import sources
 
 root = pathlib.Path(sys.argv[1])
 faults = []
-keys = set(re.findall(r'^(?:TEXT|HELP)\(\w+, "([^"]+)"', (root / "src/editor/tables/strings.def").read_text("utf-8"), re.M))
+keys = set(re.findall(r'^(?:TEXT|HELP|LATE)\(\w+, "([^"]+)"', (root / "src/editor/tables/strings.def").read_text("utf-8"), re.M))
 asked = set()
 
 

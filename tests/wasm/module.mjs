@@ -21,6 +21,10 @@ const { exports } = await WebAssembly.instantiate(module, { host: { panic }, [bu
 const second = await WebAssembly.compile(fs.readFileSync(process.argv[2].replace('.wasm', '-later.wasm')));
 assert.ok(WebAssembly.Module.imports(second).every((need) => need.module === build && need.name in exports));
 await WebAssembly.instantiate(second, { [build]: exports });
+// Constants lie where the linker put them, in whichever part they come.
+const whole = await WebAssembly.instantiate(fs.readFileSync(`${process.argv[2]}.whole`), { host: { panic } });
+const memoryOf = (instance) => Buffer.from(instance.memory.buffer);
+assert.ok(memoryOf(exports).equals(memoryOf(whole.instance.exports)));
 exports._initialize();
 
 const memory = new Uint8Array(exports.memory.buffer, exports.module_version());

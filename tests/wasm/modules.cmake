@@ -10,9 +10,8 @@ add_module(units_module units "$<FILTER:$<TARGET_OBJECTS:batten_objects>,EXCLUDE
   ${PROJECT_SOURCE_DIR}/${tables} host.c)
 use_programs(units_module)
 target_link_libraries(units_module PRIVATE -lc-printscan-long-double)
-separate_arguments(features UNIX_COMMAND "${WASM_FEATURES}")
 add_custom_command(TARGET units_module POST_BUILD VERBATIM
-  COMMAND ${WASM_OPT} -Oz --low-memory-unused -g ${features} $<TARGET_FILE:units_module> -o $<TARGET_FILE:units_module>)
+  COMMAND ${WASM_OPT} -Oz --low-memory-unused -g ${WASM_FEATURES} $<TARGET_FILE:units_module> -o $<TARGET_FILE:units_module>)
 # bench.wasm, the rows of the benchmarks on surfaces: bench/module.mjs times it.
 add_module(bench_module bench $<TARGET_OBJECTS:batten_objects> ${PROJECT_SOURCE_DIR}/bench/module.c
   ${PROJECT_SOURCE_DIR}/bench/rows_surface.c)

@@ -9,7 +9,7 @@ TABLES = "src/editor/tables"
 def strings(root):
     """English texts by key: those of TEXT and HELP, and those of WORDS, without what is not in Latin letters."""
     table = (root / TABLES / "strings.def").read_text(encoding="utf-8")
-    said = dict(re.findall(r'^(?:TEXT|HELP)\(\w+, "([^"]+)", "((?:[^"\\]|\\.)*)"', table, re.M))
+    said = dict(re.findall(r'^(?:TEXT|HELP|LATE)\(\w+, "([^"]+)", "((?:[^"\\]|\\.)*)"', table, re.M))
     words = dict(re.findall(r'^WORDS\("([^"]+)\.words", "((?:[^"\\]|\\.)*)"', table, re.M))
     return said, {key: " ".join(word for word in text.split() if word.isascii()) for key, text in words.items()}
 

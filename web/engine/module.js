@@ -35,6 +35,8 @@ export class Module {
     this.second = null;
     /** @type {Promise<void> | null} */
     this.coming = null;
+    /** Instances that the second part has not joined yet. @type {Set<WebAssembly.Exports>} */
+    this.waiting = new Set();
   }
 
   static async load() {
@@ -43,7 +45,10 @@ export class Module {
 
   /** Fetches the second part. @returns {Promise<void>} */
   complete() {
-    this.coming ??= compiled(LATER).then((second) => this.#take(second)).catch((error) => {
+    this.coming ??= compiled(LATER).then((second) => {
+      this.#take(second);
+      this.waiting.forEach((primary) => this.#join(primary)); // the texts in it are shown before anything of it is called
+    }).catch((error) => {
       this.coming = null;
       throw new Missing(`${LATER}: ${error}`);
     });
@@ -68,11 +73,12 @@ export class Module {
       throw new Missing(`${LATER}: ${error}`);
     }
     new WebAssembly.Instance(/** @type {WebAssembly.Module} */ (this.second), { [this.build]: primary });
+    this.waiting.delete(primary);
   }
 
   /**
-   * Makes a new instance. The second part joins it when one of its functions, for which the table has placeholders, is
-   * called; if it is missing, the call throws an error that says so.
+   * Makes a new instance. The second part joins it when it comes, and at the latest when one of its functions, for which the
+   * table has placeholders, is called; if it is missing, the call throws an error that says so.
    * @param {WebAssembly.ModuleImports} host
    */
   instantiate(host) {
@@ -85,6 +91,10 @@ export class Module {
     const instance = new WebAssembly.Instance(this.first, { host, [this.build]: placeholders });
     const table = /** @type {WebAssembly.Table} */ (
       Object.values(instance.exports).find((value) => value instanceof WebAssembly.Table));
+    this.waiting.add(instance.exports);
+    if (this.second) {
+      this.#join(instance.exports);
+    }
     return instance;
   }
 }

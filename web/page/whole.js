@@ -3,16 +3,21 @@
 import { miss, Missing, whenMissing } from './build.js';
 import { word } from './words.js';
 
+/** @typedef {import('./words.js').Words} Words */
+
 export class Whole {
   /**
    * @param {import('../engine/engine.js').Engine} engine
    * @param {import('./notice.js').Notices} notices
    * @param {() => Promise<void>} pack prepares the page to be closed
+   * @param {Words} words told when more of them have come
    */
-  constructor(engine, notices, pack) {
+  constructor(engine, notices, pack, words) {
     this.engine = engine;
     this.notices = notices;
     this.pack = pack;
+    /** @type {Words | null} */
+    this.words = words;
     /** Called when the second part is not available. */
     this.onpartial = () => {};
     whenMissing(() => this.#say());
@@ -30,6 +35,10 @@ export class Whole {
       miss(error);
       this.onpartial();
     }));
+    if (!engine.partial && this.words) {
+      this.words.retell(); // the second part has texts, too
+      this.words = null;
+    }
     return !engine.partial;
   }
 

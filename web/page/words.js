@@ -25,7 +25,7 @@ export class Refusal extends Error {}
 export async function spoken() {
   const language = document.documentElement.lang;
   const all = Object.keys(fetched).length ? fetched : await get(`words.${language}.json`).then((answer) => answer.json()).catch(() => ({}));
-  return { ...all, ...strings };
+  return { ...strings, ...all };
 }
 
 /** @param {Record<string, string>} all */

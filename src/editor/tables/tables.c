@@ -59,11 +59,25 @@ static const char *const keys_of_texts[BAT_STRING_COUNT] = {
 #include "editor/tables/strings.def"
 };
 
+/* One constant, which can be moved to the module's second part (cmake/split_module.py). */
+static const struct late_texts {
+#define TEXT(id, key, english, korean)
+#define HELP(id, key, english, korean)
+#define LATE(id, key, english, korean) char id[sizeof english];
+#include "editor/tables/strings.def"
+} late_texts = {
+#define TEXT(id, key, english, korean)
+#define HELP(id, key, english, korean)
+#define LATE(id, key, english, korean) english,
+#include "editor/tables/strings.def"
+};
+
 static const char *const english_texts[BAT_STRING_COUNT] = {
 #define TEXT(id, key, english, korean) english,
 #ifdef BAT_HELP_APART
 #define HELP(id, key, english, korean) "",
 #endif
+#define LATE(id, key, english, korean) late_texts.id,
 #include "editor/tables/strings.def"
 };
 

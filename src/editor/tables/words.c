@@ -27,7 +27,8 @@ bat_status bat_words_read(bat_settings *settings, const char *text, size_t size)
         char *room = (char *)(words + BAT_STRING_COUNT);
         for (int i = 0; i < BAT_STRING_COUNT; i++) {
             const char *word = bat_json_text(&json, bat_json_member(&json, 1, bat_string_key((bat_string)i)));
-            if (!word || holes(word) != holes(bat_string_english((bat_string)i))) continue;
+            const char *english = bat_string_english((bat_string)i); /* empty: it comes later */
+            if (!word || (*english && holes(word) != holes(english))) continue;
             words[i] = strcpy(room, word);
             room += strlen(word) + 1;
         }
