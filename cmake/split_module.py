@@ -154,7 +154,7 @@ def main():
     run(split, "-g", "--split", whole, "--placeholdermap", f"--import-namespace={build}", f"--placeholder-namespace={build}",
         f"--split-funcs=@{list_path}", "-o1", module, "-o2", later, *flags)
     for part in (module, later):
-        run(opt, "-Oz", "--converge", "--low-memory-unused", "-g", "--strip-producers", *flags, part, "-o", f"{part}.named")
+        run(opt, "-Os", "--low-memory-unused", "-g", "--strip-producers", *flags, part, "-o", f"{part}.named")
         run(opt, "--strip-debug", *flags, f"{part}.named", "-o", part)
     move_data(module, later, ranges)
 

@@ -11,7 +11,7 @@ add_module(units_module units "$<FILTER:$<TARGET_OBJECTS:batten_objects>,EXCLUDE
 use_programs(units_module)
 target_link_libraries(units_module PRIVATE -lc-printscan-long-double)
 add_custom_command(TARGET units_module POST_BUILD VERBATIM
-  COMMAND ${WASM_OPT} -Oz --low-memory-unused -g ${WASM_FEATURES} $<TARGET_FILE:units_module> -o $<TARGET_FILE:units_module>)
+  COMMAND ${WASM_OPT} -Os --low-memory-unused -g ${WASM_FEATURES} $<TARGET_FILE:units_module> -o $<TARGET_FILE:units_module>)
 # bench.wasm, the rows of the benchmarks on surfaces: bench/module.mjs times it.
 add_module(bench_module bench $<TARGET_OBJECTS:batten_objects> ${PROJECT_SOURCE_DIR}/bench/module.c
   ${PROJECT_SOURCE_DIR}/bench/rows_surface.c)
