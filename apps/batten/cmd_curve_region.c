@@ -25,15 +25,12 @@ static int region(const cli_arguments *arguments, const bat_curve *a, const bat_
                                "expected a closed curve, found an open one");
     }
     if (failed) return failed;
-    if (!(tolerance > 0)) tolerance = 1e-12; /* two points */
+    if (!(tolerance > 0)) tolerance = 1; /* two points, which bound nothing */
     const bat_region both[2] = {{1, curves, even_odd}, {1, curves + 1, even_odd}};
     size_t count = 0;
     bat_curve **all = NULL;
     const bat_status status = bat_regions_combine((bat_region_operation)operation, 2, both, tolerance, &count,
                                                   &all);
-    if (status == BAT_SINGULAR)
-        return fail_data(arguments->operands[0], NULL,
-                         "the curves nearly touch over a long stretch: a greater --tolerance may do");
     if (status != BAT_OK) return fail_curve(arguments, status);
     failed = write_curves(count, all, NULL);
     bat_curves_free(count, all);

@@ -32,8 +32,8 @@ typedef enum bat_region_operation {
  * that only touch stay two. One region: its outline without what lies inside.
  *
  * *count curves in an array that the caller frees (bat_curves_free); none where nothing is left. BAT_ARGUMENT: an open
- * curve; BAT_DIMENSION: a curve in space; BAT_SINGULAR: the pieces do not fit together with this tolerance (they nearly touch
- * over a long stretch), and a greater one may do; BAT_COUNT: over BAT_POINTS_MAX pieces. Cost: that of the
+ * curve; BAT_DIMENSION: a curve in space; BAT_TOLERANCE: it is below 1e-12 of the greatest coordinate, so that rounding
+ * decides; BAT_COUNT: over BAT_POINTS_MAX pieces. Boundaries may fold back and run over each other as they like. Cost: that of the
  * intersections, and for each piece the logarithm of all and those that lie near its middle, as a rule. docs/math/relate.md 6.
  */
 BAT_API bat_status bat_regions_combine(bat_region_operation operation, size_t region_count,

@@ -57,15 +57,15 @@ BAT_API size_t bat_width_stretch(const bat_width_profile *profile, double from, 
  * The outline of the stroke along a planar curve whose width is nib->width times the profile: closed curves as those of
  * bat_curve_outline, and the same where the profile is even and that finds them (nothing, where it is 0). The stroke is all that lies on the lines
  * across the curve, of that width and with their middles on it, with the joins of its corners and its caps, as long as the
- * width is there. tolerance, corner, *max_error (from the sides and caps), *count and *out as there. BAT_SINGULAR: the pieces do
- * not fit together with this tolerance, and another may do. Cost: that of bat_regions_combine. docs/math/relate.md 8.
+ * width is there. tolerance, corner, *max_error (from the sides and caps), *count and *out as there, and so are the refusals.
+ * Cost: that of bat_regions_combine. docs/math/relate.md 8.
  */
 BAT_API bat_status bat_curve_outline_width(const bat_curve *curve, const bat_nib *nib,
                                            const bat_width_profile *profile, double tolerance, double corner,
                                            size_t *count, bat_curve ***out, double *max_error);
 /*
  * The same for painting: closed chains of cubics which together cover the stroke where filled by the non-zero rule; they may
- * cross and lie over each other. Much faster, and never BAT_SINGULAR. *points: *cubics * 8 numbers, ends repeated; where
+ * cross and lie over each other. Much faster. *points: *cubics * 8 numbers, ends repeated; where
  * a cubic does not start at the end of the one before, a chain begins. Both the caller's (bat_free). BAT_COUNT: over 2^18 cubics.
  */
 BAT_API bat_status bat_curve_cover_width(const bat_curve *curve, const bat_nib *nib,

@@ -101,9 +101,7 @@ bat_status bat_command_region(bat_context *c, bat_command_id id) {
     if (status == BAT_OK)
         status = bat_regions_combine(operations[kind].operation, (size_t)b.count, b.regions, b.tolerance,
                                      &count, &curves);
-    bat_string why = status == BAT_STATE      ? BAT_STRING_NOTICE_SELECT_REGIONS
-                     : status == BAT_SINGULAR ? BAT_STRING_NOTICE_REGION_TANGLED
-                                              : BAT_STRING_COUNT;
+    bat_string why = status == BAT_STATE ? BAT_STRING_NOTICE_SELECT_REGIONS : BAT_STRING_COUNT;
     if (status == BAT_OK && count == 0) why = BAT_STRING_NOTICE_REGION_EMPTY;
     const bool go = status == BAT_OK && count > 0;
     if (go) {

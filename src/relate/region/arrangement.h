@@ -24,7 +24,7 @@ typedef struct bat_region_edge {
     size_t curve;
     double u[2];    /* u[1] not above u[0]: in the next period */
     size_t node[2]; /* BAT_NO_NODE, both: all of the curve */
-    bat_curve *own; /* the piece, which begins and ends at its nodes bit for bit */
+    bat_curve *own; /* the piece, which begins and ends at its nodes bit for bit; NULL: straight */
     double *bezier; /* its spans: spans * (degree + 1) points */
     int spans;
     double box[4];  /* of its control points: low x, low y, high x, high y */
@@ -39,6 +39,7 @@ typedef struct bat_arrangement {
     size_t region_count;
     const bat_region *regions;
     double tolerance, gap; /* gap: how near things are the same */
+    double step;           /* of the grid, a power of 2; nodes are at multiples of it */
     size_t curve_count;
     bat_cut_curve *curves;
     size_t spot_count, spot_room;
@@ -71,6 +72,14 @@ bat_status bat_arrangement_edges(bat_arrangement *a);
 /* ---- judge.c ---- */
 /* Finds which edges bound the result. BAT_SINGULAR: they are no boundary together. */
 bat_status bat_arrangement_judge(bat_arrangement *a);
+/* Whether a place is in the result that is in so many regions, among them the first or not. */
+bool bat_arrangement_holds(const bat_arrangement *a, size_t in, bool first);
+/* ---- grid.c ---- */
+/* Makes nodes and edges, straight ones, that meet at nodes alone. */
+bat_status bat_arrangement_grid(bat_arrangement *a);
+/* ---- faces.c ---- */
+/* Finds which of such edges bound the result: always a boundary. */
+bat_status bat_arrangement_faces(bat_arrangement *a);
 /* ---- outline.c ---- */
 /* Joins the edges that are kept to closed curves. */
 bat_status bat_arrangement_outline(const bat_arrangement *a, size_t *count, bat_curve ***out);

@@ -57,7 +57,7 @@ static void put_to(void *judged, size_t region, int crossed) {
 }
 static void take_away(void *judged, size_t region, int crossed) { put_to(judged, region, -crossed); }
 
-static bool is_result(const bat_arrangement *a, size_t in, bool first) {
+bool bat_arrangement_holds(const bat_arrangement *a, size_t in, bool first) {
     switch (a->operation) {
     case BAT_REGION_UNION: return in > 0;
     case BAT_REGION_DIFFERENCE: return first && in == 1;
@@ -80,7 +80,7 @@ static int side(const judging *j, bool others_are_right) {
             if (region == 0) first[k] = inside;
         }
     }
-    return is_result(j->a, in[1], first[1]) - is_result(j->a, in[0], first[0]);
+    return bat_arrangement_holds(j->a, in[1], first[1]) - bat_arrangement_holds(j->a, in[0], first[0]);
 }
 
 /* The side of a place on an edge; edges that run along another count as being where that is. False: it cannot be told. */

@@ -62,6 +62,10 @@ static void sort_starts(outline *o) {
 
 /* Whither an edge leaves its first node, or its last one, as an angle. */
 static double leaves(const outline *o, const bat_region_edge *e, bool last) {
+    if (!e->own) {
+        const double *from = o->a->nodes + 2 * e->node[last], *to = o->a->nodes + 2 * e->node[!last];
+        return bat_atan2(to[1] - from[1], to[0] - from[0]);
+    }
     const int count = (int)bat_curve_count(e->own);
     const double *p = bat_curve_points(e->own), *at = p + (last ? 2 * (count - 1) : 0);
     double x = 0, y = 0;
@@ -97,16 +101,22 @@ static bool goes_on(const stretch *x, const stretch *y) {
     return x->curve == y->curve && x->back == y->back && x->u[!x->back] == y->u[x->back];
 }
 
+/* Its share of the curve's period; 0 where rounding leaves nothing of the way from one node to another. */
+static double share_of(const outline *o, const stretch *s) {
+    double domain[2];
+    bat_curve_domain(o->a->curves[s->curve].curve, domain);
+    if (s->u[1] == s->u[0]) return s->from == s->to;
+    return (s->u[1] - s->u[0]) / (domain[1] - domain[0]) + (s->u[1] < s->u[0]);
+}
+
 /* Whether they are all of a curve: once round, not along one of its loops. */
 static bool is_whole(const outline *o) {
-    double domain[2], sum = 0;
-    bat_curve_domain(o->a->curves[o->loop[0].curve].curve, domain);
+    double sum = 0;
     for (size_t i = 0; i < o->length; i++) {
-        const stretch *s = o->loop + i;
-        if (!goes_on(s, o->loop + (i + 1) % o->length)) return false;
-        sum += s->u[1] - s->u[0] + (s->u[1] > s->u[0] ? 0 : domain[1] - domain[0]);
+        if (!goes_on(o->loop + i, o->loop + (i + 1) % o->length)) return false;
+        sum += share_of(o, o->loop + i);
     }
-    return sum > 0.5 * (domain[1] - domain[0]);
+    return sum > 0.5;
 }
 
 /* The other way round. */
@@ -142,12 +152,17 @@ static bat_status run_back(bat_curve **curve) {
     return status;
 }
 
+/* The stretch as a curve; a straight one where too little of the curve is left for one. */
 static bat_status piece_of(const outline *o, const stretch *s, bat_curve **out) {
     const bat_arrangement *a = o->a;
     const double *from = a->nodes + 2 * s->from, *to = a->nodes + 2 * s->to;
-    const bat_status status = bat_region_piece(a->curves[s->curve].curve, s->u, s->back ? to : from,
-                                               s->back ? from : to, out);
-    return status == BAT_OK && s->back ? run_back(out) : status;
+    bat_status status = BAT_KNOTS;
+    if (share_of(o, s) > 0)
+        status = bat_region_piece(a->curves[s->curve].curve, s->u, s->back ? to : from, s->back ? from : to,
+                                  out);
+    if (status == BAT_OK && s->back) return run_back(out);
+    if ((status != BAT_KNOTS && status != BAT_PARAMETER) || s->from == s->to) return status;
+    return bat_curve_create_clamped(2, 1, 2, (const double[]){from[0], from[1], to[0], to[1]}, out);
 }
 
 static bat_status join(const outline *o, bat_curve **out) {

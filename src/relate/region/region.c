@@ -1,12 +1,12 @@
 /* What is made of regions (docs/math/relate.md 6). */
-#include "relate/region/arrangement.h"
+#include "relate/offset.h"
+#include "relate/region/grid.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* How near things are the same, as shares of the tolerance, in the order in which they are tried. */
-static const double GAPS[] = {1.0 / 4, 1.0 / 64, 1.0 / 1024};
-enum { TRIES = sizeof GAPS / sizeof *GAPS };
+/* How near things are the same, as a share of the tolerance: where curves meet, and on the grid. */
+static const double GAP = 1.0 / 4, GRID = 1.0 / 16;
 
 static void clear(bat_arrangement *a) {
     for (size_t i = 0; i < a->edge_count; i++) {
@@ -39,25 +39,54 @@ static bat_status gather(bat_arrangement *a) {
     return BAT_OK;
 }
 
+/* Where rounding decides what the tolerance tells apart. */
+static bool is_rounding(const bat_arrangement *a) {
+    for (size_t i = 0; i < a->curve_count; i++)
+        if (bat_offset_is_rounding(a->curves[i].curve, 0, a->tolerance)) return true;
+    return false;
+}
+
+static bat_status decide_by_curves(bat_arrangement *a) {
+    a->gap = GAP * a->tolerance;
+    bat_status status = bat_arrangement_cut(a);
+    if (status == BAT_OK) status = bat_arrangement_edges(a);
+    return status == BAT_OK ? bat_arrangement_judge(a) : status;
+}
+
+static bat_status decide_on_grid(bat_arrangement *a) {
+    a->gap = GRID * a->tolerance;
+    const bat_status status = bat_arrangement_grid(a);
+    return status == BAT_OK ? bat_arrangement_faces(a) : status;
+}
+
+/* What is asked for, decided in one of these ways. */
+static bat_status combine(bat_arrangement asked, bat_status (*decide)(bat_arrangement *a), size_t *count,
+                          bat_curve ***out) {
+    bat_status status = gather(&asked);
+    if (status == BAT_OK && is_rounding(&asked)) status = BAT_TOLERANCE;
+    if (status == BAT_OK) status = decide(&asked);
+    if (status == BAT_OK) status = bat_arrangement_outline(&asked, count, out);
+    clear(&asked);
+    return status;
+}
+
+bat_status bat_regions_combine_on_grid(size_t count, const bat_region *regions, double tolerance,
+                                       size_t *made, bat_curve ***out) {
+    return combine(
+        (bat_arrangement){
+            .operation = BAT_REGION_UNION, .region_count = count, .regions = regions, .tolerance = tolerance},
+        decide_on_grid, made, out);
+}
+
 bat_status bat_regions_combine(bat_region_operation operation, size_t region_count, const bat_region *regions,
                                double tolerance, size_t *count, bat_curve ***out) {
     if (!regions || region_count == 0 || !count || !out || !(tolerance > 0) ||
         tolerance > BAT_COORDINATE_MAX || (unsigned)operation >= BAT_REGION_OPERATION_COUNT)
         return BAT_ARGUMENT;
     if (region_count > BAT_POINTS_MAX) return BAT_COUNT;
-    bat_status status = BAT_SINGULAR;
-    for (int i = 0; i < TRIES && status == BAT_SINGULAR; i++) {
-        bat_arrangement a = {.operation = operation,
-                             .region_count = region_count,
-                             .regions = regions,
-                             .tolerance = tolerance,
-                             .gap = GAPS[i] * tolerance};
-        status = gather(&a);
-        if (status == BAT_OK) status = bat_arrangement_cut(&a);
-        if (status == BAT_OK) status = bat_arrangement_edges(&a);
-        if (status == BAT_OK) status = bat_arrangement_judge(&a);
-        if (status == BAT_OK) status = bat_arrangement_outline(&a, count, out);
-        clear(&a);
-    }
-    return status;
+    const bat_arrangement asked = {
+        .operation = operation, .region_count = region_count, .regions = regions, .tolerance = tolerance};
+    const bat_status status = combine(asked, decide_by_curves, count, out);
+    return status == BAT_SINGULAR || status == BAT_KNOTS ? combine(asked, decide_on_grid, count, out)
+                                                         : status;
 }
