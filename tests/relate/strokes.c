@@ -30,7 +30,7 @@ static int draw(double points[2 * (3 * SPANS_MAX + 1)], bool *closed) {
     for (int i = 0; i < n; i++)
         for (int k = 0; k < 4; k++)
             for (int c = 0; c < 2; c++) {
-                const double straight = at[i][c] + (at[i + 1][c] - at[i][c]) * k / 3;
+                const double straight = k == 3 ? at[i + 1][c] : at[i][c] + (at[i + 1][c] - at[i][c]) * k / 3;
                 points[6 * i + 2 * k + c] = kind < 2 && k % 3 ? SIZE * chance() : straight;
             }
     for (int i = 0; i < n && kind < 2; i++) {

@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { launch, open, quiet, reveal, SCREENSHOTS, state } from './page.mjs';
-import { serve } from './server.mjs';
+import { PROGRAM, serve } from './server.mjs';
+import { compareStrokes, MOST } from './strokes.mjs';
 
 const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400"><circle cx="180" cy="200" r="90" fill="none"
 stroke="#2a6f97" stroke-width="16"/><path d="M330 300C380 80 460 80 540 260" fill="none" stroke="#e9c46a" stroke-width="24"
@@ -70,3 +71,13 @@ for (const [locale, colorScheme, size] of [['en', 'light', undefined], ['ko-KR',
     assert.ok(hand);
   });
 }
+
+// All 10,000 of them: node strokes.mjs, a command of its own.
+test('outlines of random strokes beside the picture that the browser makes of the strokes', async (t) => {
+  const page = await browser.newPage();
+  t.after(() => page.close());
+  const { all, refused, share } = await compareStrokes(page, path.join(path.dirname(PROGRAM), 'tests/strokes'), 0, 60);
+  assert.equal(all.length, 60);
+  assert.deepEqual(refused, []);
+  assert.ok(share <= MOST, `${100 * share} % of the samples differ`);
+});

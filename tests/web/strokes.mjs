@@ -2,14 +2,15 @@
 // painted, and samples of which one is covered by more than half and the other by less differ, where by more than a quarter.
 // Ends with a failure where an outline was refused, or more than .1 % of all samples differ.
 import { execFileSync } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
 
 import { chromium } from 'playwright-core';
 
 import { BROWSER } from './chromium.mjs';
 
-const [arm, from = '0', to = '10000', ...rest] = process.argv.slice(2);
 const BATCH = 250;
-const MOST = 1e-3;
+/** Of all samples: as many may differ. */
+export const MOST = 1e-3;
 
 /** How many samples differ, of each stroke. Runs in the page. */
 function compare(strokes) {
@@ -43,21 +44,27 @@ function compare(strokes) {
   });
 }
 
-const browser = await chromium.launch(BROWSER);
-const page = await browser.newPage();
-const all = [];
-for (let at = Number(from); at < Number(to); at += BATCH) {
-  const end = Math.min(at + BATCH, Number(to));
-  const lines = execFileSync(arm, [at, end, ...rest].map(String), { maxBuffer: 1 << 30 }).toString().split('\n').filter(Boolean);
-  all.push(...await page.evaluate(compare, lines.map((line) => JSON.parse(line))));
+/** The strokes from one number to another, and of how many samples of each the outline's picture differs. `rest`: SCALE, FAR. */
+export async function compareStrokes(page, arm, from, to, ...rest) {
+  const all = [];
+  for (let at = from; at < to; at += BATCH) {
+    const asked = [at, Math.min(at + BATCH, to), ...rest].map(String);
+    const lines = execFileSync(arm, asked, { maxBuffer: 1 << 30 }).toString().split('\n').filter(Boolean);
+    all.push(...await page.evaluate(compare, lines.map((line) => JSON.parse(line))));
+  }
+  const sum = (name) => all.reduce((total, one) => total + one[name], 0);
+  return { all, refused: all.filter((one) => one.status !== 0), share: sum('differ') / sum('samples') };
 }
-await browser.close();
 
-const sum = (name) => all.reduce((total, one) => total + one[name], 0);
-const refused = all.filter((one) => one.status !== 0);
-const off = all.filter((one) => one.differ > MOST * one.samples);
-for (const one of [...refused, ...off.sort((a, b) => b.differ - a.differ)].slice(0, 20))
-  console.log(`${one.index}: status ${one.status}, ${one.differ} samples differ, ${one.more} are ours (${one.what})`);
-const share = sum('differ') / sum('samples');
-console.log(`${all.length} strokes: ${refused.length} refused, ${off.length} with more than .1 % of samples, ${(100 * share).toFixed(4)} % of all samples differ`);
-process.exitCode = refused.length > 0 || share > MOST ? 1 : 0;
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const [arm, from = '0', to = '10000', ...rest] = process.argv.slice(2);
+  const browser = await chromium.launch(BROWSER);
+  const { all, refused, share } = await compareStrokes(await browser.newPage(), arm, Number(from), Number(to), ...rest);
+  await browser.close();
+  const off = all.filter((one) => one.differ > MOST * one.samples);
+  for (const one of [...refused, ...off.sort((a, b) => b.differ - a.differ)].slice(0, 20))
+    console.log(`${one.index}: status ${one.status}, ${one.differ} samples differ, ${one.more} are ours (${one.what})`);
+  console.log(`${all.length} strokes: ${refused.length} refused, ${off.length} with more than .1 % of samples, `
+    + `${(100 * share).toFixed(4)} % of all samples differ`);
+  process.exitCode = refused.length > 0 || share > MOST ? 1 : 0;
+}
