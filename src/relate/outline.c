@@ -15,9 +15,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { STEPS = 64, PLACES = 7, TRIES = 5 };
+enum { STEPS = 64, PLACES = 7 };
 
-static const double FINER = 0.3;   /* of the tolerance, where the pieces did not fit together */
 static const double SAME = 4;      /* tolerances: as near to another outline, one says nothing new */
 static const double STILL = 1e-9;  /* of the size: a curve that moves less in its whole domain stands still */
 static const double BEHIND = 1.01; /* half widths: what is further behind an end does not reach beyond it */
@@ -182,8 +181,8 @@ static bat_status start(outline *o, const bat_nib *nib) {
 }
 
 /* A closed curve that crosses itself, as an open one: its round ends lie within the stroke. The ends are in the middle of a
- * span, where there is no corner: of the longest, or of one after it. */
-static bat_status opened(outline *o, const bat_nib *nib, int attempt) {
+ * span, where there is no corner: of the longest. */
+static bat_status opened(outline *o, const bat_nib *nib) {
     const bat_curve *closed = o->curve;
     const int n = bat_curve_segment_count(closed);
     double *breaks = malloc((size_t)(n + 1) * sizeof *breaks);
@@ -193,7 +192,6 @@ static bat_status opened(outline *o, const bat_nib *nib, int attempt) {
     int longest = 0;
     for (int i = 1; i < n && status == BAT_OK; i++)
         if (breaks[i + 1] - breaks[i] > breaks[longest + 1] - breaks[longest]) longest = i;
-    longest = (longest + attempt) % n;
     if (status == BAT_OK)
         status = bat_curve_open_at(closed, 0.5 * (breaks[longest] + breaks[longest + 1]), &open);
     free(breaks), free(points);
@@ -272,17 +270,12 @@ bat_status bat_outline_parallels(const bat_curve *curve, const bat_nib *nib, dou
         if (made != BAT_SINGULAR) return made;
     }
     if (has_tight_end(curve, nib)) return BAT_SINGULAR;
-    bat_status status = bat_finder_create(curve, &o.finder), made = BAT_SINGULAR;
-    for (int i = 0; i < TRIES && status == BAT_OK && made == BAT_SINGULAR; i++) {
+    bat_status status = bat_finder_create(curve, &o.finder);
+    if (status == BAT_OK) status = unfit(start(&o, nib));
+    if (status == BAT_SINGULAR && bat_curve_is_closed(curve)) {
         forget(&o);
-        made = unfit(start(&o, nib));
-        if (made == BAT_SINGULAR && bat_curve_is_closed(curve)) {
-            forget(&o);
-            made = unfit(opened(&o, nib, i));
-        }
-        o.tolerance *= FINER;
+        status = unfit(opened(&o, nib));
     }
-    if (status == BAT_OK) status = made;
     if (status == BAT_OK) {
         if (max_error) *max_error = o.error;
         *count = o.count, *out = o.out;
