@@ -11,7 +11,9 @@
 #include "growth.h"
 #include "scenes.h"
 
+enum { MOST_CHOICES = 1000 };
 static const double MOST = 1.15;
+static const uint64_t NEVER = UINT64_MAX;
 static int middle = 200; /* the middle one of three n */
 
 typedef struct reading {
@@ -46,51 +48,69 @@ static reading perform(bat_editor *editor, int choice) {
     return result;
 }
 
-/* In a process of its own, so that the editor stays as it was made. */
-static bool perform_apart(bat_editor *editor, int choice, reading *result) {
-    int ends[2], status = 0;
-    if (pipe(ends) != 0) return false;
+/*
+ * Performs choices, from one on up to the first that the editor does, in a process of its own, so that the editor stays as it was
+ * made: what is refused changes nothing. How many there are readings of; the next one fails when the status is not 0.
+ */
+static int perform_apart(bat_editor *editor, int from, int end, reading *readings, int *status) {
+    int ends[2], count = 0;
+    *status = -1;
+    if (pipe(ends) != 0) return 0;
     fflush(stdout);
     pid_t child = fork();
     if (child == 0) {
-        reading own = perform(editor, choice);
-        _exit(write(ends[1], &own, sizeof own) == (ssize_t)sizeof own ? 0 : 1);
+        reading own = {0};
+        for (int i = from; i < end && !own.done; i++) {
+            own = perform(editor, i);
+            if (write(ends[1], &own, sizeof own) != (ssize_t)sizeof own) _exit(1);
+        }
+        _exit(0);
     }
     close(ends[1]);
-    bool good = child > 0 && read(ends[0], result, sizeof *result) == (ssize_t)sizeof *result;
+    while (from + count < end &&
+           read(ends[0], &readings[count], sizeof *readings) == (ssize_t)sizeof *readings)
+        count++;
     close(ends[0]);
-    if (child > 0) waitpid(child, &status, 0);
-    return good && status == 0;
+    if (child > 0) waitpid(child, status, 0);
+    return count;
 }
 
-/* How much work a choice is for each n; false: it fails. The middle one need not be known (growth_judge) where the last is no more
- * than four times the first, and is taken to be as the first. */
-static bool measure(bat_editor *editors[GROWTH_SIZES], int choice, bool *done, uint64_t work[GROWTH_SIZES]) {
-    reading readings[GROWTH_SIZES];
-    for (int k = 0; k < GROWTH_SIZES; k += 2)
-        if (!perform_apart(editors[k], choice, &readings[k])) return false;
-    readings[1] = readings[0];
-    if (readings[2].work > 4 * readings[0].work && !perform_apart(editors[1], choice, &readings[1]))
-        return false;
-    for (int k = 0; k < GROWTH_SIZES; k++) work[k] = readings[k].work;
-    if (choice < BAT_COMMAND_COUNT && readings[2].done) done[choice] = true;
-    return true;
-}
-
-/* How many grow too fast; done[command] becomes true for those that found something to do. */
-static int judge_scene(const growth_scene *scene, const char *only, bool *done) {
-    bat_editor *editors[GROWTH_SIZES];
+/* Readings of choices; those that fail are said and have none (NEVER). How many fail. */
+static int perform_all(const growth_scene *scene, bat_editor *editor, int from, int end, reading *readings) {
     int faults = 0;
+    for (int i = from, status; i < end; i++) {
+        i += perform_apart(editor, i, end, &readings[i], &status) - 1;
+        if (status == 0) continue;
+        printf("%s: %s fails\n", scene->name, name_of(++i));
+        readings[i].work = NEVER;
+        faults++;
+    }
+    return faults;
+}
+
+/* How many grow too fast; done[command] becomes true for those that found something to do. The middle one need not be known
+ * (growth_judge) where the last is no more than four times the first, and is taken to be as the first. */
+static int judge_scene(const growth_scene *scene, const char *only, bool *done) {
+    static reading readings[GROWTH_SIZES][MOST_CHOICES];
+    bat_editor *editors[GROWTH_SIZES];
+    int faults = 0, from = 0, end = 0;
+    while (name_of(end)) end++;
+    if (only) {
+        while (from < end && strcmp(only, name_of(from)) != 0) from++;
+        end = from + (from < end);
+    }
     for (int k = 0, size = middle / 4; k < GROWTH_SIZES; k++, size *= 4) editors[k] = scene->make(size);
-    for (int i = 0; name_of(i); i++) {
-        uint64_t work[GROWTH_SIZES];
-        if (only && strcmp(only, name_of(i)) != 0) continue;
-        if (measure(editors, i, done, work)) {
-            faults += growth_judge(scene->name, name_of(i), work, middle, MOST);
-        } else {
-            printf("%s: %s fails\n", scene->name, name_of(i));
-            faults++;
-        }
+    for (int k = 0; k < GROWTH_SIZES; k += 2)
+        faults += perform_all(scene, editors[k], from, end, readings[k]);
+    for (int i = from; i < end; i++) {
+        reading *first = &readings[0][i], *mid = &readings[1][i], *last = &readings[2][i];
+        if (first->work == NEVER || last->work == NEVER) continue;
+        *mid = *first;
+        if (last->work > 4 * first->work) faults += perform_all(scene, editors[1], i, i + 1, readings[1]);
+        if (mid->work != NEVER)
+            faults += growth_judge(scene->name, name_of(i), (uint64_t[]){first->work, mid->work, last->work},
+                                   middle, MOST);
+        if (i < BAT_COMMAND_COUNT && last->done) done[i] = true;
     }
     for (int k = 0; k < GROWTH_SIZES; k++) bat_editor_free(editors[k]);
     return faults;

@@ -11,11 +11,10 @@ mkdir -p "$copy"
 (cd "$root" && git ls-files -z -c -o --exclude-standard | tar -c --null -T - --ignore-failed-read 2> "$copy.left_out") |
     tar -x -C "$copy"
 
-CFLAGS="$(dpkg-buildflags --get CFLAGS) $(dpkg-buildflags --get CPPFLAGS) -fstack-clash-protection -fcf-protection -g0"
-LDFLAGS="$(dpkg-buildflags --get LDFLAGS) -Wl,-z,now"
-export CFLAGS LDFLAGS
+. "$root/tests/house/hardening.sh"
 # The program without the module, which is not built whole once more.
 cmake -G Ninja -S "$copy" -B "$build" --log-level=WARNING -DCMAKE_BUILD_TYPE=None -DBATTEN_WERROR=ON -DBATTEN_WASM_CLANG=OFF > "$copy.log" &&
+    CCACHE_DISABLE=1 cmake --build "$build" --target batten batten_shared batten_program >> "$copy.log" 2>&1 && # for check_reproducible.sh
     cmake --build "$build" >> "$copy.log" 2>&1 || { tail -40 "$copy.log"; exit 1; }
 grep -q stack-protector-strong "$build/build.ninja" || { echo "The flags did not arrive"; exit 1; }
 "$build/batten" info "$copy/examples/car.svg" > "$copy.info"

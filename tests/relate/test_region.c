@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
-#include "support/sanitized.h"
+#include "support/rounds.h"
 #include <batten/bezier.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>

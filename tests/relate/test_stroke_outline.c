@@ -16,7 +16,7 @@
 #include "relate/spot.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
-#include "support/sanitized.h"
+#include "support/rounds.h"
 
 enum { REGIONS = ROUNDS_OF(20), STROKES = ROUNDS_OF(24), HARD = ROUNDS_OF(120), DOTS = ROUNDS_OF(60) };
 

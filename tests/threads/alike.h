@@ -12,10 +12,10 @@
 #include <pthread.h>
 #include <batten/batten.h>
 #include "document/digest.h"
-#include "support/sanitized.h"
+#include "support/rounds.h"
 
 /* A sanitizer sees by the order of calls what may race, so a few rounds tell it as much as many. */
-enum { THREADS = 8, ROUNDS = SANITIZED ? 2 : 4 };
+enum { THREADS = 8, ROUNDS = FEWER ? 2 : 4 };
 
 /* ---- running ---- */
 

@@ -60,6 +60,7 @@ list(TRANSFORM wraps REPLACE "^WRAP\\([^,]*, ([a-z_]+),.*" "-Wl,--wrap=\\1")
 function(use_programs target)
   target_sources(${target} PRIVATE units.c readers.c witness.c ${here}/../support/alloc_fail.c
     ${CMAKE_CURRENT_BINARY_DIR}/units_list.c ${UNITS} ${FUZZERS})
+  target_compile_definitions(${target} PRIVATE BATTEN_BITS_COMPARED)
   target_include_directories(${target} BEFORE PRIVATE ${here}/cmocka ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_link_options(${target} PRIVATE ${wraps} -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free)
 endfunction()

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include <batten/bezier.h>
 #include <batten/camera.h>
-#include "support/sanitized.h"
+#include "support/rounds.h"
 #include "support/timing.h"
 
 enum { RUNS = ROUNDS_OF(1000) };

@@ -15,7 +15,7 @@
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 #include "support/random_surface.h"
-#include "support/sanitized.h"
+#include "support/rounds.h"
 #include "support/solids.h"
 
 static bat_polymesh *mesh_of(size_t vertices, const double *at, size_t faces, const int *corners) {

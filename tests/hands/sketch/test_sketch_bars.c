@@ -7,7 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 
-#include "support/sanitized.h"
+#include "support/rounds.h"
 #include "support/sketch_cases.h"
 
 static const uint64_t seeds[] = {101, 90210};

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "support/known_strokes.h"
-#include "support/sanitized.h"
+#include "support/rounds.h"
 
 enum { CIRCLE, OPEN_ARC, ELLIPSE, ESS, SHAPES };          /* what is redrawn */
 enum { OUTSIDE, INSIDE, TILTED, BOWED, ONE_END, MISSES }; /* how the stroke misses it */
