@@ -13,14 +13,15 @@ static const double bend = 30,
 
 typedef struct head {
     double cost;
-    double turn; /* 1 - cosine between curve and stroke, both outwards */
+    double turn; /* 1 - cosine between curve and stroke, both outwards: turn_at */
     bool ran;    /* along the curve first */
     int place;   /* where it leaves the end */
 } head;
 
-static void outwards(const bat_polyline *line, int end, double point[2], double way[2]) {
-    const double length = bat_polyline_length(line), h = fmin(straight, length);
-    double inner[2];
+/* Out of an end of the line, over so much of it. */
+static void outwards(const bat_polyline *line, int end, double over, double way[2]) {
+    const double length = bat_polyline_length(line), h = fmin(over, length);
+    double inner[2], point[2];
     bat_polyline_at(line, end ? length : 0, point);
     bat_polyline_at(line, end ? length - h : h, inner);
     way[0] = point[0] - inner[0], way[1] = point[1] - inner[1];
@@ -28,13 +29,32 @@ static void outwards(const bat_polyline *line, int end, double point[2], double 
     way[0] /= size > 0 ? size : 1, way[1] /= size > 0 ? size : 1;
 }
 
-/* Direction in which the stroke goes on from place i, away from `side`. */
-static void going_on(const bat_intent *intent, int i, int side, double way[2]) {
+/* Direction in which the stroke goes on from place i, away from `side`, over so much of it. */
+static void going_on(const bat_intent *intent, int i, int side, double over, double way[2]) {
     const double end = intent->hook + (side ? 0 : intent->length),
                  a = intent->a[bat_intent_mirror(intent, i, side)];
-    const double h = fmin(straight, fabs(end - a)) / 2;
+    const double h = fmin(over, fabs(end - a)) / 2;
     bat_intent_heading(intent, a + (side ? -h : h), h, way);
     if (side) way[0] = -way[0], way[1] = -way[1];
+}
+
+/* 1 - cosine between the line's end and the stroke from place i on: of what is small the greater of a coarse look and a
+ * close one, for a coarse one misses the cusp between two bows. */
+static double turn_at(const bat_intent *intent, const bat_intent_near *near, int end, int i, int side) {
+    const double close = straight * bat_intent_fine(intent, near), looks[2] = {close, fmax(close, straight)};
+    double most = 0;
+    for (int k = 0; k < 2; k++) {
+        double way[2], out_way[2];
+        outwards(&near->line, end, looks[k], out_way);
+        going_on(intent, i, side, looks[k], way);
+        most = fmax(most, 1 - (way[0] * out_way[0] + way[1] * out_way[1]));
+    }
+    return most;
+}
+
+/* An end of the line. */
+static void tip_of(const bat_polyline *line, int end, double point[2]) {
+    bat_polyline_at(line, end ? bat_polyline_length(line) : 0, point);
 }
 
 /* How far from a line all evidence is against it. */
@@ -125,23 +145,18 @@ static double begins_at(const bat_intent *intent, const double point[2], int sid
 static bool find_head(bat_intent *intent, int index, int end, int side, head *out) {
     const bat_intent_near *near = &intent->line[index];
     const double fine = bat_intent_fine(intent, near), at_end = INTENT_AT_END * fine;
-    double point[2], out_way[2], way[2], passed = INTENT_PASSING * fine;
-    outwards(&near->line, end, point, out_way);
+    double point[2], passed = INTENT_PASSING * fine;
+    tip_of(&near->line, end, point);
     const double start = begins_at(intent, point, side);
     const int k = bat_intent_nearest(intent, point, side, &passed);
     *out = (head){.cost = INFINITY};
-    if (start < at_end) {
-        going_on(intent, 0, side, way);
-        *out = (head){.cost = start - at_end, .turn = 1 - (way[0] * out_way[0] + way[1] * out_way[1])};
-    }
+    if (start < at_end) *out = (head){.cost = start - at_end, .turn = turn_at(intent, near, end, 0, side)};
     if (k > 0 && passed < INTENT_PASSING * fine) {
         double off = 0;
         const double sum = run_along(intent, near, end, k, side, &off);
         if (sum < INFINITY) {
             const double cost = sum + bat_intent_off(intent, near, off) + 2 * fmax(0, passed - 0.75 * at_end);
-            going_on(intent, k, side, way);
-            const double turn = 1 - (way[0] * out_way[0] + way[1] * out_way[1]);
-            if (cost < out->cost) *out = (head){cost, turn, true, k};
+            if (cost < out->cost) *out = (head){cost, turn_at(intent, near, end, k, side), true, k};
         }
     }
     return out->cost < INFINITY;
@@ -158,6 +173,12 @@ static double rest_of(const bat_intent *intent, const head *h, int side, double 
 /* What a stroke adds to an end; the price doubles beyond the length of what it adds to, for then it is a thing of its own. */
 static double more_than(double added, double length) { return added + fmax(0, added - length); }
 
+/* What winds round more than once is a thing of its own, though it begins along a line. */
+static double winds(const bat_intent *intent) {
+    double all;
+    return intent->length * fmax(0, bat_intent_winding(intent, &all) / 360 - 1);
+}
+
 static void offer_extend(bat_intent *intent, bat_intent_list *list, int index, int end, int side,
                          const head *h) {
     double chord;
@@ -171,7 +192,8 @@ static void offer_extend(bat_intent *intent, bat_intent_list *list, int index, i
         .part = {{.line = index, .along = {intent->hook, intent->hook + intent->length}}},
         .onto = {-1, -1},
         .cost = h->cost + more_than(rest, bat_polyline_length(&near->line)) +
-                (h->ran ? bend / 2 : bend) * bat_intent_fine(intent, near) * h->turn + 0.3 * (rest - chord)};
+                (h->ran ? bend / 2 : bend) * bat_intent_fine(intent, near) * h->turn + 0.3 * (rest - chord) +
+                (h->ran ? winds(intent) : 0)};
     reading.part[0].free[1 - side] = true;
     reading.part[0].sense = (side == 0) == (end == 1) ? 1 : -1;
     bat_intent_offer(list, &reading);
@@ -182,12 +204,12 @@ static void offer_through(bat_intent *intent, bat_intent_list *list, int index) 
     const bat_intent_near *near = &intent->line[index];
     const double fine = bat_intent_fine(intent, near), passing = INTENT_PASSING * fine,
                  half = 0.75 * INTENT_AT_END * fine;
-    double point[2], way[2], passed[2] = {passing, passing}, sum = 0;
+    double point[2], passed[2] = {passing, passing}, sum = 0;
     int k[2];
     const bool against = near->ran < 0;
     if (near->least > intent->on * fine || fabs(near->ran) < ran_least * fine) return;
     for (int end = 0; end < 2; end++) {
-        outwards(&near->line, end, point, way);
+        tip_of(&near->line, end, point);
         k[end ^ against] = bat_intent_nearest(intent, point, 0, &passed[end]);
         if (passed[end] >= passing) return;
     }
@@ -203,7 +225,8 @@ static void offer_through(bat_intent *intent, bat_intent_list *list, int index) 
                                             .sense = against ? -1 : 1,
                                             .free = {true, true}}},
                                   .onto = {-1, -1},
-                                  .cost = sum + rest + 2 * fmax(0, passed[0] - half) +
+                                  .cost = sum + more_than(rest, bat_polyline_length(&near->line)) +
+                                          winds(intent) + 2 * fmax(0, passed[0] - half) +
                                           2 * fmax(0, passed[1] - half)};
     bat_intent_offer(list, &reading);
 }
@@ -231,7 +254,8 @@ static void offer_bridge(bat_intent *intent, bat_intent_list *list, const end_he
                                   .count = close ? 1 : 2,
                                   .onto = {-1, -1},
                                   .cost = h->cost + across * gap + (2 - across) * fmax(0, gap - length) +
-                                          t->cost + (close ? 0 : turns * (h->turn + t->turn))};
+                                          t->cost + winds(intent) +
+                                          (close ? 0 : turns * (h->turn + t->turn))};
     const int lines[2] = {from->line, to->line};
     for (int i = 0; i < 2; i++)
         reading.part[i] = (bat_intent_part){.line = lines[i],
@@ -251,7 +275,7 @@ void bat_intent_ends(bat_intent *intent, bat_intent_list *list) {
         for (int end = 0; end < 2; end++) {
             const double passing = INTENT_PASSING * bat_intent_fine(intent, near);
             double point[2], distance = passing;
-            bat_polyline_at(&near->line, end ? bat_polyline_length(&near->line) : 0, point);
+            tip_of(&near->line, end, point);
             bat_intent_nearest(intent, point, 0, &distance);
             open[end] = distance < passing && bat_intent_open(intent, i, end);
             if (!open[end] || count == ENDS_MOST) continue;

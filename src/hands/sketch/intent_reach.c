@@ -116,6 +116,20 @@ static bool comes_away(const bat_intent *intent, const bat_intent_near *near, do
     return fmax(least[0], least[1]) > within;
 }
 
+/* Whether the stroke keeps its distance from the line, as the second of double lines does; a careless one comes and goes. */
+static bool even(const bat_intent *intent, const bat_intent_near *near) {
+    const bat_foot *foot = near->track[near->best].foot;
+    double most = 0;
+    for (int i = 0; i < intent->places; i++) most = fmax(most, foot[i].d);
+    return intent->whole && !near->line.closed && most < 2 * near->least;
+}
+
+/* Whether the stroke goes all round: beside a line that it does not touch it is one inside another. */
+static bool goes_round(const bat_intent *intent) {
+    double all;
+    return intent->whole && bat_intent_winding(intent, &all) >= 230;
+}
+
 static double total(const bat_intent *intent, const bat_intent_near *near, double reach) {
     const bat_foot *foot = near->track[near->best].foot;
     const double sense = near->ran < 0 ? -1 : 1;
@@ -135,15 +149,17 @@ void bat_intent_evidence(bat_intent *intent, int index) {
     }
     double reach = bat_intent_reach(intent, near, near->ran);
     near->sum = total(intent, near, reach);
-    const double touching = fmax(fmin(intent->on, touches * fmin(intent->size, bat_intent_size(near))),
-                                 0.5 * bat_intent_astray(intent, near));
+    const double on = fmin(INTENT_ON, touches * fmin(intent->size, bat_intent_size(near))),
+                 touching = fmax(on, 0.5 * bat_intent_astray(intent, near));
     /* A stroke beside it all the way, or that does not come back to it, is rather a further line. What is too far in
      * any case need not be looked at. */
     if (near->sum < 1.2 * intent->length + 40) {
         const bool long_as = share(intent, near) > as_long, beside = near->least > touching;
         if (beside && !intent->chosen) reach = fmin(reach, INTENT_SPACING * spacing(intent, index));
-        if (!intent->chosen && (beside ? long_as : comes_away(intent, near, touching, long_as)))
+        if (!intent->chosen &&
+            (beside ? long_as || goes_round(intent) : comes_away(intent, near, touching, long_as)))
             reach = fmin(reach, touching);
+        if (!intent->chosen && long_as && near->least > on && even(intent, near)) reach = fmin(reach, on);
         near->sum = total(intent, near, reach);
     }
     near->reach = reach;

@@ -31,7 +31,7 @@ static bat_curve *line(double x0, double y0, double x1, double y1) {
 typedef struct scene {
     int lines;
     double ends[4][4];
-    double stroke[3][2]; /* a polygon */
+    double stroke[8][2]; /* a polygon */
     int corners;
 } scene;
 
@@ -102,6 +102,13 @@ static const struct {
     {{1, {{0, 0, 400, 0}}, {{30, 0}, {200, 90}, {370, 0}}, 3}, BAT_INTENT_NEW}, /* a flap; humps are round */
     {{1, {{0, 0, 400, 0}}, {{330, 12}, {520, 12}}, 2}, BAT_INTENT_NEW}, /* passes the end and never touches */
     {{1, {{0, 0, 400, 0}}, {{330, 3}, {520, 3}}, 2}, BAT_INTENT_EXTEND},
+    {{1, {{0, 0, 700, 0}}, {{10, 13}, {690, 13}}, 2}, BAT_INTENT_NEW},   /* a long double line */
+    {{1, {{0, 0, 700, 0}}, {{10, 2}, {690, 13}}, 2}, BAT_INTENT_REDRAW}, /* a careless one comes to it */
+    {{1,
+      {{0, 0, 400, 0}},
+      {{-30, 2}, {430, 2}, {430, -300}, {-30, -300}, {-30, -4}, {430, -4}, {430, -290}, {-20, -290}},
+      8},
+     BAT_INTENT_NEW}, /* off both its ends, but winding round and round */
 };
 
 static void known_relations(void **state) {
@@ -169,7 +176,7 @@ static void small_things_are_alike(void **state) {
             scene s = small[i];
             bat_intent_reading best;
             for (int k = 0; k < 16; k++) s.ends[k / 4][k % 4] *= share;
-            for (int k = 0; k < 6; k++) s.stroke[k / 2][k % 2] *= share;
+            for (int k = 0; k < 16; k++) s.stroke[k / 2][k % 2] *= share;
             assert_int_equal(read_at(&s, UPRIGHT, 1, &best), BAT_OK);
             if (best.kind != first.kind)
                 fail_msg("case %d at %g: kind %d, not %d", (int)i, share, (int)best.kind, (int)first.kind);
