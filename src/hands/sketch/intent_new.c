@@ -4,10 +4,12 @@
 
 #include <math.h>
 
+static const double gap_most = 0.1; /* of the stroke: so near its ends close it */
+
 static bool closes(const bat_intent *intent) {
     const double *first = intent->stroke.x, *last = first + 2 * (size_t)(intent->stroke.count - 1);
-    const double gap = bat_hypot(first[0] - last[0], first[1] - last[1]), L = intent->length;
-    if (!(L > 12) || gap > fmax(4, 0.1 * L)) return false;
+    const double gap = bat_hypot(first[0] - last[0], first[1] - last[1]);
+    if (gap > gap_most * bat_polyline_length(&intent->stroke)) return false;
     double all;
     const double degrees = bat_intent_winding(intent, &all);
     return degrees >= 230 && degrees <= 470;

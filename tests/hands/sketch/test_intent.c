@@ -200,6 +200,27 @@ static void large_things_are_alike(void **state) {
     }
 }
 
+/* An o closes and a c stays open, however small they are written. */
+static void letters_close_alike(void **state) {
+    (void)state;
+    for (double radius = 3; radius < 400; radius *= 1.2)
+        for (int degrees = 310; degrees <= 350; degrees += 40) {
+            double points[2 * SAMPLES];
+            bat_intent *intent = NULL;
+            bat_intent_reading all[BAT_INTENT_READINGS];
+            int count = 0;
+            for (int i = 0; i < SAMPLES; i++) {
+                const double a = degrees * BAT_PI / 180 * i / (SAMPLES - 1);
+                points[2 * i] = radius * bat_cos(a), points[2 * i + 1] = radius * bat_sin(a);
+            }
+            assert_int_equal(bat_intent_create(false, false, &intent), BAT_OK);
+            assert_int_equal(bat_intent_add(intent, SAMPLES, points), BAT_OK);
+            assert_int_equal(bat_intent_rank(intent, true, all, &count), BAT_OK);
+            if (all[0].closed != (degrees > 330)) fail_msg("%d degrees, radius %g", degrees, radius);
+            bat_intent_free(intent);
+        }
+}
+
 /* A curve of no length that a stroke passes over is no part of any reading. */
 static void dots_mean_nothing(void **state) {
     (void)state;
@@ -371,6 +392,7 @@ int main(void) {
         cmocka_unit_test(bold_redraws),
         cmocka_unit_test(small_things_are_alike),
         cmocka_unit_test(large_things_are_alike),
+        cmocka_unit_test(letters_close_alike),
         cmocka_unit_test(asked_any_time),
         cmocka_unit_test(moved_turned_mirrored),
         cmocka_unit_test(parts_of_several),
