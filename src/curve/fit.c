@@ -6,15 +6,16 @@
  * then knots go out again, a third at a time, cheapest first, those that turn out to be needed put back where
  * the curve fails; then neighbouring pairs are merged. After each accepted solve, parameters follow the
  * points' projections; only then, because correction far from the curve diverges. A step that fails leaves
- * the accepted state as it was, so the result is within tolerance from the first time it is.
+ * the accepted state as it was, so the result is within tolerance from the first time it is. When knots no longer help
+ * before it is, all begins anew, more patiently, and at last with as many unknowns as samples (grow_still).
  */
 #include <batten/fit.h>
 
 #include "curve/banded.h"
 #include "curve/fit.h"
+#include "curve/fitting.h"
 #include "curve/hidden.h"
 #include "base/options.h"
-#include "curve/lsq.h"
 #include "curve/pieces.h"
 #include "base/real.h"
 
@@ -22,377 +23,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Distinct knots of the domain, both ends included; closed: the last is the first, one period on. */
-typedef struct mesh {
-    int count;
-    double *at;
-    bool *corner; /* multiplicity degree instead of 1 */
-    bool *kept;   /* known to be needed */
-    bool *firm;   /* was needed when knots last went, and nothing near has changed since */
-} mesh;
-
-/* What a round of removal does with a knot of the accepted mesh. */
-enum plan { KEEP, DROP, MERGE /* with the next one, into their middle */ };
-
-typedef struct fitting {
-    const bat_fit_options *options;
-    int degree, dimension;
-    bool closed;
-    size_t count;
-    double *x, *u, *weight;          /* points, their parameters, half the chords beside them */
-    double *near, *distance, *spare; /* of the trial: parameters of the projections, squared distances */
-    mesh accepted, trial;
-    int room; /* distinct knots at most */
-    bat_curve space;
-    double *knots, *a, *b, *border, *local, *rank, *points; /* points: of the accepted state */
-    void *pieces;                                           /* room to look for them */
-    size_t *first;                                          /* samples of the trial's slots */
-    bat_lsq_memo memo[2];                                   /* of the last solve, and of the one before */
-    bool moved;                                             /* parameters are not those of the last solve */
-    int *order, *failing, *samples, *place;
-    enum plan *plan;
-    double tolerance, worst; /* worst: greatest distance in the accepted state */
-    double mu;
-    int solves, budget;
-    bool plain;            /* pieces are not looked for */
-    const double *ends[2]; /* the first and the last point as they were given */
-    bool fits;             /* the accepted state is within tolerance */
-} fitting;
-
-/* ---- One solve ---- */
-
-static void copy_mesh(mesh *to, const mesh *from) {
-    to->count = from->count;
-    memcpy(to->at, from->at, (size_t)from->count * sizeof *to->at);
-    memcpy(to->corner, from->corner, (size_t)from->count * sizeof *to->corner);
-    memcpy(to->kept, from->kept, (size_t)from->count * sizeof *to->kept);
-    memcpy(to->firm, from->firm, (size_t)from->count * sizeof *to->firm);
-}
-
-/* The unrolled knots of a mesh, as struct bat_curve wants them. */
-static void set_space(fitting *f, const mesh *m) {
-    const int p = f->degree;
-    double *t = f->knots;
-    bat_curve *s = &f->space;
-    int n = 0;
-    if (!f->closed) {
-        for (int i = 0; i <= p; i++) t[n++] = m->at[0];
-        for (int k = 1; k + 1 < m->count; k++)
-            for (int i = 0; i < (m->corner[k] ? p : 1); i++) t[n++] = m->at[k];
-        for (int i = 0; i <= p; i++) t[n++] = m->at[m->count - 1];
-        s->count = s->spread = n - p - 1;
-    } else {
-        t += p;
-        for (int k = 0; k + 1 < m->count; k++)
-            for (int i = 0; i < (m->corner[k] ? p : 1); i++) t[n++] = m->at[k];
-        t[n] = m->at[m->count - 1];
-        for (int j = -1; j >= -p; j--) t[j] = t[0] + (t[j + n] - t[n]);
-        for (int j = n + 1; j <= n + p; j++) t[j] = t[n] + (t[j - n] - t[0]);
-        s->count = n, s->spread = n + p;
-    }
-    s->degree = p, s->dimension = f->dimension, s->closed = f->closed, s->knots = f->knots, s->points = NULL;
-}
-
-/* Slot that begins at the k-th distinct knot. */
-static int slot_of(const fitting *f, const mesh *m, int k) {
-    int slot = 0;
-    for (int i = f->closed ? 0 : 1; i <= k; i++) slot += m->corner[i] ? f->degree : 1;
-    return f->closed ? slot - 1 : slot;
-}
-
-/* A ridge for knots that the points do not determine: on derivatives of orders one and two, so small that it
- * decides only what nothing else does. */
-static void add_ridge(fitting *f, double strength) {
-    const double length = f->knots[f->space.spread] - f->knots[f->degree];
-    bat_lsq_penalty(&f->space, 1, strength * length * length, NULL, f->a);
-    if (f->degree > 1)
-        bat_lsq_penalty(&f->space, 2, strength * length * length * length * length, NULL, f->a);
-}
-
-/* Solves on f->trial; f->b then holds control points, f->local the local polynomials. */
-static bat_status solve(fitting *f) {
-    const int p = f->degree, m = f->dimension, order = p < 3 ? p : 3;
-    set_space(f, &f->trial);
-    bat_lsq_ranges(&f->space, f->count, f->u, f->first);
-    const int n = f->space.count;
-    const bat_lsq_memo last = f->memo[1];
-    f->memo[1] = f->memo[0], f->memo[0] = last;
-    bat_lsq_memo_fill(&f->space, m, f->first, f->u, f->x, f->weight, &f->memo[1], !f->moved, &f->memo[0]);
-    f->moved = false;
-    for (double ridge = 0; ridge <= 1e-4; ridge = ridge > 0 ? ridge * 1e3 : 1e-13) {
-        memset(f->a, 0, (size_t)n * (size_t)(p + 1) * sizeof(double));
-        memset(f->b, 0, (size_t)n * (size_t)m * sizeof(double));
-        bat_lsq_memo_add(&f->space, m, &f->memo[0], f->a, f->b);
-        if (f->mu > 0) bat_lsq_memo_penalty(&f->space, order, f->mu, NULL, &f->memo[0], f->a);
-        if (ridge > 0) add_ridge(f, ridge);
-        f->solves++;
-        if (f->closed ? bat_cyclic_factor(f->a, n, p, f->border) == BAT_OK
-                      : bat_banded_factor(f->a, n, p) == BAT_OK) {
-            if (f->closed)
-                bat_cyclic_solve(f->a, n, p, f->border, f->b, m);
-            else
-                bat_banded_solve(f->a, n, p, f->b, m);
-            bat_lsq_memo_local(&f->space, m, &f->memo[0], f->b, f->local);
-            return BAT_OK;
-        }
-    }
-    return BAT_SINGULAR;
-}
-
-/* A corner's own point is measured at the corner itself: a spike may not overshoot. */
-static double corner_error(fitting *f, double worst) {
-    const mesh *m = &f->trial;
-    const size_t size = (size_t)((f->degree + 1) * f->dimension);
-    size_t i = 0;
-    for (int k = 0, slot = f->closed ? -1 : 0; k + 1 < m->count; k++) {
-        if (k > 0 || f->closed) slot += m->corner[k] ? f->degree : 1;
-        if (!m->corner[k]) continue;
-        while (i < f->count && f->u[i] < m->at[k]) i++;
-        if (i == f->count || f->u[i] > m->at[k]) continue;
-        double d = 0;
-        for (int c = 0; c < f->dimension; c++) {
-            double value = 0;
-            for (int j = f->degree; j >= 0; j--)
-                value = f->local[(size_t)slot * size + (size_t)(j * f->dimension + c)] -
-                        value; /* at s = -1 */
-            value -= f->x[i * (size_t)f->dimension + (size_t)c];
-            d += value * value;
-        }
-        f->distance[i] = d;
-        if (!(d <= worst)) worst = d;
-    }
-    return worst;
-}
-
-/* Solves and measures; the greatest distance. INFINITY when there is no solution. */
-static double attempt(fitting *f) {
-    if (solve(f) != BAT_OK) return INFINITY;
-    double d = bat_lsq_measure(&f->space, f->dimension, f->local, f->first, f->u, f->x,
-                               f->tolerance * f->tolerance, f->near, f->distance, f->spare);
-    d = corner_error(f, d);
-    return isfinite(d) ? sqrt(d) : INFINITY;
-}
-
-/* The trial becomes the accepted state; parameters follow when the curve is near enough. */
-static void accept(fitting *f, double worst) {
-    copy_mesh(&f->accepted, &f->trial);
-    memcpy(f->points, f->b, (size_t)f->space.count * (size_t)f->dimension * sizeof(double));
-    f->worst = worst;
-    f->fits = worst <= f->tolerance;
-    bat_lsq_rank(&f->space, f->dimension, f->local, f->rank);
-    if (!(worst <= 4 * f->tolerance)) return;
-    /* At most half way to its neighbours, so that the order stays; ends and corners stay where they are. */
-    const mesh *m = &f->accepted;
-    const size_t n = f->count;
-    const double period = m->at[m->count - 1] - m->at[0];
-    int k = 0;
-    for (size_t i = 0; i < n; i++) {
-        while (k + 1 < m->count && f->u[i] >= m->at[k + 1]) k++;
-        double v = f->near[i];
-        if (i == 0 || (i + 1 == n && !f->closed) || (m->corner[k] && f->u[i] == m->at[k]) ||
-            fabs(v - f->u[i]) > 0.5 * period)
-            v = f->u[i];
-        const double low = i > 0 ? 0.5 * (f->u[i - 1] + f->u[i]) : v;
-        const double high = i + 1 < n ? 0.5 * (f->u[i] + f->u[i + 1]) : 0.5 * (f->u[i] + m->at[m->count - 1]);
-        f->spare[i] = v < low ? low : v > high ? high : v;
-    }
-    memcpy(f->u, f->spare, n * sizeof *f->u);
-    f->moved = true;
-}
-
-/* ---- Knots in ---- */
-
-static void insert_at(mesh *m, int k, double value) { /* becomes the k-th */
-    memmove(m->at + k + 1, m->at + k, (size_t)(m->count - k) * sizeof *m->at);
-    memmove(m->corner + k + 1, m->corner + k, (size_t)(m->count - k) * sizeof *m->corner);
-    memmove(m->kept + k + 1, m->kept + k, (size_t)(m->count - k) * sizeof *m->kept);
-    memmove(m->firm + k + 1, m->firm + k, (size_t)(m->count - k) * sizeof *m->firm);
-    m->at[k] = value, m->corner[k] = m->kept[k] = m->firm[k] = false, m->count++;
-}
-
-/* Counts the samples of each span of the trial, and those that fail. */
-static void find_failing(fitting *f) {
-    const mesh *m = &f->trial;
-    const double limit = f->tolerance * f->tolerance;
-    for (int k = 0, slot = f->closed ? -1 : 0; k + 1 < m->count; k++) {
-        if (k > 0 || f->closed) slot += m->corner[k] ? f->degree : 1;
-        const size_t from = f->first[slot], to = f->first[slot + 1];
-        int failing = 0;
-        for (size_t i = from; i < to; i++) failing += !(f->distance[i] <= limit);
-        f->failing[k] = failing, f->samples[k] = (int)(to - from);
-    }
-}
-
-/* Halves every failing span that has enough samples for it; false when there is none. */
-static bool split_failing(fitting *f) {
-    mesh *m = &f->trial;
-    find_failing(f);
-    const double length = m->at[m->count - 1] - m->at[0];
-    bool any = false;
-    for (int k = m->count - 2; k >= 0; k--) {
-        const double middle = 0.5 * (m->at[k] + m->at[k + 1]);
-        if (!f->failing[k] || f->samples[k] < 2 || m->count >= f->room ||
-            m->at[k + 1] - m->at[k] < 1e-10 * length)
-            continue;
-        insert_at(m, k + 1, middle);
-        any = true;
-    }
-    return any;
-}
-
-static void grow(fitting *f) {
-    double best = INFINITY;
-    while (f->solves < f->budget) {
-        const double worst = attempt(f);
-        if (worst < best || worst <= f->tolerance) best = worst, accept(f, worst);
-        if (worst <= f->tolerance) return;
-        if (!isfinite(worst)) return;
-        const bool finer = split_failing(f);
-        /* Where knots alone no longer help, the penalty gives way (math 5.7). */
-        const double wave = f->options->smoothing, length = f->trial.at[f->trial.count - 1] - f->trial.at[0];
-        if (f->mu > 0 && (!finer || length / f->trial.count < 0.25 * wave))
-            f->mu = f->mu > 1e-12 * length ? f->mu / 64 : 0;
-        else if (!finer)
-            return;
-    }
-}
-
-/* ---- Knots out ---- */
-
-/* Shell sort of indices by key, ties by index: the same everywhere. */
-static void sort_by(int *order, int count, const double *key) {
-    for (int gap = count / 2; gap > 0; gap = gap == 2 ? 1 : gap * 5 / 11)
-        for (int i = gap; i < count; i++) {
-            const int item = order[i];
-            int j = i;
-            for (; j >= gap && (key[order[j - gap]] > key[item] ||
-                                (key[order[j - gap]] == key[item] && order[j - gap] > item));
-                 j -= gap)
-                order[j] = order[j - gap];
-            order[j] = item;
-        }
-}
-
-/* The trial mesh that the plan makes of the accepted one; place[k]: the trial span in which a knot that
- * goes lay. */
-static void carry_out(fitting *f) {
-    const mesh *from = &f->accepted;
-    mesh *to = &f->trial;
-    int n = 0;
-    for (int k = 0; k < from->count; k++) {
-        f->place[k] = n - 1;
-        if (f->plan[k] == DROP) continue;
-        to->at[n] = from->at[k], to->corner[n] = from->corner[k], to->kept[n] = from->kept[k];
-        to->firm[n] = from->firm[k];
-        for (int d = -2; d <= 3 && to->firm[n]; d++)
-            if (k + d >= 0 && k + d < from->count && f->plan[k + d] == MERGE) to->firm[n] = false;
-        if (f->plan[k] == MERGE) to->at[n] = 0.5 * (from->at[k] + from->at[k + 1]), k++, f->place[k] = n - 1;
-        n++;
-    }
-    to->count = n;
-}
-
-/* Takes back what was planned near failing spans, and marks it as needed. Returns how much was taken back. */
-static int take_back(fitting *f, int reach) {
-    const int spans = f->trial.count - 1;
-    int count = 0;
-    for (int k = 0; k < f->accepted.count; k++) {
-        if (f->plan[k] == KEEP) continue;
-        bool near = false;
-        for (int d = -reach; d <= reach + (f->plan[k] == MERGE); d++) {
-            int span = f->place[k] + d;
-            if (f->closed) span = (span % spans + spans) % spans;
-            if (span >= 0 && span < spans && f->failing[span]) near = true;
-        }
-        if (near) f->plan[k] = KEEP, f->accepted.kept[k] = true, count++;
-    }
-    return count;
-}
-
-static bool planned(const fitting *f) {
-    for (int k = 0; k < f->accepted.count; k++)
-        if (f->plan[k] != KEEP) return true;
-    return false;
-}
-
-/* Carries the plan out as far as the tolerance lets it; what cannot be is marked as needed. */
-static void carry_through(fitting *f) {
-    for (int round = 0; planned(f) && f->solves < f->budget; round++) {
-        carry_out(f);
-        const double worst = attempt(f);
-        if (worst <= f->tolerance) {
-            accept(f, worst);
-            return;
-        }
-        int back = 0;
-        if (isfinite(worst) && round < 4) {
-            find_failing(f);
-            for (int reach = round > 1 ? 2 : 1; back == 0 && reach < 8; reach *= 2)
-                back = take_back(f, reach);
-        }
-        if (back == 0) { /* no cause found: all of it */
-            for (int k = 0; k < f->accepted.count; k++)
-                if (f->plan[k] != KEEP) f->accepted.kept[k] = true, f->plan[k] = KEEP;
-            return;
-        }
-    }
-}
-
-/* A plan for at most the share `part` of the knots that may go, cheapest first, never two neighbours. False:
- * nothing left. */
-static bool make_plan(fitting *f, enum plan what, double part) {
-    const mesh *m = &f->accepted;
-    const int last = m->count - 1, least = f->closed ? 4 : 2; /* a closed curve keeps a few knots */
-    int candidates = 0;
-    double *cost = f->spare; /* room for every knot: see bat_fit */
-    for (int k = 0; k < m->count; k++) f->plan[k] = KEEP;
-    for (int k = 1, slot = slot_of(f, m, 0); k < last; k++) {
-        slot += m->corner[k] ? f->degree : 1;
-        cost[k] = f->rank[slot];
-    }
-    for (int k = 1; k < last; k++) {
-        if (m->corner[k] || m->kept[k]) continue;
-        if (what == MERGE) {
-            if (k + 1 >= last || m->corner[k + 1]) continue;
-            const double h = m->at[k + 1] - m->at[k];
-            /* near and weak ones first */
-            f->distance[k] = (cost[k] + cost[k + 1]) * h;
-        } else {
-            f->distance[k] = cost[k];
-        }
-        f->order[candidates++] = k;
-    }
-    if (candidates == 0) return false;
-    sort_by(f->order, candidates, f->distance);
-    int most = (int)(part * candidates);
-    if (most < 3) most = 3;
-    if (most > m->count - least) most = m->count - least;
-    const int reach = what == MERGE ? 2 : 1;
-    bool any = false;
-    for (int i = 0; i < candidates && most > 0; i++) {
-        const int k = f->order[i];
-        bool free = true;
-        for (int d = -reach; d <= reach; d++)
-            if (k + d >= 0 && k + d < m->count && f->plan[k + d] != KEEP) free = false;
-        if (!free) continue;
-        f->plan[k] = what, any = true, most--;
-    }
-    return any;
-}
-
-static void thin(fitting *f) {
-    mesh *m = &f->accepted;
-    while (f->solves < f->budget && make_plan(f, DROP, 0.5)) carry_through(f);
-    memcpy(m->firm, m->kept, (size_t)m->count * sizeof *m->firm);
-    for (int k = 0; k < m->count; k++) m->kept[k] = false;
-    while (f->solves < f->budget && make_plan(f, MERGE, 0.7)) carry_through(f);
-    /* Once more where merging has changed something. */
-    memcpy(m->kept, m->firm, (size_t)m->count * sizeof *m->kept);
-    while (f->solves < f->budget && make_plan(f, DROP, 0.5)) carry_through(f);
-}
-
-/* ---- The whole ---- */
 
 static const double held = 1e8; /* factor on the weight of an end that has to be met */
 
@@ -422,7 +52,7 @@ static bat_status check(int dimension, size_t count, const double *points, const
     return BAT_OK;
 }
 
-static void set_weights(fitting *f, double closing) {
+static void set_weights(bat_fitting *f, double closing) {
     const size_t n = f->count;
     for (size_t i = 0; i < n; i++) {
         const double before = i > 0 ? f->u[i] - f->u[i - 1] : closing;
@@ -434,7 +64,7 @@ static void set_weights(fitting *f, double closing) {
 
 /* Takes the points over, without repeats; closed with corners: from the first corner on. Sets u, weight and
  * the first mesh. */
-static bat_status take_points(fitting *f, size_t count, const double *points, const double *origin) {
+static bat_status take_points(bat_fitting *f, size_t count, const double *points, const double *origin) {
     const bat_fit_options *o = f->options;
     const int m = f->dimension;
     const size_t first = f->closed && o->corner_count > 0 ? (size_t)o->corners[0] : 0;
@@ -470,7 +100,7 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
     const double end = length + closing;
     set_weights(f, closing);
     /* Few spans at first; more come where needed, and go again. */
-    mesh *t = &f->trial;
+    bat_fit_mesh *t = &f->trial;
     t->count = 0;
     const double stride = end / (double)(1 + n / 40);
     const bool seam = f->closed && corners > 0; /* then the first corner is the seam */
@@ -491,19 +121,23 @@ static bat_status take_points(fitting *f, size_t count, const double *points, co
     return BAT_OK;
 }
 
-static bat_status hand_over(fitting *f, const double *origin, bat_curve **out, bat_fit_report *report) {
+static bat_status hand_over(bat_fitting *f, const double *origin, bat_curve **out, bat_fit_report *report) {
     const int m = f->dimension;
-    set_space(f, &f->accepted);
+    bat_fitting_space(f, &f->accepted);
     const int n = f->space.count;
     const bool held_ends = f->options->hold_ends && !f->closed;
-    if (held_ends) { /* all but the last digits are there already */
-        memcpy(f->points, f->x, (size_t)m * sizeof *f->points);
-        memcpy(f->points + (n - 1) * m, f->x + (f->count - 1) * (size_t)m, (size_t)m * sizeof *f->points);
+    double moved = 0;
+    for (int end = 0; end < 2 && held_ends; end++) { /* all but the last digits are there already */
+        double *to = f->points + (end ? (n - 1) * m : 0);
+        const double *from = f->x + (end ? (f->count - 1) * (size_t)m : 0);
+        moved = fmax(moved, bat_distance(to, from, m));
+        memcpy(to, from, (size_t)m * sizeof *to);
     }
     /* The rounds only asked whether samples are within tolerance; now find how near they truly are. */
     bat_lsq_local(&f->space, m, f->points, f->local);
     const double worst = sqrt(bat_lsq_error(&f->space, m, f->local, f->count, f->u, f->x, 3, NULL, NULL));
-    if (held_ends) f->worst = worst, f->fits = f->fits && worst <= f->tolerance;
+    /* No point of the curve has moved further than its ends, and what was found may be the better projection. */
+    if (held_ends) f->worst = fmin(f->worst + moved, worst), f->fits = f->fits && f->worst <= f->tolerance;
     for (int i = 0; i < n; i++)
         for (int c = 0; c < m; c++) f->points[i * m + c] += origin[c];
     for (int c = 0; c < m && held_ends; c++) { /* the difference to the origin may have been rounded */
@@ -530,7 +164,7 @@ static void *part(char *base, size_t *used, size_t count, size_t size) {
     return at;
 }
 
-static size_t lay_out(fitting *f, char *base, size_t count) {
+static size_t lay_out(bat_fitting *f, char *base, size_t count) {
     size_t used = 0;
     const size_t p = (size_t)f->degree, m = (size_t)f->dimension, room = (size_t)f->room;
     const size_t unknowns = room + f->options->corner_count * p + 2 * p + 2,
@@ -542,7 +176,7 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     f->distance = part(base, &used, wide, sizeof(double));
     f->pieces = part(base, &used, 1, bat_hidden_pieces_work(count));
     f->spare = part(base, &used, wide, sizeof(double));
-    mesh *meshes[2] = {&f->accepted, &f->trial};
+    bat_fit_mesh *meshes[2] = {&f->accepted, &f->trial};
     for (int i = 0; i < 2; i++) {
         meshes[i]->at = part(base, &used, room, sizeof(double));
         meshes[i]->corner = part(base, &used, room, sizeof(bool));
@@ -556,7 +190,9 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     f->border = part(base, &used, f->closed ? unknowns * p + BAT_CYCLIC_DENSE : 0, sizeof(double));
     f->local = part(base, &used, (unknowns + p) * (p + 1) * m, sizeof(double));
     f->rank = part(base, &used, unknowns + p + 1, sizeof(double));
+    f->soft = part(base, &used, unknowns + p + 1, sizeof(double));
     f->first = part(base, &used, unknowns + p + 1, sizeof(size_t));
+    f->from = part(base, &used, room, sizeof(size_t));
     for (int i = 0; i < 2; i++) {
         double *block = part(base, &used, bat_lsq_memo_size(f->degree, f->dimension, unknowns),
                              sizeof(double));
@@ -566,7 +202,7 @@ static size_t lay_out(fitting *f, char *base, size_t count) {
     f->failing = part(base, &used, room, sizeof(int));
     f->samples = part(base, &used, room, sizeof(int));
     f->place = part(base, &used, room, sizeof(int));
-    f->plan = part(base, &used, room, sizeof(enum plan));
+    f->plan = part(base, &used, room, sizeof(enum bat_fit_plan));
     return used;
 }
 
@@ -585,7 +221,7 @@ static void turn_round(double *x, size_t m, size_t n, size_t first) {
 }
 
 /* Even parameters for a closed curve whose domain begins at this knot, `at` samples from the first point. */
-static void begin_at(fitting *f, double at, double step) {
+static void begin_at(bat_fitting *f, double at, double step) {
     const size_t n = f->count, m = (size_t)f->dimension, first = (size_t)ceil(at);
     turn_round(f->x, m, n, first % n);
     for (size_t i = 0; i < n; i++) f->u[i] = ((double)i + ((double)first - at)) * step;
@@ -593,7 +229,7 @@ static void begin_at(fitting *f, double at, double step) {
 
 /* Solves with these knots, in units of samples, and even parameters; false: that is not what the points are. Closed: the
  * points are turned round. */
-static bool try_hidden(fitting *f, const double *knots, size_t found) {
+static bool try_hidden(bat_fitting *f, const double *knots, size_t found) {
     const double close = 0.05; /* of the tolerance */
     const size_t n = f->count;
     if ((f->closed && found < 4) || found + 2 > (size_t)f->room) return false;
@@ -602,7 +238,7 @@ static bool try_hidden(fitting *f, const double *knots, size_t found) {
         begin_at(f, start, step);
     else
         for (size_t i = 0; i < n; i++) f->u[i] = (double)i * step;
-    mesh *t = &f->trial;
+    bat_fit_mesh *t = &f->trial;
     const int inner = (int)found - f->closed;
     t->count = inner + 2;
     for (int k = 0; k < t->count; k++) {
@@ -610,14 +246,14 @@ static bool try_hidden(fitting *f, const double *knots, size_t found) {
         t->corner[k] = t->firm[k] = false, t->kept[k] = k + 1 == t->count;
     }
     t->at[inner + 1] = f->closed ? (double)n * step : f->u[n - 1];
-    const double worst = attempt(f);
+    const double worst = bat_fitting_attempt(f);
     if (!(worst <= close * f->tolerance)) return false;
-    accept(f, worst);
+    bat_fitting_accept(f, worst);
     return true;
 }
 
 /* Points sampled from a spline at even parameters show its knots. These are tried first, for no search finds them. */
-static bool start_hidden(fitting *f, size_t count, const double *points, const double *origin) {
+static bool start_hidden(bat_fitting *f, size_t count, const double *points, const double *origin) {
     const double noise = 1e-3; /* of the tolerance */
     const bat_fit_options *o = f->options;
     if (f->degree < 2 || o->corner_count > 0 || o->smoothing > 0) return false;
@@ -631,7 +267,7 @@ static bool start_hidden(fitting *f, size_t count, const double *points, const d
 }
 
 /* Points of a spline at parameters that nobody knows: its pieces give them, and the knots. */
-static bool start_pieces(fitting *f) {
+static bool start_pieces(bat_fitting *f) {
     const double noise = 1e-5; /* of the tolerance */
     const bat_fit_options *o = f->options;
     const size_t n = f->count, m = (size_t)f->dimension;
@@ -642,7 +278,7 @@ static bool start_pieces(fitting *f) {
         return false;
     turn_round(f->x, m, n, p.first);
     memcpy(f->u, p.u, n * sizeof *f->u);
-    mesh *t = &f->trial;
+    bat_fit_mesh *t = &f->trial;
     const int inner = (int)p.found - f->closed;
     t->count = inner + 2;
     for (int k = 0; k < t->count; k++) {
@@ -653,7 +289,17 @@ static bool start_pieces(fitting *f) {
     return true;
 }
 
-static bat_status fit_points(fitting *f, size_t count, const double *points, bat_curve **out,
+/* Once more, with parameters that stay as they are: samples whose projections crowd cannot be told apart by knots, and spans
+ * with too few of them cannot be halved. What was found is lost, but it does not fit. */
+static void grow_still(bat_fitting *f, bool filled, size_t count, const double *points,
+                       const double *origin) {
+    if (f->options->solves_max > 0 || take_points(f, count, points, origin) != BAT_OK) return;
+    f->mu = 0, f->worst = INFINITY, f->moved = true, f->still = true, f->budget += f->solves;
+    if (filled) bat_fitting_fill(f);
+    bat_fitting_grow(f);
+}
+
+static bat_status fit_points(bat_fitting *f, size_t count, const double *points, bat_curve **out,
                              bat_fit_report *report) {
     double origin[BAT_DIMENSION_MAX];
     memcpy(origin, points, (size_t)f->dimension * sizeof *origin);
@@ -661,12 +307,12 @@ static bat_status fit_points(fitting *f, size_t count, const double *points, bat
     bat_fit_report reports[2];
     bat_status status = take_points(f, count, points, origin);
     if (status == BAT_OK && start_hidden(f, count, points, origin)) {
-        thin(f);
+        bat_fitting_thin(f);
         status = hand_over(f, origin, &first, &reports[0]);
     } else if (status == BAT_OK && start_pieces(f)) {
         f->mu = 0, f->worst = INFINITY, f->fits = false, f->moved = true;
-        grow(f);
-        if (f->fits) thin(f);
+        bat_fitting_grow(f);
+        if (f->fits) bat_fitting_thin(f);
         if (f->fits) status = hand_over(f, origin, &first, &reports[0]);
     }
     if (status == BAT_OK) status = take_points(f, count, points, origin);
@@ -679,8 +325,9 @@ static bat_status fit_points(fitting *f, size_t count, const double *points, bat
     f->mu = 1; /* chord length is the parameter, so the speed is one */
     for (int i = 0; i < 2 * order; i++) f->mu *= wave;
     f->worst = INFINITY, f->fits = false, f->moved = true, f->budget += f->solves;
-    grow(f);
-    if (f->fits) thin(f);
+    bat_fitting_grow(f);
+    for (int filled = 0; filled < 2 && !f->fits; filled++) grow_still(f, filled, count, points, origin);
+    if (f->fits) bat_fitting_thin(f);
     bat_curve *second = NULL;
     status = isfinite(f->worst) ? hand_over(f, origin, &second, &reports[1]) : BAT_SINGULAR;
     const bool better = first && (status != BAT_OK || bat_curve_count(first) <= bat_curve_count(second));
@@ -703,12 +350,12 @@ static bat_status fit_any(int dimension, size_t count, const double *points, con
     bat_status status = bat_options_read(given, LEAST, sizeof chosen, &chosen);
     if (status == BAT_OK) status = check(dimension, count, points, options);
     if (status != BAT_OK) return status;
-    fitting f = {.options = options,
-                 .degree = options->degree,
-                 .dimension = dimension,
-                 .closed = options->closed,
-                 .plain = plain,
-                 .ends = {points, points + (count - 1) * (size_t)dimension}};
+    bat_fitting f = {.options = options,
+                     .degree = options->degree,
+                     .dimension = dimension,
+                     .closed = options->closed,
+                     .plain = plain,
+                     .ends = {points, points + (count - 1) * (size_t)dimension}};
     f.tolerance = options->tolerance, f.budget = options->solves_max > 0 ? options->solves_max : 120;
     f.worst = INFINITY;
     f.room = (int)(count + options->corner_count) + 8;
