@@ -23,8 +23,40 @@ static jets jets_at(const bat_meet *m, const double x[4]) {
     return j;
 }
 
-/* Newton's step for: both tangents of a at right angles to b's normal, the distance at right angles to b's tangents. */
-static bool step(const jets *j, double out[4]) {
+/* Solves equations of one size as far as they decide; unknowns that they leave free are 0. Pivots are the greatest left. */
+static void solve_decided(double rows[4][5], double out[4]) {
+    const double free = 1e-8;
+    int column[4] = {0, 1, 2, 3}, rank = 0;
+    for (double first = 0; rank < 4; rank++) {
+        int row = rank, best = rank;
+        for (int i = rank; i < 4; i++)
+            for (int k = rank; k < 4; k++)
+                if (fabs(rows[i][column[k]]) > fabs(rows[row][column[best]])) row = i, best = k;
+        const double pivot = rows[row][column[best]];
+        if (rank == 0) first = fabs(pivot);
+        if (!(fabs(pivot) > free * first)) break;
+        const int chosen = column[best];
+        column[best] = column[rank], column[rank] = chosen;
+        for (int k = 0; k < 5 && row != rank; k++) {
+            const double swap = rows[row][k];
+            rows[row][k] = rows[rank][k], rows[rank][k] = swap;
+        }
+        for (int i = rank + 1; i < 4; i++) {
+            const double f = rows[i][chosen] / pivot;
+            for (int k = 0; k < 5; k++) rows[i][k] -= f * rows[rank][k];
+        }
+    }
+    memset(out, 0, 4 * sizeof *out);
+    for (int k = rank - 1; k >= 0; k--) {
+        double rest = rows[k][4];
+        for (int i = k + 1; i < rank; i++) rest -= rows[k][column[i]] * out[column[i]];
+        out[column[k]] = rest / rows[k][column[k]];
+    }
+}
+
+/* Newton's step for: both tangents of a at right angles to b's normal, the distance at right angles to b's tangents.
+ * along: 0, or the size of surfaces that may touch along a curve: the step does not move on it. */
+static bool step(const jets *j, double along, double out[4]) {
     const vec *a = j->a, *b = j->b, n = j->normal, r = j->r;
     double rows[4][5] = {
         {vec_dot(n, a[3]), vec_dot(n, a[4]), vec_dot(j->normal_s, a[1]), vec_dot(j->normal_t, a[1]),
@@ -36,12 +68,19 @@ static bool step(const jets *j, double out[4]) {
         {vec_dot(a[1], b[2]), vec_dot(a[2], b[2]), vec_dot(r, b[4]) - vec_dot(b[1], b[2]),
          vec_dot(r, b[5]) - vec_dot(b[2], b[2]), -vec_dot(r, b[2])},
     };
+    const double unit[4] = {vec_norm(a[1]), vec_norm(a[2]), vec_norm(b[1]), vec_norm(b[2])};
     for (int i = 0; i < 4; i++) { /* rows of one size */
         double most = 0;
+        for (int k = 0; k < 4 && along > 0; k++) rows[i][k] /= unit[k];
         for (int k = 0; k < 4; k++) most = fmax(most, fabs(rows[i][k]));
+        if (along > 0)
+            most = i < 2 ? unit[i] * vec_norm(n) / along : unit[i]; /* one may hold rounding alone */
         for (int k = 0; k < 5 && most > 0; k++) rows[i][k] /= most;
     }
-    return bat_meet_solve(4, rows, out);
+    if (!(along > 0)) return bat_meet_solve(4, rows, out);
+    solve_decided(rows, out);
+    for (int k = 0; k < 4; k++) out[k] /= unit[k];
+    return isfinite(out[0] + out[1] + out[2] + out[3]);
 }
 
 /* The curvature of a surface in a direction of its tangent plane, seen from n: (S_u a + S_v b)'s second derivative. */
@@ -90,13 +129,13 @@ static bat_status keep(bat_meet *m, const bat_meet_contact *contact) {
 }
 
 /* To stationary distance, from nearby; false: there is none. */
-static bool settle(const bat_meet *m, double y[4]) {
+static bool settle(const bat_meet *m, bool along, double y[4]) {
     const vec start = jets_at(m, y).a[0];
     bool settled = false;
     for (int i = 0; i < STEPS && !settled; i++) {
         const jets j = jets_at(m, y);
         double move[4], far = 0;
-        if (!step(&j, move)) return false;
+        if (!step(&j, along ? m->size : 0, move)) return false;
         for (int k = 0; k < 4; k++) {
             y[k] += move[k];
             far = fmax(far, vec_norm(vec_scale(k < 2 ? j.a[1 + k] : j.b[k - 1], move[k])));
@@ -121,11 +160,13 @@ static bool is_contact(const bat_meet *m, const double x[4], bat_meet_contact *o
 /* Where surfaces lie on each other, distances are stationary everywhere: then any common point is a contact. */
 bat_status bat_meet_touch(bat_meet *m, const double x[4]) {
     bat_meet_contact contact;
-    double y[4];
-    memcpy(y, x, sizeof y);
-    if (settle(m, y) && is_contact(m, y, &contact)) return keep(m, &contact);
-    memcpy(y, x, sizeof y);
-    return bat_meet_least(m, y) && is_contact(m, y, &contact) ? keep(m, &contact) : BAT_OK;
+    for (int attempt = 0; attempt < 3; attempt++) {
+        double y[4];
+        memcpy(y, x, sizeof y);
+        const bool found = attempt == 1 ? bat_meet_least(m, y) : settle(m, attempt == 2, y);
+        if (found && is_contact(m, y, &contact)) return keep(m, &contact);
+    }
+    return BAT_OK;
 }
 
 bool bat_meet_touches_along(const bat_meet *m) { return m->contact_count > ALONG; }

@@ -10,6 +10,7 @@
 #include <cmocka.h>
 #include "base/vec.h"
 #include "curve/curve.h"
+#include "form/trace/touching.h"
 #include "support/alloc_fail.h"
 #include "support/random_surface.h"
 #include "support/solids.h"
@@ -185,6 +186,21 @@ static void touching_along_a_curve_is_said(void **state) {
     bat_surface_free(b);
 }
 
+/* A sample of what tests/form/trace/touching.c counts: with a gap of 0 and one to each side, at any size, either way round. */
+static void touching_surfaces_are_counted(void **state) {
+    (void)state;
+    static const double scales[] = {1, 1e-6, 1e6};
+    for (int kind = 0; kind < TOUCHING_KINDS; kind++)
+        for (int number = 0; number < (kind < TUBE_PLANE ? 3 : 1); number++) {
+            touching t = touching_make((touching_kind)kind, number, scales[(kind + number) % 3], 10 * number);
+            touching_count found = {0};
+            assert_true(touching_find(&t, (kind + number) % 2, &found));
+            if (!touching_agree(&t, &found)) printf("%s %d\n", touching_names[kind], number);
+            assert_true(touching_agree(&t, &found));
+            touching_free(&t);
+        }
+}
+
 static void bad_data_are_refused(void **state) {
     (void)state;
     bat_surface *a = tube(0.5, 2, 0, 0), *b = tube(0.4, 0, 0, 0);
@@ -247,6 +263,7 @@ int main(void) {
         cmocka_unit_test(random_patches),
         cmocka_unit_test(curves_are_within_the_tolerance),
         cmocka_unit_test(touching_along_a_curve_is_said),
+        cmocka_unit_test(touching_surfaces_are_counted),
         cmocka_unit_test(bad_data_are_refused),
         cmocka_unit_test(failing_allocations_are_reported),
     };
