@@ -76,7 +76,7 @@ BAT_API void bat_meeting_free(bat_meeting *meeting); /* NULL is fine; leaves it 
  * A polyline from which no point of the curve is further than tolerance (document units, > 0), by Wang's bound on second
  * differences. Its points lie on the curve; knots are among them. docs/math/relate.md 4. *points: *count * dimension doubles, *u (may be NULL)
  * their parameters, both the caller's (bat_free); the last point of a closed curve repeats the first. BAT_COUNT: more
- * than BAT_POINTS_MAX points.
+ * than BAT_POINTS_MAX points. BAT_TOLERANCE: rounding hides the tolerance.
  */
 BAT_API bat_status bat_curve_flatten(const bat_curve *curve, double tolerance, size_t *count, double **points,
                                      double **u);

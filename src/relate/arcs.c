@@ -5,7 +5,6 @@
 #include "base/real.h"
 #include "relate/segment.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -13,8 +12,7 @@ enum { DEPTH_MAX = 14, SEARCH_STEPS = 40 };
 
 static const double STRAIGHT = 1e-9; /* chords per radius below which an arc is a line */
 
-static const double ROUNDING = 64 * DBL_EPSILON; /* of the greatest coordinate: nearer, rounding decides */
-static const double TINY = 1e-6;                 /* tolerances: steps below it only come nearer to a cusp */
+static const double TINY = 1e-6; /* tolerances: steps below it only come nearer to a cusp */
 
 static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1]; }
 
@@ -336,8 +334,7 @@ bat_status bat_curve_arcs(const bat_curve *curve, double tolerance, double corne
                           bat_arc **arcs, double *max_error) {
     if (!curve || !count || !arcs || !(tolerance > 0) || !(corner >= 0)) return BAT_ARGUMENT;
     if (bat_curve_dimension(curve) != 2) return BAT_DIMENSION;
-    if (bat_curve_degree(curve) > 1 && !(tolerance >= ROUNDING * bat_segments_reach_of(curve)))
-        return BAT_TOLERANCE;
+    if (bat_segments_hide(curve, tolerance)) return BAT_TOLERANCE;
     bat_segment *all;
     int segments;
     bat_status status = bat_segments_of(curve, &segments, &all);

@@ -55,6 +55,7 @@ static bat_status walk(flat *f, const bat_segment *s, int depth) {
 bat_status bat_curve_flatten(const bat_curve *curve, double tolerance, size_t *count, double **points,
                              double **u) {
     if (!curve || !count || !points || !(tolerance > 0)) return BAT_ARGUMENT;
+    if (bat_segments_hide(curve, tolerance)) return BAT_TOLERANCE;
     bat_segment *all;
     int segments;
     bat_status status = bat_segments_of(curve, &segments, &all);

@@ -5,6 +5,7 @@
 #include "base/real.h"
 #include "base/vec.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +18,10 @@ double bat_segments_reach_of(const bat_curve *curve) {
     double most = 0;
     for (size_t i = 0; i < count; i++) most = fmax(most, fabs(points[i]));
     return most;
+}
+
+bool bat_segments_hide(const bat_curve *curve, double tolerance) {
+    return bat_curve_degree(curve) > 1 && !(tolerance >= 64 * DBL_EPSILON * bat_segments_reach_of(curve));
 }
 
 bat_status bat_segments_of(const bat_curve *curve, int *count, bat_segment **out) {

@@ -87,6 +87,9 @@ static void polylines_are_short(void **state) {
         assert_true((double)(count - 1) <= 1.34 / sqrt(tolerance) + 2);
         bat_free(points);
     }
+    size_t count;
+    double *points;
+    assert_int_equal(bat_curve_flatten(parabola, 1e-16, &count, &points, NULL), BAT_TOLERANCE);
     bat_curve_free(parabola);
 }
 
