@@ -4,10 +4,10 @@
 
 #include <math.h>
 
-static const double least_turn = 25 * BAT_PI / 180;
-static const double faint = 0.5; /* of the usual pressure */
-static const double quick = 60;  /* ms */
-static const double shortest = 0.4, chord_least = 3, sharp = 0.65;
+static const double least_turn = 12 * BAT_PI / 180;
+static const double faint = 0.55; /* of the usual pressure */
+static const double quick = 60;   /* ms */
+static const double shortest = 0.4, chord = 2.5, chord_least = 3, sharp = 0.6;
 
 typedef struct tip {
     const bat_stroke_path *path;
@@ -26,12 +26,12 @@ static double turn_between(const tip *t, double a, double b, double c) {
 
 /* How much more it turns at s than behind it, radians. 0 where it turns like a bow, half as much between half the chords. */
 static double turns_away(const tip *t, double s) {
-    const double chord = fmax(1.5 * s, chord_least), turn = turn_between(t, 0, s, s + chord);
-    if (turn_between(t, 0.5 * s, s, s + 0.5 * chord) < sharp * turn) return 0;
-    return turn - turn_between(t, s, s + chord, s + 2 * chord);
+    const double h = fmax(chord * s, chord_least), turn = turn_between(t, 0, s, s + h);
+    if (turn_between(t, 0.5 * s, s, s + 0.5 * h) < sharp * turn) return 0;
+    return turn - turn_between(t, s, s + h, s + 2 * h);
 }
 
-/* Length up to where the pen presses. */
+/* Length up to where the pen presses; of one that presses slowly, as much as can be a hook. */
 static double landing_length(const tip *t, const bat_press *press, double reach) {
     const bat_stroke_path *path = t->path;
     const double total = path->arc[path->count - 1];
@@ -39,7 +39,7 @@ static double landing_length(const tip *t, const bat_press *press, double reach)
     for (size_t i = 0; i < path->count; i++) {
         const size_t at = t->at_end ? path->count - 1 - i : i;
         const double s = t->at_end ? total - path->arc[at] : path->arc[at];
-        if (s > reach || fabs(press->time[at] - began) > quick) return 0;
+        if (s > reach || fabs(press->time[at] - began) > quick) return fmin(s, reach);
         if (press->pressure[at] >= faint * press->usual) return s;
     }
     return 0;

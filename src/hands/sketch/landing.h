@@ -10,7 +10,7 @@ typedef struct bat_press {
     double usual; /* what half of the pressures are below */
 } bat_press;
 
-/* How many samples at one end of the stroke are a hook: a short way, at less than half of the usual pressure, done within
+/* How many samples at one end of the stroke are a hook: a short way, at less than the usual pressure, within the first
  * 60 ms, that turns sharply away from what follows. */
 size_t bat_landing(const bat_stroke_path *path, const bat_press *press, bool at_end);
 

@@ -218,16 +218,20 @@ static bat_status cleaning_make(const bat_stroke *stroke, const bat_clean_option
 
 static bool noisy(const cleaning *k) { return k->sigma >= noise_floor && k->count >= 16; }
 
+static void judge_grain(cleaning *k) {
+    const double *light = k->light + k->first * k->m;
+    bat_path_measure(light, k->count, k->m, k->arc);
+    k->grain = bat_path_grain(&(bat_stroke_path){light, k->arc, k->count, k->m}, k->sigma, most_grain);
+}
+
 /* Without the worst of the noise the size of what is drawn shows, and so do corners, which the full smoothing
  * rounds off. */
 static bat_status look(cleaning *k) {
     bat_status status = BAT_OK;
     memcpy(k->light, k->y, k->count * k->m * sizeof *k->light);
     if (noisy(k)) status = bat_whittaker(k->count, k->dimension, k->y, NULL, 2, k->work, k->light);
-    bat_path_measure(k->light, k->count, k->m, k->arc);
-    if (status != BAT_OK) return status;
-    k->grain = bat_path_grain(&(bat_stroke_path){k->light, k->arc, k->count, k->m}, k->sigma, most_grain);
-    return BAT_OK;
+    if (status == BAT_OK) judge_grain(k);
+    return status;
 }
 
 /* Takes away what the pen drew while it landed and left, where that is no part of the stroke. */
@@ -239,6 +243,7 @@ static void cut_landings(cleaning *k) {
     const size_t head = bat_landing(&path, &press, false), tail = bat_landing(&path, &press, true);
     if (head + tail + 8 > k->count) return;
     k->first += head, k->count -= head + tail;
+    if (head + tail > 0) judge_grain(k);
 }
 
 static void judge_noise(cleaning *k) {

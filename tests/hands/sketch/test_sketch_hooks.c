@@ -15,6 +15,7 @@ typedef struct pen {
     size_t count;
     double points[2 * SAMPLES], time[SAMPLES], pressure[SAMPLES];
     double tremor, sensor, rate;
+    double rise; /* ms until it presses as it will */
 } pen;
 
 static void push(random_source *r, pen *p, double x, double y, double pressure) {
@@ -22,12 +23,13 @@ static void push(random_source *r, pen *p, double x, double y, double pressure) 
     p->points[2 * p->count] = x + p->tremor * sin(2 * pi * p->rate * t) + p->sensor * random_normal(r);
     p->points[2 * p->count + 1] = y + p->tremor * cos(2 * pi * (p->rate + 1) * t) +
                                   p->sensor * random_normal(r);
-    p->time[p->count] = 1000 * t, p->pressure[p->count++] = pressure;
+    p->time[p->count] = 1000 * t;
+    p->pressure[p->count] = pressure * (p->rise > 0 ? fmin(1, 0.3 + 700 * t / p->rise) : 1), p->count++;
 }
 
 static void hold(random_source *r, pen *p) {
     p->count = 0, p->tremor = random_between(r, 0.1, 0.4), p->sensor = random_between(r, 0.02, 0.15);
-    p->rate = random_between(r, 8, 12);
+    p->rate = random_between(r, 8, 12), p->rise = 0;
 }
 
 /* True path: x, y and direction at even lengths. */
@@ -55,6 +57,7 @@ static void hook(random_source *r, pen *p, const double *point, double most, boo
 static void draw_with(random_source *r, const profile *q, double way[FINE + 1][3], double most, pen *p) {
     const double speed = random_between(r, 250, 700), ramp = fmin(40, 0.2 * q->length);
     hold(r, p);
+    p->rise = fmax(0, random_between(r, -150, 150)); /* half of them press slowly */
     hook(r, p, way[0], most, true);
     for (double s = 0; s < q->length;) {
         const double *at = way[(int)(s / q->length * FINE)];
@@ -89,11 +92,35 @@ static bool end_is_wrong(const bat_curve *curve, double way[FINE + 1][3], int en
     return along < cos(20 * pi / 180);
 }
 
-/* Percent of ends that are wrong. share: of the lengths of strokes that are drawn large. */
-static double wrong_ends(double share, double most) {
+/* Changes of the bend's side that the true path does not have, where both bend by over 2 % of its greatest curvature. */
+static int false_inflections(const bat_curve *curve, const profile *q) {
+    static double k[PLACES];
+    double range[2], peak = 0, before = 0, had = 0;
+    int inflections = 0;
+    bat_curve_domain(curve, range);
+    curvatures(curve, range, k);
+    for (int i = 0; i <= FINE; i++) peak = fmax(peak, fabs(curvature_of(q, (double)i / FINE)));
+    for (int i = 0; i < PLACES; i++) {
+        if (fabs(k[i]) < 0.02 * peak) continue;
+        inflections += k[i] * before < 0, before = k[i];
+    }
+    for (int i = 0; i <= FINE; i++) {
+        const double truth = curvature_of(q, (double)i / FINE);
+        if (fabs(truth) < 0.02 * peak) continue;
+        inflections -= truth * had < 0, had = truth;
+    }
+    return inflections > 0 ? inflections : 0;
+}
+
+typedef struct count {
+    double wrong, inflections; /* ends, percent; false ones a stroke */
+} count;
+
+/* share: of the lengths of strokes that are drawn large. */
+static count drawn_with_hooks(double share, double most) {
     static double way[FINE + 1][3];
     static pen p;
-    int wrong = 0;
+    count c = {0};
     for (int n = 0; n < TRIES; n++) {
         random_source r = {(uint64_t)(100 + n)};
         profile q = random_profile(&r, n % KINDS);
@@ -102,22 +129,25 @@ static double wrong_ends(double share, double most) {
         walk(&q, random_between(&r, 0, 6), way);
         draw_with(&r, &q, way, most, &p);
         bat_curve *curve = curve_of(&p);
-        for (int end = 0; end < 2; end++) wrong += end_is_wrong(curve, way, end);
+        for (int end = 0; end < 2; end++) c.wrong += 100.0 / (2 * TRIES) * end_is_wrong(curve, way, end);
+        c.inflections += (double)false_inflections(curve, &q) / TRIES;
         bat_curve_free(curve);
     }
-    return 100.0 * wrong / (2 * TRIES);
+    return c;
 }
 
 static void landing_and_leaving_bend_no_end(void **state) {
     (void)state;
-    const double plain = wrong_ends(1, 0), large = wrong_ends(1, 4), small = wrong_ends(0.25, 4);
-    print_message("hooks of 1.5 to 4 px: %.1f %% of ends over 20 degrees wrong (without hooks %.1f %%), of "
-                  "strokes a quarter "
-                  "as long %.1f %%\n",
-                  large, plain, small);
-    assert_true(plain <= 1);
-    assert_true(large <= 3);
-    assert_true(small <= 8);
+    const count plain = drawn_with_hooks(1, 0), large = drawn_with_hooks(1, 4),
+                small = drawn_with_hooks(0.25, 4), least = drawn_with_hooks(0.25, 0);
+    print_message(
+        "hooks of 1.5 to 4 px: %.1f %% of ends over 20 degrees wrong (without hooks %.1f %%), %.3f false "
+        "inflections a stroke (%.3f); of strokes a quarter as long %.1f %% (%.1f %%), %.3f (%.3f)\n",
+        large.wrong, plain.wrong, large.inflections, plain.inflections, small.wrong, least.wrong,
+        small.inflections, least.inflections);
+    assert_true(plain.wrong <= 1);
+    assert_true(large.wrong <= 3 && large.inflections <= 0.1);
+    assert_true(small.wrong <= 3 && small.inflections <= 0.1);
 }
 
 /* A straight stroke that begins with a short leg across, at the pressure of the stroke but for its first samples. */
