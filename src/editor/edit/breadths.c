@@ -69,12 +69,12 @@ int bat_breadths_slide(bat_breadths *breadths, int index, double at) {
     return index;
 }
 
-bat_status bat_breadths_put(bat_context *c, bat_id object, const bat_breadths *breadths) {
+bat_status bat_breadths_put(bat_context *c, bat_id object, size_t count, const bat_width_stop *stops) {
     const int index = bat_document_find(c->session->document, object);
     const bat_object *before = bat_document_at(c->session->document, index);
     if (!before) return BAT_STATE;
     bat_object *after = NULL;
-    bat_status status = bat_profile_set(before, breadths->count, breadths->stops, &after);
+    bat_status status = bat_profile_set(before, count, stops, &after);
     if (status != BAT_OK) return status;
     status = bat_transaction_replace(c, index, after);
     bat_object_release(after);

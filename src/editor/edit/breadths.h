@@ -21,7 +21,7 @@ double bat_breadths_at(const bat_breadths *breadths, double at);
 int bat_breadths_add(bat_breadths *breadths, double at);
 /* Takes a stop to another place, between its neighbours; along a closed curve also past the seam. Its index then. */
 int bat_breadths_slide(bat_breadths *breadths, int index, double at);
-/* Within a transaction: gives them to the object, which keeps none where all are as wide as its style says. BAT_STATE: it is gone. */
-bat_status bat_breadths_put(bat_context *c, bat_id object, const bat_breadths *breadths);
+/* Within a transaction: gives stops to the object, which keeps none where all are as wide as its style says. BAT_STATE: it is gone. */
+bat_status bat_breadths_put(bat_context *c, bat_id object, size_t count, const bat_width_stop *stops);
 
 #endif

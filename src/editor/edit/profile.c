@@ -1,7 +1,5 @@
 #include "editor/edit/profile.h"
 
-#include "base/real.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -153,28 +151,4 @@ bat_status bat_profile_join(bat_object **object, const bat_object *a, bool turn_
     bat_object_release(*object);
     *object = made;
     return BAT_OK;
-}
-
-size_t bat_profile_pressed(size_t samples, const double *points, const double *pressure,
-                           bat_width_stop stops[BAT_PRESSED_STOPS]) {
-    const int last = BAT_PRESSED_STOPS - 1;
-    double sum[BAT_PRESSED_STOPS] = {0}, weight[BAT_PRESSED_STOPS] = {0}, length = 0, at = 0;
-    bool same = true;
-    for (size_t i = 1; i < samples; i++) {
-        length += bat_hypot(points[2 * i] - points[2 * i - 2], points[2 * i + 1] - points[2 * i - 1]);
-        same = same && pressure[i] == pressure[0];
-    }
-    if (same || !(length > 0)) return 0;
-    for (size_t i = 0; i < samples; i++) { /* a triangle around each stop */
-        if (i > 0) at += bat_hypot(points[2 * i] - points[2 * i - 2], points[2 * i + 1] - points[2 * i - 1]);
-        const double place = fmin(at / length, 1) * last;
-        const int k = (int)fmin(floor(place), last - 1);
-        const double share = place - k;
-        sum[k] += (1 - share) * pressure[i], weight[k] += 1 - share;
-        sum[k + 1] += share * pressure[i], weight[k + 1] += share;
-    }
-    size_t count = 0;
-    for (int k = 0; k <= last; k++) /* where the pen was too fast there is none */
-        if (weight[k] > 0) stops[count++] = (bat_width_stop){(double)k / last, 2 * sum[k] / weight[k]};
-    return count;
 }

@@ -32,10 +32,4 @@ bat_status bat_profile_piece(bat_object **part, const bat_object *whole, bool cl
 bat_status bat_profile_join(bat_object **object, const bat_object *a, bool turn_a, const bat_object *b,
                             bool turn_b, double share);
 
-enum { BAT_PRESSED_STOPS = 17 };
-/* The profile that a pen's pressure gives along its way, of so many samples (points: x, y): evenly spread stops, each the mean of the
- * pressure around it; half the pressure is the whole width. 0: the pressure does not change, or the pen has not moved. */
-size_t bat_profile_pressed(size_t samples, const double *points, const double *pressure,
-                           bat_width_stop stops[BAT_PRESSED_STOPS]);
-
 #endif

@@ -1,4 +1,5 @@
-#include "editor/edit/profile.h"
+#include "editor/edit/breadths.h"
+#include "editor/edit/pressing.h"
 #include "editor/tables/settings.h"
 #include "editor/edit/mirror.h"
 #include "editor/edit/stroke.h"
@@ -57,6 +58,13 @@ static bat_status one_curve(const bat_document *document, const bat_edit *edit, 
 }
 
 /* The levels of a LEVEL edit, and the finest of them as its curve. */
+size_t bat_edit_pressed(const bat_edit *edit, const bat_curve *curve, bat_width_stop *stops) {
+    bat_pressing pressing;
+    if (!edit->pressed || !bat_pressing_curve(&pressing, curve)) return 0;
+    bat_pressing_add(&pressing, &edit->samples);
+    return bat_pressing_stops(&pressing, edit->meaning.mark ? 0 : edit->style.width, stops);
+}
+
 static bat_status levels(const bat_document *document, const bat_edit *edit, bat_edit_result *out,
                          bat_sketch_report *report) {
     if (!bat_edit_curve(document, edit, edit->object, edit->curve)) return BAT_ARGUMENT;
@@ -115,16 +123,10 @@ bat_status bat_edit_put(bat_context *c, const bat_edit *edit, bat_edit_result *r
 
 /* The object just made, with the pen's pressure as the width along it; flat lines stay flat. */
 static bat_status press(bat_context *c, const bat_edit *edit) {
-    const int index = bat_document_find(c->session->document, edit->object);
+    const bat_curve *curve = bat_edit_target(c->session->document, edit->object, 0);
     bat_width_stop stops[BAT_PRESSED_STOPS];
-    bat_object *made = NULL;
-    const size_t count = bat_profile_pressed(edit->samples.count, edit->samples.pixels,
-                                             edit->samples.pressure, stops);
-    if (!count || index < 0) return BAT_OK;
-    bat_status status = bat_profile_set(bat_document_at(c->session->document, index), count, stops, &made);
-    if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
-    bat_object_release(made);
-    return status;
+    const size_t count = curve ? bat_edit_pressed(edit, curve, stops) : 0;
+    return count ? bat_breadths_put(c, edit->object, count, stops) : BAT_OK;
 }
 
 /* A new object of the result's one curve. */
@@ -142,7 +144,7 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_edit_result
         status = edit->kind == BAT_EDIT_NEW ? insert(c, edit, result) : bat_edit_put(c, edit, result);
     bat_edit_result_clear(result);
     if (status == BAT_OK && edit->kind == BAT_EDIT_NEW) status = bat_dash_new(c, edit->object, edit->dashes);
-    if (status == BAT_OK && edit->kind == BAT_EDIT_NEW && edit->pressed) status = press(c, edit);
+    if (status == BAT_OK && edit->kind == BAT_EDIT_NEW) status = press(c, edit);
     /* The joined curve replaces the first; the second has become part of it. */
     if (status == BAT_OK && edit->kind == BAT_EDIT_JOIN)
         status = bat_remove_curve(c, edit->other, edit->other_curve);

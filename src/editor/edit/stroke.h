@@ -13,6 +13,7 @@
 #include "editor/tables/tables.h"
 #include "hands/sketch/intent.h"
 #include "hands/sketch/meant.h"
+#include <batten/width.h>
 
 typedef enum bat_edit_kind {
     BAT_EDIT_NEW,
@@ -91,6 +92,8 @@ bat_status bat_edit_shape(const bat_document *document, const bat_edit *edit, ba
 /* Puts the curves of a result in the place of those that the edit changes, within a transaction; empties it, whatever it
  * returns. Not for NEW. */
 bat_status bat_edit_put(bat_context *c, const bat_edit *edit, bat_edit_result *result);
+/* The width along the curve that the pen's pressure gives a NEW edit's; stops: room for BAT_PRESSED_STOPS. 0: none. */
+size_t bat_edit_pressed(const bat_edit *edit, const bat_curve *curve, bat_width_stop *stops);
 /* Puts the result into the document as one undo step and one line of the journal, or changes nothing. Empties the
  * result, whatever it returns. */
 bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_edit_result *result);

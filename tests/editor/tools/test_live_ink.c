@@ -48,9 +48,9 @@ static double off(const float *path, size_t count, const double origin[2], const
     return worst;
 }
 
-static void a_new_line_looks_as_it_will(void **state) {
-    (void)state;
+static void new_line_looks_as_it_will(bool pressed) {
     bat_editor *editor = pen_editor();
+    bat_editor_set(editor, "pressure-width", pressed);
     bat_editor_set(editor, "stroke-width", WIDTH);
     bat_editor_set(editor, "stroke-colour", COLOUR * 256.0 + 128);
     bat_editor_set(editor, "opacity", 0.75);
@@ -61,8 +61,8 @@ static void a_new_line_looks_as_it_will(void **state) {
     const bat_item *line = pen_live(frame, BAT_ROLE_FIT);
     assert_non_null(line);
     const bat_item live = *line;
-    float path[4000];
-    assert_true(live.path_count <= 4000);
+    static float path[40000];
+    assert_true(live.path_count <= 40000);
     memcpy(path, live.path, live.path_count * sizeof *path);
     pen_event(&p, BAT_POINTER_UP, AWAY[2], AWAY[3]);
     frame = bat_editor_frame(editor);
@@ -73,9 +73,15 @@ static void a_new_line_looks_as_it_will(void **state) {
     assert_int_equal(live.flags, settled->flags);
     const bat_document *document = bat_editor_document(editor);
     const bat_curve *curve = bat_object_curve(bat_document_at(document, bat_document_count(document) - 1), 0);
-    assert_true(off(path, live.path_count, frame->origin, curve) < 1);
+    assert_true(off(path, live.path_count, frame->origin, curve) < (pressed ? WIDTH : 1));
     assert_null(pen_live(frame, BAT_ROLE_FIT));
     bat_editor_free(editor);
+}
+
+static void a_new_line_looks_as_it_will(void **state) {
+    (void)state;
+    new_line_looks_as_it_will(false);
+    new_line_looks_as_it_will(true); /* wider where the pen presses */
 }
 
 static void a_redraw_keeps_its_look(void **state) {

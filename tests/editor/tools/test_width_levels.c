@@ -48,7 +48,8 @@ static bat_editor *strokes(void) {
     assert_int_equal(bat_editor_command(editor, "select-all"), BAT_OK);
     assert_int_equal(bat_editor_set(editor, "stroke-width", WIDTH), BAT_OK);
     assert_int_equal(bat_transaction_begin(c), BAT_OK);
-    assert_int_equal(bat_transaction_end(c, bat_breadths_put(c, 1, &b), BAT_STRING_STEP_WIDTHS), BAT_OK);
+    assert_int_equal(bat_transaction_end(c, bat_breadths_put(c, 1, b.count, b.stops), BAT_STRING_STEP_WIDTHS),
+                     BAT_OK);
     only(editor, 1, 0);
     assert_int_equal(bat_editor_command(editor, "tool-width"), BAT_OK);
     bat_editor_frame(editor);

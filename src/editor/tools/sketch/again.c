@@ -135,7 +135,7 @@ static bat_status carry_out(bat_context *c, bat_again *again, bat_edit *edit, in
         bat_curve *curve = NULL;
         bat_status status = converge(again, edit, &curve);
         if (status != BAT_OK) return status;
-        return bat_commit_curve(c, edit->object, edit->curve, curve, BAT_STRING_STEP_CONVERGE);
+        return bat_together_commit(c, &again->together, edit, curve);
     }
     bat_status status = bat_edit_compute(c->session->document, edit, NULL, &result, &report);
     if (status != BAT_OK && status != BAT_TOLERANCE) return status;

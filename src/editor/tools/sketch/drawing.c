@@ -92,7 +92,8 @@ void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *ev
                          .options = options(c),
                          .style = bat_styling_new(c),
                          .dashes = bat_styling_dashes(c),
-                         .pressed = c->settings->values[BAT_PROPERTY_PRESSURE_WIDTH] != 0,
+                         .pressed = event->device == BAT_DEVICE_PEN &&
+                                    c->settings->values[BAT_PROPERTY_PRESSURE_WIDTH] != 0,
                          .mirror = bat_symmetry(c),
                          .samples = samples};
     if (bat_stage_dimension(&s->edit.stage) != 2) s->edit.mirror.on = false;

@@ -62,7 +62,7 @@ static bool converge(bat_context *c, bat_sketching *s) {
     bat_together together = {0};
     if (!bat_sketching_converged(c, s, &together, &curve, &report)) return false;
     bat_again_gather(c, &s->meaning, &s->edit, &s->again);
-    bat_status status = bat_commit_curve(c, s->edit.object, s->edit.curve, curve, BAT_STRING_STEP_CONVERGE);
+    bat_status status = bat_together_commit(c, &together, &s->edit, curve);
     if (status == BAT_OK) {
         bat_hairs_note(c, &s->hairs, &s->edit, true);
         bat_again_keep(c, &s->again, &s->edit, &s->edit.samples, &s->hold);

@@ -1,6 +1,8 @@
 #include "editor/tools/sketch/hairs.h"
+#include "editor/edit/breadths.h"
 #include "editor/edit/curves_of.h"
 #include "editor/session/session.h"
+#include "editor/session/transaction.h"
 #include "editor/tables/settings.h"
 #include "base/real.h"
 #include <batten/fit.h>
@@ -165,9 +167,35 @@ bat_status bat_together_shape(const bat_together *t, const bat_edit *edit, doubl
     return bat_sketch(target, &stroke, &options, out, report);
 }
 
+bat_status bat_together_commit(bat_context *c, const bat_together *t, const bat_edit *edit,
+                               bat_curve *curve) {
+    bat_status status = bat_transaction_begin(c);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    status = bat_put_curve(c, edit->object, edit->curve, curve);
+    if (status == BAT_OK && t->stop_count)
+        status = bat_breadths_put(c, edit->object, t->stop_count, t->stops);
+    return bat_transaction_end(c, status, BAT_STRING_STEP_CONVERGE);
+}
+
 void bat_together_drop(bat_together *t) {
     free(t->line.points);
     *t = (bat_together){0};
+}
+
+/* Lines that the pen's pressure made wider and thinner are the mean of them in that, too. */
+static void press(const bat_context *c, const bat_hairs *h, const bat_edit *edit, bat_together *t) {
+    const bat_document *document = c->session->document;
+    const bat_object *object = bat_document_at(document, bat_document_find(document, h->object));
+    bat_pressing pressing;
+    if (!h->fresh || !edit->pressed || !object ||
+        !bat_pressing_line(&pressing, t->line.count, t->line.points))
+        return;
+    for (int i = 0; i < h->count; i++) bat_pressing_add(&pressing, &h->strokes[i]);
+    bat_pressing_add(&pressing, &edit->samples);
+    t->stop_count = bat_pressing_stops(&pressing, bat_object_style(object)->width, t->stops);
 }
 
 bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_edit *edit, bat_together *out) {
@@ -190,7 +218,8 @@ bat_status bat_hairs_join(const bat_context *c, const bat_hairs *h, const bat_ed
     double way;
     const double far = farthest(&t, &line, &way);
     if (far <= fmin(fmax(near, SPREAD * line.scatter), LOOSE * near) && way >= RESEMBLES * t.length) {
-        *out = (bat_together){line, h->fresh};
+        *out = (bat_together){.line = line, .fresh = h->fresh};
+        press(c, h, edit, out);
         return BAT_OK;
     }
     free(line.points);

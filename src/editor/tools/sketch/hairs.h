@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_SKETCH_HAIRS_H
 #define BATTEN_EDITOR_TOOLS_SKETCH_HAIRS_H
 
+#include "editor/edit/pressing.h"
 #include "editor/edit/stroke.h"
 #include "hands/sketch/converge.h"
 
@@ -22,8 +23,10 @@ typedef struct bat_hairs {
 
 /* The line that some strokes together mean. */
 typedef struct bat_together {
-    bat_average line; /* owned; no points: there is none */
-    bool fresh;       /* as in bat_hairs */
+    bat_average line;  /* owned; no points: there is none */
+    bool fresh;        /* as in bat_hairs */
+    size_t stop_count; /* the width along it that their pressure means; 0: it stays */
+    bat_width_stop stops[BAT_PRESSED_STOPS];
 } bat_together;
 
 /* What all of them together mean, including the edit's stroke, which may still be under way. BAT_STATE: that stroke is
@@ -34,6 +37,9 @@ bat_status bat_hairs_join(const bat_context *c, const bat_hairs *hairs, const ba
  * the line that is allowed. report: what bat_sketch says, as far as it is known. */
 bat_status bat_together_shape(const bat_together *together, const bat_edit *edit, double closeness,
                               const bat_curve *target, bat_curve **out, bat_sketch_report *report);
+/* Puts that curve, which it takes over whatever it returns, in the place of the edit's, as an undo step. */
+bat_status bat_together_commit(bat_context *c, const bat_together *together, const bat_edit *edit,
+                               bat_curve *curve);
 void bat_together_drop(bat_together *together);
 /* The edit is done: its stroke becomes one more of them if it has joined, otherwise the first of a new series, if it
  * can be. */

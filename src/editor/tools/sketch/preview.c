@@ -51,6 +51,8 @@ static bool preview_converged(const bat_context *c, bat_sketching *s) {
     bat_together together = {0};
     bat_sketching_preview *preview = &s->preview;
     preview->converges = bat_sketching_converged(c, s, &together, &preview->curve, &preview->report);
+    preview->stop_count = together.stop_count;
+    memcpy(preview->stops, together.stops, sizeof preview->stops);
     bat_together_drop(&together);
     return preview->converges;
 }
@@ -74,6 +76,8 @@ static void fit(bat_context *c, bat_sketching *s) {
     if (status != BAT_OK && status != BAT_TOLERANCE) return;
     s->preview.curve = curve;
     s->preview.report = info.report;
+    if (curve && s->edit.kind == BAT_EDIT_NEW)
+        s->preview.stop_count = bat_edit_pressed(&s->edit, curve, s->preview.stops);
 }
 
 /* What follows the curve; with symmetry, also what follows its twin, which becomes its image. */

@@ -2,7 +2,6 @@
 #include "base/vec.h"
 #include "editor/edit/curves_of.h"
 #include "editor/edit/mirror.h"
-#include "editor/edit/profile.h"
 #include "editor/scene/paint.h"
 #include "editor/scene/path.h"
 #include "editor/show/axis.h"
@@ -72,20 +71,16 @@ static void show_fit(const bat_context *c, bat_overlay *overlay, bat_role role, 
     show_knots(c, overlay, curve, report, whole);
 }
 
-/* What the edit draws with: the style and the width along it of the object that changes, or of the new one. stops: room
- * for those that the pen's pressure gives. */
-static const bat_style *drawn_with(const bat_context *c, const bat_edit *edit, bat_width_stop *stops,
-                                   bat_width_profile *profile) {
+/* What the stroke draws with: the style and the width along it of the object that changes, or of the new one. */
+static const bat_style *drawn_with(const bat_context *c, const bat_sketching *s, bat_width_profile *profile) {
+    const bat_edit *edit = &s->edit;
     const bat_document *document = c->session->document;
     const bat_object *object = edit->kind == BAT_EDIT_NEW
                                    ? NULL
                                    : bat_document_at(document, bat_document_find(document, edit->object));
     *profile = (bat_width_profile){0};
     if (object) *profile = bat_object_widths(object);
-    if (!object && edit->pressed)
-        *profile = (bat_width_profile){
-            bat_profile_pressed(edit->samples.count, edit->samples.pixels, edit->samples.pressure, stops),
-            stops};
+    if (s->preview.stop_count) *profile = (bat_width_profile){s->preview.stop_count, s->preview.stops};
     return object ? bat_object_style(object) : &edit->style;
 }
 
@@ -215,9 +210,8 @@ void bat_sketching_show_stroke(bat_context *c, bat_sketching *s, bat_overlay *ov
     const int dimension = bat_stage_dimension(&s->edit.stage);
     const bool one = bat_sketching_one_changes(&s->edit);
     const bat_sketching_preview *fit = preview->curve && sure(s) ? preview : NULL;
-    bat_width_stop stops[BAT_PRESSED_STOPS];
     bat_width_profile profile;
-    const bat_style *style = drawn_with(c, &s->edit, stops, &profile);
+    const bat_style *style = drawn_with(c, s, &profile);
     if (one) target = bat_edit_curve(c->session->document, &s->edit, s->edit.object, s->edit.curve);
     if (s->edit.kind != BAT_EDIT_NEW && (!target || !preview->curve))
         bat_sketching_highlight(c, overlay, dimension, s->edit.object, s->edit.curve);

@@ -26,6 +26,8 @@ typedef struct bat_sketching_preview {
     bool converges;   /* it is what several careless strokes mean together */
     bat_sketch_report report;
     bat_followers followers; /* of the curve */
+    size_t stop_count;       /* the width along it that the pen's pressure means; 0: none */
+    bat_width_stop stops[BAT_PRESSED_STOPS];
 } bat_sketching_preview;
 
 typedef struct bat_sketching {

@@ -100,7 +100,8 @@ void bat_broadening_drag(bat_context *c, bat_broadening *b) {
     bat_breadths breadths = b->base;
     int stop = b->held;
     if (object && !(b->sliding ? slide : broaden)(c, object, b, &breadths, &stop)) return;
-    const bat_status status = object ? bat_breadths_put(c, b->grip.object, &breadths) : BAT_STATE;
+    const bat_status status = object ? bat_breadths_put(c, b->grip.object, breadths.count, breadths.stops)
+                                     : BAT_STATE;
     if (status == BAT_OK) {
         bat_broadening_keep(c, b, &breadths, stop);
         return;

@@ -22,7 +22,8 @@ static void tell(bat_context *c, double width) {
 static bat_status commit(bat_context *c, bat_broadening *b, const bat_breadths *breadths, int stop) {
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK)
-        status = bat_transaction_end(c, bat_breadths_put(c, b->object, breadths), BAT_STRING_STEP_WIDTHS);
+        status = bat_transaction_end(c, bat_breadths_put(c, b->object, breadths->count, breadths->stops),
+                                     BAT_STRING_STEP_WIDTHS);
     if (status == BAT_OK)
         bat_broadening_keep(c, b, breadths, stop);
     else

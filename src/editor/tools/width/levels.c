@@ -98,7 +98,7 @@ static bat_status apply(bat_context *c, bat_broadening *b) {
     bat_breadths made;
     for (int l = 0; l <= BAT_BREADTH_LEVELS; l++) gains[l] = gain_of(d, l);
     bat_status status = bat_breadths_scale(&d->base, gains, &made);
-    if (status == BAT_OK) status = bat_breadths_put(c, b->object, &made);
+    if (status == BAT_OK) status = bat_breadths_put(c, b->object, made.count, made.stops);
     if (status == BAT_OK && !load(c, b, &d->made)) status = BAT_STATE;
     return status;
 }
