@@ -7,6 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "base/real.h"
+#include "editor/input/stabiliser.h"
 
 #include "support/sketch_cases.h"
 
@@ -97,6 +98,54 @@ static void writing_keeps_its_humps(void **state) {
         print_message("writing %2.0f px high: off by %.0f %% in the median, %.0f %% at worst; %.0f points\n",
                       heights[n], 100 * worst[WORDS / 2], 100 * worst[WORDS - 1], points);
         assert_true(worst[WORDS - 1] <= bars[n]);
+    }
+}
+
+/* Letters of one or two humps as the editor reads them, by the setting of the stabiliser: rms distance of what was meant from the
+ * curve, percent of the stroke's size. */
+static double rms_of_letters(double height, double strength) {
+    enum { LETTERS = 60 };
+    static hand h;
+    random_source r = {1701};
+    double mean = 0;
+    for (int w = 0; w < LETTERS; w++) {
+        const int humps = 1 + w / 3 % 2;
+        const double per = random_between(&r, 40, 56);
+        double truth[2], first[2] = {0}, sum = 0, extent = 0;
+        take_up(&h, &r, 0.1, 0.05);
+        bat_steady steady = {0};
+        for (int i = 0; i <= (int)(humps * per); i++) {
+            letter(w % 3, i / per, truth);
+            const double at[2] = {100 + height * truth[0], 100 + height * truth[1]};
+            if (i == 0) steady = bat_steady_begin(strength, at), memcpy(first, at, sizeof first);
+            extent = fmax(extent, hypot(at[0] - first[0], at[1] - first[1]));
+            bat_steady_fit(&steady, strength, extent);
+            bat_steady_move(&steady, at);
+            put(&h, steady.end[0], steady.end[1]);
+        }
+        while (bat_steady_catch_up(&steady)) put(&h, steady.end[0], steady.end[1]);
+        bat_curve *curve = drawn_new(&h, false);
+        for (int i = 0; i < FINE; i++) {
+            bat_near near;
+            letter(w % 3, (double)humps * i / (FINE - 1), truth);
+            assert_int_equal(
+                bat_curve_nearest(curve, (double[]){100 + height * truth[0], 100 + height * truth[1]}, &near),
+                BAT_OK);
+            sum += near.distance * near.distance / FINE;
+        }
+        mean += 100 * sqrt(sum) / (height * hypot(0.8 * humps, 1)) / LETTERS;
+        bat_curve_free(curve);
+    }
+    return mean;
+}
+
+static void small_letters_are_read(void **state) {
+    (void)state;
+    for (double height = 7; height < 30; height *= 2) {
+        const double still = rms_of_letters(height, 0), steadied = rms_of_letters(height, 2);
+        print_message("letters %.0f px high: rms %.2f %% of their size (%.2f %% steadied)\n", height, still,
+                      steadied);
+        assert_true(still <= 1.5 && steadied <= 1.5);
     }
 }
 
@@ -338,10 +387,14 @@ static void within_the_tolerance_is_enough(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(writing_keeps_its_humps),   cmocka_unit_test(zigzags_keep_their_corners),
-        cmocka_unit_test(stars_keep_their_corners),  cmocka_unit_test(circles_keep_their_size),
-        cmocka_unit_test(an_open_letter_stays_open), cmocka_unit_test(dabs_stay_small),
-        cmocka_unit_test(few_samples_keep_the_ends), cmocka_unit_test(within_the_tolerance_is_enough)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(writing_keeps_its_humps),
+                                       cmocka_unit_test(small_letters_are_read),
+                                       cmocka_unit_test(zigzags_keep_their_corners),
+                                       cmocka_unit_test(stars_keep_their_corners),
+                                       cmocka_unit_test(circles_keep_their_size),
+                                       cmocka_unit_test(an_open_letter_stays_open),
+                                       cmocka_unit_test(dabs_stay_small),
+                                       cmocka_unit_test(few_samples_keep_the_ends),
+                                       cmocka_unit_test(within_the_tolerance_is_enough)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

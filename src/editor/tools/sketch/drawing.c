@@ -51,7 +51,10 @@ static bat_status add_sample(bat_sketching *s, const bat_pointer *event) {
         return BAT_OK;
     double time = bat_samples_round(fmax(event->time - samples->start, 0), 100);
     if (samples->count) time = fmax(time, samples->time[samples->count - 1]);
-    bat_status status = bat_samples_add(samples, &s->edit.stage, pixel, event->pressure, time, tilt);
+    /* A pen that lifts no longer presses, nor says how it did. */
+    const bool lifts = event->phase == BAT_POINTER_UP && samples->count;
+    const double pressure = lifts ? samples->pressure[samples->count - 1] : event->pressure;
+    bat_status status = bat_samples_add(samples, &s->edit.stage, pixel, pressure, time, tilt);
     if (status == BAT_COUNT) return BAT_OK; /* a million samples are enough */
     if (samples->count && (status == BAT_SINGULAR || status == BAT_FAR || status == BAT_NUMBER)) {
         s->dropped++;
@@ -170,6 +173,7 @@ void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event) {
     s->predicted_count = 0;
     s->hover[0] = event->x; /* where to look for the highlight after the stroke */
     s->hover[1] = event->y;
+    bat_steady_fit(&s->steady, c->settings->values[BAT_PROPERTY_STABILISER], s->travelled);
     bat_steady_move(&s->steady, s->hover);
     bat_status status = add_sample(s, event);
     while (event->phase == BAT_POINTER_UP && status == BAT_OK && bat_steady_catch_up(&s->steady))
