@@ -123,6 +123,45 @@ test('a redraw in both themes: the old curve is pale, the new one as it will be'
   await context.close();
 });
 
+test('from the pen to the paint', async (t) => {
+  const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  await page.evaluate(() => {
+    globalThis.late = [];
+    batten.stage.addEventListener('pointermove', ({ timeStamp, buttons }) => {
+      if (globalThis.since || !buttons) return;
+      globalThis.since = timeStamp; // of the oldest that is not seen yet
+      requestAnimationFrame(() => { // what it posts comes when the frame has been painted
+        const { port1, port2 } = new MessageChannel();
+        port1.onmessage = () => {
+          globalThis.late.push(performance.now() - globalThis.since);
+          globalThis.since = 0;
+        };
+        port2.postMessage(0);
+      });
+    }, true);
+  });
+  const moves = wave(200, 400);
+  await hand.hover(moves[0]);
+  await page.evaluate(async (points) => {
+    const send = (kind, [clientX, clientY], buttons) => batten.stage.dispatchEvent(new PointerEvent(kind, { pointerId: 9,
+      pointerType: 'pen', pressure: buttons / 2, clientX, clientY, buttons, bubbles: true }));
+    send('pointerdown', points[0], 1);
+    for (const point of points) {
+      send('pointermove', point, 1);
+      await new Promise((done) => setTimeout(done, 8));
+    }
+    send('pointerup', points.at(-1), 0);
+  }, moves);
+  await quiet(page);
+  const late = await page.evaluate(() => globalThis.late.sort((a, b) => a - b));
+  console.log(`from event to paint: ${late[late.length >> 1].toFixed(1)} ms in the median, ${late[Math.floor(late.length * 0.95)].toFixed(1)} ms of 95 % (${late.length} frames)`);
+  assert.ok(late.length > 5 && late[late.length >> 1] < 1000, `${late}`);
+  assert.equal(await page.evaluate(() => batten.painter.overlayContext.getContextAttributes().alpha), true);
+  await context.close();
+});
+
 test('with reduced motion nothing fades', async (t) => {
   const server = await serve({ name: 'new.svg', bytes: Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" width="1000" height="700"/>') });
   t.after(() => server.close());

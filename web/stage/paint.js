@@ -60,7 +60,7 @@ export class Painter {
     this.overlay = overlay;
     this.theme = theme;
     this.stillContext = /** @type {CanvasRenderingContext2D} */ (still.getContext('2d'));
-    this.overlayContext = /** @type {CanvasRenderingContext2D} */ (overlay.getContext('2d'));
+    this.overlayContext = /** @type {CanvasRenderingContext2D} */ (overlay.getContext('2d', { desynchronized: true }));
     this.width = 1;
     this.height = 1;
     this.ratio = 1;
