@@ -1,6 +1,7 @@
 /* Any two curves: polylines and arcs begin and end where the curve does, what is handed over is near both curves, and the
  * distance is not below that of any sample. */
 #include <batten/bezier.h>
+#include <batten/blend.h>
 #include <batten/nearest.h>
 #include <batten/refine.h>
 #include <batten/measure.h>
@@ -169,6 +170,21 @@ static void check(const bat_meeting *meeting, const bat_curve *a, const bat_curv
     }
 }
 
+/* Blends begin and end where they are asked to, and so do ends that are moved. */
+static void blend(const bat_curve *a, const bat_curve *b, int continuity, double size) {
+    bat_blend_options options;
+    bat_blend_options_init(&options, sizeof options);
+    options.continuity[0] = continuity % 4, options.continuity[1] = continuity / 4 % 4;
+    const bool a_end = continuity & 16, b_end = continuity & 32;
+    bat_curve *made = NULL, *met = NULL;
+    double jump[4];
+    if (bat_curve_blend(a, a_end, b, b_end, &options, &made, NULL) == BAT_OK)
+        if (bat_curve_jump(a, a_end, made, false, jump) != BAT_OK || !(jump[0] <= 1e-9 * size)) abort();
+    if (bat_curve_match(a, a_end, b, b_end, continuity % 4, 1, &met, NULL) == BAT_OK)
+        if (bat_curve_jump(met, a_end, b, b_end, jump) != BAT_OK || !(jump[0] <= 1e-9 * size)) abort();
+    bat_curve_free(made), bat_curve_free(met);
+}
+
 static void relate(const bat_curve *a, const bat_curve *b, double size) {
     const double gap = 1e-4 * size;
     bat_meeting meeting;
@@ -225,6 +241,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             make(a, scale);
             beside(a, ((int)(size % 64) - 32) * 0.02 * scale, scale);
             if (b) relate(a, b, scale);
+            if (b) blend(a, b, (int)(size % 64), scale);
             outline(a, (unsigned)(size % 64), scale);
             widen(a, (unsigned)(size % 64), scale);
             if (b) unite(a, b, (bat_region_operation)(size % BAT_REGION_OPERATION_COUNT), scale);

@@ -25,6 +25,8 @@ static const cli_command *const commands[] = {
     &command_render,
     &command_simplify,
     &command_width,
+    &command_blend,
+    &command_match,
     &command_curve_length,
     &command_curve_bounds,
     &command_curve_curvature,

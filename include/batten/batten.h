@@ -12,6 +12,7 @@
 #include <batten/measure.h>
 #include <batten/nearest.h>
 #include <batten/relate.h>
+#include <batten/blend.h>
 #include <batten/region.h>
 #include <batten/width.h>
 #include <batten/fit.h>

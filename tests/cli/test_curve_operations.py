@@ -74,6 +74,27 @@ class Operations(ProgramTest):
         self.assertIn("closed", self.refused(1, "curve", "join", self.curve, self.ring))
         self.assertIn("inside the domain", self.refused(1, "curve", "split", self.curve, "--at", "2"))
 
+    def test_blend_and_match(self):
+        def end(curve, u, way):  # tangent, curvature vector, rate of its length, of scipy's derivatives, as one goes that way
+            a, b, c = (spline(curve)(u, nu=k) * way**k for k in (1, 2, 3))
+            n, v = numpy.cross(a, b), numpy.linalg.norm(a)
+            bend = numpy.linalg.norm(n) / v**3
+            rate = n @ numpy.cross(a, c) / numpy.linalg.norm(n) / v**4 - 3 * bend * (a @ b) / v**3
+            return numpy.concatenate([a / v, (b - a * (a @ b) / v**2) / v**2, [rate]])
+
+        other = {**SPACE, "points": [[p[0] + 12, p[1] * 0.7, 3 - p[2]] for p in SPACE["points"]]}
+        b = self.file("other.json", other)
+        made = self.json("blend", self.space, b, "--continuity", "G3", "--continuity-to", "G2", "--tension", "1,1.3")
+        self.assertEqual(made["degree"], 6)
+        self.assertLess(numpy.abs(end(made, 0, 1) - end(SPACE, 2, 1)).max(), 1e-8)
+        self.assertLess(numpy.abs(end(made, 1, 1) - end(other, 0, 1))[:6].max(), 1e-8)
+        self.assertLess(max(made["report"]["jump_from"] + made["report"]["jump_to"][:3]), 1e-8)
+        met = self.json("match", self.space, b, "--continuity", "G3", "--from", "start", "--to", "end")
+        self.assertEqual(met["points"][-1], SPACE["points"][-1])
+        self.assertLess(numpy.abs(end(met, 0, 1) - end(other, 2, 1)).max(), 1e-8)
+        self.assertIn("closed", self.refused(1, "blend", self.curve, self.ring))
+        self.assertIn("apart", self.refused(1, "blend", self.curve, self.curve, "--to", "end"))
+
     def test_flatten(self):
         for tolerance in (0.1, 1e-3, 1e-6):
             points = numpy.array(self.json("curve", "flatten", self.space, "--tolerance", tolerance)["points"])

@@ -8,7 +8,7 @@ import unittest
 
 from program import CURVE, PROGRAM, ProgramTest
 
-COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "simplify", "width", "info", "replay",
+COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "simplify", "width", "blend", "match", "info", "replay",
             "surface eval", "surface isocurve", "surface closest", "surface hit", "surface pick", "surface redraw", "surface sketch", "surface intersect", "surface levels", "surface convert", "cast", "wire", "sweep", "revolve",
             "coons", "loft", "motion", "curve length", "curve bounds", "curve curvature", "curve split", "curve join", "curve reverse", "curve elevate", "curve insert", "curve flatten", "curve offset", "curve arcs", "curve intersect", "curve distance", "curve region", "curve outline", "compare", "completion"]
 
@@ -54,6 +54,8 @@ class Usage(ProgramTest):
             ["render", curve, "out.gif"], ["render", curve, "-"], ["render", curve, "o.png", "--size", "10"],
             ["render", curve, "o.png", "--size", "0x10"], ["render", curve, "o.png", "--size", "10x10x"],
             ["render", curve, "o.png", "--size", "99999x10"], ["render", curve, "o.png", "--background", "redd"],
+            ["blend", curve], ["blend", curve, curve, "--continuity", "G4"], ["blend", "-", "-"], ["blend", curve, curve, "--tension", "1"],
+            ["match", curve], ["match", curve, curve, "--from", "middle"], ["match", curve, curve, "--tension", "0"],
             ["width"], ["width", curve], ["width", curve, "--widths", "1,1;0,1"],
             ["simplify"], ["simplify", curve, "--tolerance", "-1"], ["simplify", curve, "--tolerance", "nan"],
             ["simplify", curve, "--continuity", "C1"], ["simplify", curve, "--continuity"],

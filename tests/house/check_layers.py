@@ -34,7 +34,7 @@ MADE = {"editor/tables/ids.h"}
 ROOM_OF_HEADER = {
     "base": "base", "types": "base", "curve": "curve", "refine": "curve", "bezier": "curve", "drag": "curve", "measure": "curve",
     "nearest": "curve", "fit": "curve", "frames": "curve/frames", "function": "curve",
-    "relate": "relate", "region": "relate/region", "width": "relate", "interpolate": "points",
+    "relate": "relate", "blend": "relate", "region": "relate/region", "width": "relate", "interpolate": "points",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
     "surface": "form/surface", "relief": "form/relief", "mesh": "form/mesh", "compare": "form/compare", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "recipe": "form/recipe", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
     "document": "document", "paint": "document",

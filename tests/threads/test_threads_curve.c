@@ -52,6 +52,18 @@ static uint64_t measure_curve(const void *shared, int seed) {
     return add_doubles(add(digest, (uint64_t)count), frames[1].s, 3);
 }
 
+static uint64_t add_blend(uint64_t d, const bat_curve *curve, const bat_curve *other) {
+    bat_curve *made = NULL, *met = NULL;
+    double variation = 0, moved = 0, jump[4] = {0};
+    bat_blend_options options;
+    bat_blend_options_init(&options, sizeof options);
+    d = add(d, (uint64_t)bat_curve_blend(curve, true, other, true, &options, &made, &variation));
+    d = add(d, (uint64_t)bat_curve_match(curve, true, other, true, 2, 1, &met, &moved));
+    d = add(d, (uint64_t)bat_curve_jump(curve, false, other, true, jump));
+    bat_curve_free(made), bat_curve_free(met);
+    return bat_digest_double(bat_digest_double(bat_digest_double(d, variation), moved), jump[1]);
+}
+
 static uint64_t add_region(uint64_t d, const bat_curve *curve, const bat_curve *other) {
     const bat_region both[2] = {{1, &curve, false}, {1, &other, true}};
     size_t count = 0;
@@ -98,6 +110,7 @@ static uint64_t relate_curve(const void *shared, int seed) {
     bat_reference_free(reference);
     d = bat_digest_double(d, far.greatest);
     d = bat_digest_double(d, apart.distance);
+    d = add_blend(d, curve, other);
     d = add(d, (uint64_t)bat_curve_intersect(curve, other, 1e-3, &meeting));
     d = add(d, (uint64_t)meeting.overlap_count);
     bat_meeting_free(&meeting);

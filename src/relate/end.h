@@ -1,0 +1,23 @@
+/* Internal to the library: derivatives of a curve by arc length at one of its ends, which do not depend on its parameters. */
+#ifndef BATTEN_RELATE_END_H
+#define BATTEN_RELATE_END_H
+
+#include "base/vec.h"
+#include <batten/curve.h>
+
+/* Point, unit tangent, curvature vector, and third derivative by arc length. docs/math/blend.md 1. */
+typedef struct bat_end {
+    vec at, tangent, bend, rate;
+    int known; /* the highest order that exists: 0 or 1 where the speed vanishes */
+} bat_end;
+
+/* Of the derivatives by any parameter, the first not zero. */
+bat_end bat_end_of(vec at, vec d1, vec d2, vec d3);
+/* Of an open curve, as one comes to its end (last), or leaves its start; turned: as one goes the other way. */
+bat_end bat_end_at(const bat_curve *curve, bool last, bool turned);
+/* Derivatives 1..3 by a parameter in which the speed is s[0], and its derivatives s[1] and s[2]. */
+void bat_end_derive(const bat_end *end, const double s[3], vec d[3]);
+/* Whether a and b are open and of one dimension, else what is wrong. */
+bat_status bat_ends_check(const bat_curve *a, const bat_curve *b);
+
+#endif
