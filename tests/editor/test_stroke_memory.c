@@ -109,6 +109,9 @@ static const act acts[] = {
     {"an offset that is chosen and kept",
      "command tool-select;command select-all;then;command curve-offset;set offset-distance 3;"
      "command reading-next;command accept"},
+    {"a blend that is chosen and kept",
+     "command tool-select;taps 150 300 1;then;command curve-blend;command reading-next;refit 0.4;"
+     "command accept"},
 };
 
 static void add_ring(bat_document *document) {

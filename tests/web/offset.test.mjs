@@ -114,3 +114,31 @@ for (const [locale, colorScheme, viewport] of [['en', 'light'], ['ko-KR', 'dark'
     await context.close();
   });
 }
+
+const BENDS = `<svg xmlns="http://www.w3.org/2000/svg" width="800" height="500" fill="none" stroke="#22262b" stroke-width="4">
+<path d="M80 120C130 240 230 270 320 220"/><path d="M740 420C660 300 600 290 520 360"/></svg>`;
+
+test('a blend is seen with its comb before it is made', async (t) => {
+  const server = await serve({ name: 'bends.svg', bytes: Buffer.from(BENDS) });
+  t.after(() => server.close());
+  const { page } = await open(browser, server.address, { colorScheme: 'light' });
+  await page.keyboard.press('v');
+  await page.keyboard.press('Control+a');
+  await settle(page);
+  const before = await state(page);
+  await page.evaluate(() => { batten.engine.command('curve-blend'); batten.wake(); });
+  await page.locator('.chips input[type=range]').waitFor();
+  await settle(page);
+  assert.equal(await page.locator('.chips input[type=range]').getAttribute('aria-label'), 'Blend');
+  assert.deepEqual(await page.locator('.chips button').allTextContents(), ['G0', 'G1', 'G2', 'G3', 'Keep this']);
+  await page.locator('.chips button', { hasText: 'G3' }).click();
+  await settle(page);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'blend.png') });
+  assert.equal((await state(page)).digest, before.digest, 'only shown');
+  await page.locator('.chips button').last().click();
+  await settle(page);
+  assert.notEqual((await state(page)).digest, before.digest);
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  assert.equal((await state(page)).digest, before.digest, 'one step');
+});

@@ -6,6 +6,7 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/undo.h"
+#include "editor/show/inspect.h"
 #include "editor/view/stage.h"
 #include <math.h>
 #include <stdlib.h>
@@ -113,6 +114,7 @@ void bat_tuning_show(bat_context *c, bat_overlay *overlay) {
     if (t->shown == 0 || !bat_tuning_holds(c)) return;
     bat_overlay_item(overlay, BAT_ROLE_FIT, BAT_ITEM_STROKED, WIDTH);
     for (int i = 0; i < t->shown; i++) bat_path_curve(&overlay->path, t->fit[i]);
+    for (int i = 0; i < t->shown && t->comb; i++) bat_comb_show(overlay, t->fit[i], c->stage);
 }
 
 void bat_tuning_look(const bat_stage *stage, const double box[4], double seen[4]) {

@@ -39,6 +39,8 @@ typedef struct bat_tuning {
     bat_object **before;
     bool stepped;  /* a step has changed them; otherwise they are as they were */
     double amount; /* 0 to 1 */
+    int way;       /* in force, of kinds that keep it nowhere else */
+    bool comb;     /* what is only shown has its curvature comb */
     int shown;     /* curves that are only shown, owned */
     bat_curve **fit;
     double around[4];  /* of all that can be shown */

@@ -1,0 +1,133 @@
+/*
+ * A blend and a matched end that are shown before they are made: their joints are as continuous as chosen; the drawing stays as it is
+ * to the bit until they are kept, which is one step that can be undone and replayed.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "editor/editor.h"
+#include "support/selecting.h"
+#include <batten/blend.h>
+#include <batten/paint.h>
+#include <batten/panels.h>
+#include <math.h>
+#include <string.h>
+
+static bat_curve *open_curve(const double points[8]) {
+    bat_curve *curve;
+    assert_int_equal(bat_curve_create_clamped(2, 3, 4, points, &curve), BAT_OK);
+    return curve;
+}
+
+/* Two bends (1, 2), whose near ends are 1's end and 2's end, and a box (3). */
+static bat_editor *bends(void) {
+    const double box[8] = {100, 700, 300, 700, 300, 900, 100, 900}, knots[5] = {0, 1, 2, 3, 4};
+    bat_curve *closed;
+    assert_int_equal(bat_curve_create(2, 1, true, 4, box, 5, knots, &closed), BAT_OK);
+    bat_curve *curves[3] = {open_curve((double[]){100, 100, 150, 220, 250, 250, 350, 200}),
+                            open_curve((double[]){900, 400, 800, 300, 700, 300, 600, 400}), closed};
+    bat_editor *editor = editor_with(3, curves);
+    assert_int_equal(bat_editor_command(editor, "tool-select"), BAT_OK);
+    return editor;
+}
+
+static bool shows(bat_editor *editor, int role) { return pen_live(bat_editor_frame(editor), role) != NULL; }
+
+static void says(bat_editor *editor, const char *words) {
+    const char *readings = bat_editor_readings(editor);
+    if (!strstr(readings, words)) fail_msg("%s, not %s", readings, words);
+}
+
+/* The joint of two ends is as continuous as asked, and no more. */
+static void joins(const bat_curve *a, bool a_end, const bat_curve *b, bool b_end, int continuity) {
+    static const double none[4] = {1e-9, 1e-9, 1e-9 / 200, 1e-7 / (200 * 200)}; /* sizes of 200 */
+    double jump[4];
+    assert_int_equal(bat_curve_jump(a, a_end, b, b_end, jump), BAT_OK);
+    for (int k = 0; k < 4; k++) assert_int_equal(jump[k] <= none[k], k <= continuity);
+}
+
+static void blends_are_kept(void **state) {
+    (void)state;
+    for (int continuity = 0; continuity < 4; continuity++) {
+        bat_editor *editor = bends();
+        const uint64_t first = digest(editor);
+        only(editor, 1, 2);
+        assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
+        says(editor, "\"chosen\":2,\"amount\":0.5,\"of\":\"blend\"");
+        assert_true(shows(editor, BAT_ROLE_FIT) && shows(editor, BAT_ROLE_COMB));
+        assert_int_equal(bat_editor_read_as(editor, continuity), BAT_OK);
+        assert_int_equal(bat_editor_refit(editor, 0.4, true), BAT_OK);
+        assert_true(digest(editor) == first);
+        assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+        assert_true(!shows(editor, BAT_ROLE_FIT) && selected(editor) == 1);
+        const bat_id made = editor->choice.selection.ids[0];
+        assert_true(made != 1 && made != 2);
+        joins(curve(editor, 1), true, curve(editor, made), false, continuity);
+        joins(curve(editor, made), true, curve(editor, 2), true, continuity);
+        goes_back_and_replays(editor, first);
+        bat_editor_free(editor);
+    }
+}
+
+static void one_curve_meets_itself(void **state) {
+    (void)state;
+    bat_editor *editor = bends();
+    only(editor, 1, 3);
+    assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+    const bat_curve *made = curve(editor, editor->choice.selection.ids[0]);
+    joins(curve(editor, 1), true, made, false, 2);
+    joins(made, true, curve(editor, 1), false, 2);
+    bat_editor_free(editor);
+}
+
+static void ends_are_matched(void **state) {
+    (void)state;
+    bat_editor *editor = bends();
+    const uint64_t first = digest(editor);
+    only(editor, 1, 2);
+    assert_int_equal(bat_editor_command(editor, "curve-match"), BAT_OK);
+    says(editor, "\"of\":\"match\"");
+    assert_int_equal(bat_editor_command(editor, "reading-next"), BAT_OK);
+    says(editor, "\"chosen\":3,");
+    assert_true(shows(editor, BAT_ROLE_COMB) && digest(editor) == first);
+    assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+    joins(curve(editor, 1), true, curve(editor, 2), true, 3);
+    double at[2];
+    bat_curve_eval(curve(editor, 1), 0, 0, at);
+    assert_true(at[0] == 100 && at[1] == 100);
+    goes_back_and_replays(editor, first);
+    bat_editor_free(editor);
+}
+
+static void what_is_left_changes_nothing(void **state) {
+    (void)state;
+    bat_editor *editor = bends();
+    const uint64_t first = digest(editor);
+    only(editor, 1, 2);
+    assert_int_equal(bat_editor_command(editor, "curve-match"), BAT_OK);
+    static const double odd[] = {NAN, -0.01, 1.01};
+    for (size_t i = 0; i < 3; i++) assert_int_equal(bat_editor_refit(editor, odd[i], true), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_read_as(editor, 5), BAT_ARGUMENT);
+    assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
+    assert_true(digest(editor) == first && !shows(editor, BAT_ROLE_FIT));
+    only(editor, 1, 3); /* one open curve meets nothing; none is nothing */
+    assert_int_equal(bat_editor_command(editor, "curve-match"), BAT_STATE);
+    only(editor, 3, 0);
+    assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_STATE);
+    assert_true(digest(editor) == first);
+    assert_int_equal(bat_editor_frame(editor)->readings, 0);
+    bat_editor_free(editor);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(blends_are_kept),
+        cmocka_unit_test(one_curve_meets_itself),
+        cmocka_unit_test(ends_are_matched),
+        cmocka_unit_test(what_is_left_changes_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
