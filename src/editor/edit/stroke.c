@@ -57,7 +57,6 @@ static bat_status one_curve(const bat_document *document, const bat_edit *edit, 
     return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
 }
 
-/* The levels of a LEVEL edit, and the finest of them as its curve. */
 size_t bat_edit_pressed(const bat_edit *edit, const bat_curve *curve, bat_width_stop *stops) {
     bat_pressing pressing;
     if (!edit->pressed || !bat_pressing_curve(&pressing, curve)) return 0;
@@ -65,6 +64,7 @@ size_t bat_edit_pressed(const bat_edit *edit, const bat_curve *curve, bat_width_
     return bat_pressing_stops(&pressing, edit->meaning.mark ? 0 : edit->style.width, stops);
 }
 
+/* The levels of a LEVEL edit, and the finest of them as its curve. */
 static bat_status levels(const bat_document *document, const bat_edit *edit, bat_edit_result *out,
                          bat_sketch_report *report) {
     if (!bat_edit_curve(document, edit, edit->object, edit->curve)) return BAT_ARGUMENT;

@@ -15,8 +15,8 @@ struct bat_sketch_live {
     int dimension;
     size_t count, room;
     double *points;
-    double *time; /* a sample each, ms; NULL as soon as samples without times come */
-    bool timed;
+    double *time, *pressure; /* a sample each; ms */
+    bool timed, pressed;     /* not as soon as samples without come */
     bat_clean_memory memory; /* ink that has been shown for 100 ms */
     double *target;          /* of the last preview */
 };
@@ -58,13 +58,19 @@ bat_status bat_sketch_live_add(bat_sketch_live *live, const bat_stroke *samples)
         live->points = points;
         double *time = realloc(live->time, room * sizeof *time);
         if (!time) return BAT_MEMORY;
-        live->time = time, live->room = room;
+        live->time = time;
+        double *pressure = realloc(live->pressure, room * sizeof *pressure);
+        if (!pressure) return BAT_MEMORY;
+        live->pressure = pressure, live->room = room;
     }
     if (samples->count > 0)
         memcpy(live->points + live->count * m, samples->points, samples->count * m * sizeof *live->points);
     live->timed = samples->time && (live->timed || live->count == 0);
     if (live->timed && samples->count > 0)
         memcpy(live->time + live->count, samples->time, samples->count * sizeof *live->time);
+    live->pressed = samples->pressure && (live->pressed || live->count == 0);
+    if (live->pressed && samples->count > 0)
+        memcpy(live->pressure + live->count, samples->pressure, samples->count * sizeof *live->pressure);
     live->count = count;
     return BAT_OK;
 }
@@ -84,6 +90,7 @@ static bat_status run(const bat_sketch_live *live, bat_sketch_hints *hints, bat_
     const bat_stroke stroke = {.dimension = live->dimension,
                                .count = live->count,
                                .points = live->points ? live->points : nothing,
+                               .pressure = live->pressed ? live->pressure : NULL,
                                .time = live->timed ? live->time : NULL};
     if (live->kind == BAT_SKETCH_NEW)
         return bat_sketch_new_with(&stroke, &live->options, &live->meaning, hints, out, report);
@@ -130,6 +137,7 @@ void bat_sketch_live_cancel(bat_sketch_live *live) {
     bat_curve_free(live->curve);
     free(live->points);
     free(live->time);
+    free(live->pressure);
     free(live->memory.points);
     free(live->target);
     free(live);
