@@ -6,13 +6,12 @@
 static const double STEP = 3;     /* px: as dense as typical pen samples */
 static const double SHARE = 0.02; /* of what is drawn so far: small letters keep their shape */
 
-void bat_steady_fit(bat_steady *steady, double strength, double extent) {
-    steady->reach = fmin(strength * strength / 2, SHARE * extent);
+bat_steady bat_steady_begin(double strength, const double at[2]) {
+    const double most = strength * strength / 2;
+    return (bat_steady){most, most, {at[0], at[1]}, {at[0], at[1]}};
 }
 
-bat_steady bat_steady_begin(double strength, const double at[2]) {
-    return (bat_steady){strength * strength / 2, {at[0], at[1]}, {at[0], at[1]}};
-}
+void bat_steady_fit(bat_steady *steady, double extent) { steady->reach = fmin(steady->most, SHARE * extent); }
 
 void bat_steady_move(bat_steady *steady, const double to[2]) {
     double *pen = steady->pen, *end = steady->end, reach = steady->reach;

@@ -10,14 +10,14 @@
 #include <stdbool.h>
 
 typedef struct bat_steady {
-    double reach;          /* px; 0: the line is exactly the pen's path */
+    double most, reach;    /* px, at most and now; 0: the line is exactly the pen's path */
     double pen[2], end[2]; /* px: positions of the pen and of the line's end */
 } bat_steady;
 
 /* strength: 0 to 10. */
 bat_steady bat_steady_begin(double strength, const double at[2]);
-/* The reach of that strength for what is so large, px: a fiftieth of it at most. extent: it never falls. */
-void bat_steady_fit(bat_steady *steady, double strength, double extent);
+/* The reach for what is so large, px: a fiftieth of it at most. extent: it never falls. */
+void bat_steady_fit(bat_steady *steady, double extent);
 /* The pen has moved to `to`; the line's end follows. */
 void bat_steady_move(bat_steady *steady, const double to[2]);
 /* At pen-up: moves the line's end by a step of at most a few pixels towards the pen; false: it has arrived. */

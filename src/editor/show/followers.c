@@ -18,24 +18,29 @@
 #include <string.h>
 
 enum { LINES = 40, SAMPLES = 65, EDGES = 20000, HATCHES = 24 };
+static const double HARDLY = 1e-3; /* of what moves farthest */
 
 /* ---- computed ---- */
 
-/* How far the points of what is bound are from where they were when it was bound. */
+/* How far the points of what is bound are from where they were when it was bound. Where the wire's reach ends, and at the ends of
+ * what was redrawn, they hardly move. */
 static void measure(const bat_object *object, bat_follow_numbers *f) {
     const bat_hold *hold = bat_object_hold(object);
     if (!hold) return;
     const size_t count = hold->bound->point_count;
     const double *rest = hold->bound->rest;
+    double farthest = 0;
     double *now = malloc((3 * count + 1) * sizeof *now);
     if (!now) return; /* only the numbers lack them */
     bat_object_type(object)->points(object, now);
     for (size_t i = 0; i < count; i++) {
         const double x = now[3 * i] - rest[3 * i], y = now[3 * i + 1] - rest[3 * i + 1],
-                     z = now[3 * i + 2] - rest[3 * i + 2], far = sqrt(x * x + y * y + z * z);
-        f->moved += far > 0;
-        f->farthest = fmax(f->farthest, far);
+                     z = now[3 * i + 2] - rest[3 * i + 2];
+        now[i] = sqrt(x * x + y * y + z * z);
+        farthest = fmax(farthest, now[i]);
     }
+    for (size_t i = 0; i < count; i++) f->moved += now[i] > HARDLY * farthest;
+    f->farthest = fmax(f->farthest, farthest);
     free(now);
 }
 

@@ -119,7 +119,7 @@ static double rms_of_letters(double height, double strength) {
             const double at[2] = {100 + height * truth[0], 100 + height * truth[1]};
             if (i == 0) steady = bat_steady_begin(strength, at), memcpy(first, at, sizeof first);
             extent = fmax(extent, hypot(at[0] - first[0], at[1] - first[1]));
-            bat_steady_fit(&steady, strength, extent);
+            bat_steady_fit(&steady, extent);
             bat_steady_move(&steady, at);
             put(&h, steady.end[0], steady.end[1]);
         }

@@ -173,7 +173,7 @@ void bat_sketching_move(bat_context *c, void *state, const bat_pointer *event) {
     s->predicted_count = 0;
     s->hover[0] = event->x; /* where to look for the highlight after the stroke */
     s->hover[1] = event->y;
-    bat_steady_fit(&s->steady, c->settings->values[BAT_PROPERTY_STABILISER], s->travelled);
+    bat_steady_fit(&s->steady, s->travelled);
     bat_steady_move(&s->steady, s->hover);
     bat_status status = add_sample(s, event);
     while (event->phase == BAT_POINTER_UP && status == BAT_OK && bat_steady_catch_up(&s->steady))
