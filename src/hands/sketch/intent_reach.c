@@ -121,7 +121,7 @@ static bool even(const bat_intent *intent, const bat_intent_near *near) {
     const bat_foot *foot = near->track[near->best].foot;
     double most = 0;
     for (int i = 0; i < intent->places; i++) most = fmax(most, foot[i].d);
-    return intent->whole && !near->line.closed && most < 2 * near->least;
+    return intent->whole && !near->line.closed && most < 1.75 * near->least;
 }
 
 /* Whether the stroke goes all round: beside a line that it does not touch it is one inside another. */
