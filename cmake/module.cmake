@@ -32,6 +32,6 @@ set(first ${CMAKE_CURRENT_SOURCE_DIR}/web/module/first.txt)
 set_target_properties(batten_module PROPERTIES LINK_DEPENDS "${first};${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.py")
 add_custom_command(TARGET batten_module POST_BUILD VERBATIM
   COMMAND ${PYTHON3} -B ${CMAKE_CURRENT_SOURCE_DIR}/cmake/split_module.py $<TARGET_FILE:batten_module> batten.map ${first}
-    ${WASM_OPT} ${WASM_SPLIT} ${CMAKE_NM} ${WASM_FEATURES})
+    ${WASM_OPT} ${WASM_SPLIT} ${WASM_FEATURES})
 add_subdirectory(bindings/js)
 add_subdirectory(tests/wasm)

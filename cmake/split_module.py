@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Splits a linked module in two, of which the second, NAME-later.wasm, is fetched when the page is there.
 
-Usage: split_module.py MODULE.wasm LINKED.map FIRST.txt wasm-opt wasm-split llvm-nm FLAG...
+Usage: split_module.py MODULE.wasm LINKED.map FIRST.txt wasm-opt wasm-split FLAG...
 Functions that FIRST does not list go to the second part; it is recorded (tests/web/first_part.mjs). So does the constant data that
 only those can reach: that of an object file all of whose functions go, unless others know it by name, and what is marked as late
 (strings.def). Until the second part is there it is zero. The linker's map says what lies where; it must not have merged strings
@@ -17,6 +17,9 @@ import sys
 LATE = "late_texts"  # a constant whose object stays, and which goes
 DATA, DATA_COUNT = 11, 12  # sections
 CONSTANT, END = 0x41, 0x0B  # in a segment's address
+SYMBOLS = 8  # a part of the section "linking" of an object file
+VARIABLE, SECTION = 1, 3  # kinds of symbols
+LOCAL, UNDEFINED, NAMED = 2, 16, 64  # flags of symbols
 
 
 def room(name):
@@ -65,6 +68,41 @@ def sections(module):
         found.append([module[at], module[begin:begin + size]])
         at = begin + size
     return found
+
+
+def named(data, at):
+    """A name and where it ends."""
+    size, at = whole_number(data, at)
+    return data[at:at + size], at + size
+
+
+def is_known(path):
+    """Whether other object files know some data of an object file by name."""
+    for kind, data in sections(path.read_bytes()):
+        if kind != 0:
+            continue
+        name, at = named(data, 0)
+        at = whole_number(data, at)[1]  # past the version
+        while name == b"linking" and at < len(data):
+            part, (symbols, at) = data[at], named(data, at + 1)
+            if part == SYMBOLS and any(kind == VARIABLE and not flags & (LOCAL | UNDEFINED) for kind, flags in symbols_of(symbols)):
+                return True
+    return False
+
+
+def symbols_of(data):
+    """(kind, flags) of each symbol."""
+    count, at = whole_number(data, 0)
+    for _ in range(count):
+        kind, (flags, at) = data[at], whole_number(data, at + 1)
+        yield kind, flags
+        if kind != VARIABLE:
+            at = whole_number(data, at)[1]
+        if kind == VARIABLE or (kind != SECTION and (flags & NAMED or not flags & UNDEFINED)):
+            at = named(data, at)[1]
+        if kind == VARIABLE and not flags & UNDEFINED:
+            for _ in range(3):  # segment, offset, size
+                at = whole_number(data, at)[1]
 
 
 def segments(data):
@@ -119,7 +157,7 @@ def move_data(first_path, later_path, moved):
 
 def main():
     module, map_path, first_path = map(pathlib.Path, sys.argv[1:4])
-    opt, split, nm, *flags = sys.argv[4:]
+    opt, split, *flags = sys.argv[4:]
     later = module.with_name(module.stem + "-later.wasm")
     listed = {(file, name) for line in first_path.read_text("utf-8").splitlines() if re.match("[a-z]", line)
               for file, *names in [line.split()] for name in names}
@@ -141,8 +179,7 @@ def main():
     list_path.write_text("\n".join(moved) + "\n", "utf-8")
 
     going = {file for kind, *_, file, _ in rows if kind == "DATA" and file.endswith(".obj")} - staying
-    known = subprocess.run([nm, "-A", "--defined-only", "--extern-only", *going], check=True, capture_output=True, text=True).stdout
-    going -= {file for file, kind in re.findall(r"^(.*?): *[0-9a-f]+ ([A-Z]) ", known, re.M) if kind in "BDRV"}
+    going = {file for file in going if not is_known(pathlib.Path(file))}
     ranges = [(int(address, 16), int(address, 16) + size) for kind, address, size, file, name in rows
               if kind == "DATA" and (file in going or name.endswith(f".{LATE}"))]
 
