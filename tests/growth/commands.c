@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include "acts.h"
+#include "editor/choice/choice.h"
+#include "editor/editor.h"
 #include "editor/tables/tables.h"
 #include "growth.h"
 #include "scenes.h"
@@ -50,7 +52,8 @@ static reading perform(bat_editor *editor, int choice) {
 
 /*
  * Performs choices, from one on up to the first that the editor does, in a process of its own, so that the editor stays as it was
- * made: what is refused changes nothing. How many there are readings of; the next one fails when the status is not 0.
+ * made: what is refused changes nothing, unless it has taken another tool to say why. How many there are readings of; the next one
+ * fails when the status is not 0.
  */
 static int perform_apart(bat_editor *editor, int from, int end, reading *readings, int *status) {
     int ends[2], count = 0;
@@ -60,7 +63,8 @@ static int perform_apart(bat_editor *editor, int from, int end, reading *reading
     pid_t child = fork();
     if (child == 0) {
         reading own = {0};
-        for (int i = from; i < end && !own.done; i++) {
+        const bat_tool_id tool = editor->context.choice->tool;
+        for (int i = from; i < end && !own.done && editor->context.choice->tool == tool; i++) {
             own = perform(editor, i);
             if (write(ends[1], &own, sizeof own) != (ssize_t)sizeof own) _exit(1);
         }
