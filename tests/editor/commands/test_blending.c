@@ -33,7 +33,9 @@ static bat_editor *bends(void) {
     return editor;
 }
 
-static bool shows(bat_editor *editor, bat_role role) { return pen_live(bat_editor_frame(editor), role) != NULL; }
+static bool shows(bat_editor *editor, bat_role role) {
+    return pen_live(bat_editor_frame(editor), role) != NULL;
+}
 
 static void says(bat_editor *editor, const char *words) {
     const char *readings = bat_editor_readings(editor);
