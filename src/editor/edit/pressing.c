@@ -2,11 +2,13 @@
 #include "base/real.h"
 
 #include <batten/curve.h>
+#include <batten/width.h>
 #include <math.h>
 #include <string.h>
 
 enum { PARTS = BAT_PRESSED_PARTS, PLACES = BAT_PRESSED_PLACES, FINE = 4 * PLACES };
 
+static const double SEEN = 0.02; /* of the greatest width: what is not seen when a stop is left out */
 static const double FEATHER = 1.5, FEATHER_MOST = 0.15; /* widths at the end; of the line's length */
 
 static double between(const double a[2], const double b[2]) { return bat_hypot(b[0] - a[0], b[1] - a[1]); }
@@ -126,7 +128,41 @@ static double feather(const bat_pressing *p, double width, double share) {
     return fmin(FEATHER * width * share / p->length, FEATHER_MOST);
 }
 
-size_t bat_pressing_stops(const bat_pressing *p, double width, bat_width_stop stops[BAT_PRESSED_STOPS]) {
+/* How far the widths at all stops are from those without one of the left ones. */
+static double without(const bat_width_profile *all, bool closed, const bat_width_profile *left,
+                      size_t which) {
+    bat_width_stop stops[BAT_PRESSED_STOPS];
+    bat_width_profile rest = {left->count, stops};
+    double most = 0, out[2];
+    memcpy(stops, left->stops, left->count * sizeof *stops);
+    bat_width_remove(&rest.count, stops, (int)which);
+    for (size_t i = 0; i < all->count; i++) {
+        bat_width_eval(&rest, closed, all->stops[i].at, out);
+        most = fmax(most, fabs(out[0] - all->stops[i].share));
+    }
+    return most;
+}
+
+/* Leaves out stops of which nothing is seen, the least first: whoever pulls the width then pulls it over a stretch. */
+static size_t fewest(bool closed, size_t count, bat_width_stop *stops) {
+    bat_width_stop told[BAT_PRESSED_STOPS];
+    const bat_width_profile all = {count, told};
+    double most = 0;
+    memcpy(told, stops, count * sizeof *told);
+    for (size_t i = 0; i < count; i++) most = fmax(most, told[i].share);
+    for (size_t best = 1; best;) {
+        double least = SEEN * most;
+        best = 0;
+        for (size_t i = 1; i + 1 < count; i++) {
+            const double off = without(&all, closed, &(bat_width_profile){count, stops}, i);
+            if (off < least) least = off, best = i;
+        }
+        if (best) bat_width_remove(&count, stops, (int)best);
+    }
+    return count;
+}
+
+static size_t all_stops(const bat_pressing *p, double width, bat_width_stop stops[BAT_PRESSED_STOPS]) {
     bat_width_stop told[PARTS + 1];
     size_t count = 0, n = 0;
     double out[2];
@@ -151,4 +187,8 @@ size_t bat_pressing_stops(const bat_pressing *p, double width, bat_width_stop st
         stops[count++] = (bat_width_stop){1, 0};
     }
     return count;
+}
+
+size_t bat_pressing_stops(const bat_pressing *p, double width, bat_width_stop stops[BAT_PRESSED_STOPS]) {
+    return fewest(p->closed, all_stops(p, width, stops), stops);
 }

@@ -22,7 +22,7 @@ bool bat_pressing_curve(bat_pressing *pressing, const bat_curve *curve);
 /* One of its strokes, in either direction, along all of it or a part. On the page, otherwise nothing is done. O(samples). */
 void bat_pressing_add(bat_pressing *pressing, const bat_samples *samples);
 /* Each place as wide as the mean of the strokes there: half the pressure is the whole width. Open ends run out to a point over
- * FEATHER widths of the line, document units. 0: all were pressed evenly. */
+ * FEATHER widths of the line, document units; with no stop more than what is seen needs. 0: all were pressed evenly. */
 size_t bat_pressing_stops(const bat_pressing *pressing, double width,
                           bat_width_stop stops[BAT_PRESSED_STOPS]);
 
