@@ -108,9 +108,9 @@ job('letter S', EMPTY, async (page, worker) => {
   await worker.drag([425, 311], [437, 288]);
   const [letter, ...others] = await objectsOf(page);
   assert.equal(others.length, 0, 'one curve');
-  const at = letter.paint.widths.findIndex(([, share]) => share > 5); // a bulge from end to end, but for the points of a pressed line
+  const at = letter.paint.widths.findIndex(([, share]) => share > 5); // a bulge over most of it, no spike between two of many stops
   const [before, after] = [letter.paint.widths[at - 1], letter.paint.widths[at + 1]];
-  assert.ok(before[0] < 0.15 && after[0] > 0.85, JSON.stringify(letter.paint));
+  assert.ok(before[0] < 0.3 && after[0] > 0.7, JSON.stringify(letter.paint));
 });
 
 /** As a new page of this size. */
