@@ -131,6 +131,10 @@ export class Loop {
       if (!shown) {
         return frame;
       }
+      if (frame.stillChanged) { // and what has changed
+        engine.stillVersion = -1;
+        this.shell.painter.retheme();
+      }
       const next = this.#glide(now);
       if (next) {
         next.requests |= frame.requests; // the engine makes each of them once
