@@ -131,7 +131,7 @@ test('the program and a native file', async (t) => {
   await page.keyboard.press('Control+S');
   await page.waitForFunction(() => document.getElementById('unsaved').hidden);
   const saved = JSON.parse(native.bytes.toString());
-  assert.equal(saved.batten, 1);
+  assert.equal(saved.batten, 7); // a pen's line has widths
   assert.equal(saved.objects.length, 1);
   await page.reload();
   await ready(page);

@@ -55,12 +55,15 @@ static double unlike(const bat_editor *editor) {
     return most;
 }
 
+/* What moves more than a thousandth as far as what moves farthest: as the hint counts. */
 static size_t moved(const bat_editor *editor, const double *rest) {
+    const double least = 1e-3 * farthest(editor, rest);
     size_t count = 0;
     double now[3];
     for (size_t i = 0; i < points_of(editor); i++) {
         point_at(editor, (int)i, now);
-        count += memcmp(now, rest + 3 * i, sizeof now) != 0;
+        const double *from = rest + 3 * i;
+        count += hypot(hypot(now[0] - from[0], now[1] - from[1]), now[2] - from[2]) > least;
     }
     return count;
 }
