@@ -63,7 +63,7 @@ static const char *const keys_of_texts[BAT_STRING_COUNT] = {
 static const struct late_texts {
 #define TEXT(id, key, english, korean)
 #define HELP(id, key, english, korean)
-#define LATE(id, key, english, korean) char id[sizeof english];
+#define LATE(id, key, english, korean) char id[sizeof(english)];
 #include "editor/tables/strings.def"
 } late_texts = {
 #define TEXT(id, key, english, korean)
