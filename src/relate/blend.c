@@ -4,6 +4,8 @@
  * length. docs/math/blend.md 2.
  */
 #include "base/options.h"
+#include "base/real.h"
+#include "curve/banded.h"
 #include "relate/end.h"
 #include <batten/blend.h>
 #include <float.h>
@@ -18,9 +20,6 @@ enum {
     ROUNDS = 40,
     POINTS = BAT_DEGREE_MAX + 1
 };
-
-static const double TENSION_MAX = 1e3;
-static const double PI = 3.14159265358979323846;
 
 /* Speeds and their derivatives: s[end][order - 1]. */
 typedef struct speeds {
@@ -82,12 +81,12 @@ static double vary(const task *t, const speeds *x, double rows[ROWS], bool *cusp
     vec before = t->end[0].tangent;
     *cusp = false;
     for (int i = 0; i < SAMPLES; i++) {
-        const double angle = PI * (i + 0.5) / SAMPLES; /* close to each other at the ends */
+        const double angle = BAT_PI * (i + 0.5) / SAMPLES; /* close to each other at the ends */
         vec at[4] = {{0}};
         for (int k = 1; k < 4 && k <= t->degree; k++)
             at[k] = bezier(t->degree - k, d[k], 0.5 - 0.5 * bat_cos(angle));
         const bat_end here = bat_end_of(at[0], at[1], at[2], at[3]);
-        const double speed = vec_norm(at[1]) * bat_sin(angle) * (0.5 * PI / SAMPLES);
+        const double speed = vec_norm(at[1]) * bat_sin(angle) * (0.5 * BAT_PI / SAMPLES);
         if ((i || t->order[0]) && !(vec_dot(before, here.tangent) > 0)) *cusp = true;
         vec_store(vec_scale(vec_reject(here.rate, here.tangent), sqrt(speed)), rows + 3 * i);
         length += speed;
@@ -108,29 +107,10 @@ static int unknowns(const task *t, speeds *x, double *out[UNKNOWNS]) {
     return count;
 }
 
-/* Solves for a step in place; false: not positive. */
-static bool solve(int count, double m[UNKNOWNS][UNKNOWNS], double x[UNKNOWNS]) {
-    for (int j = 0; j < count; j++)
-        for (int i = j; i < count; i++) {
-            double sum = m[i][j];
-            for (int k = 0; k < j; k++) sum -= m[i][k] * m[j][k];
-            if (i == j && !(sum > 0)) return false;
-            m[i][j] = i == j ? sqrt(sum) : sum / m[j][j];
-        }
-    for (int i = 0; i < count; i++) {
-        for (int k = 0; k < i; k++) x[i] -= m[i][k] * x[k];
-        x[i] /= m[i][i];
-    }
-    for (int i = count - 1; i >= 0; i--) {
-        for (int k = i + 1; k < count; k++) x[i] -= m[k][i] * x[k];
-        x[i] /= m[i][i];
-    }
-    return true;
-}
-
-/* The normal equations of the rows linearised by differences: m x = y, for the step downwards. */
+/* The normal equations of the rows linearised by differences: m x = y, for the step downwards. m: as bat_banded_factor wants a
+ * matrix whose band is all of it. */
 static void linearise(const task *t, const speeds *x, const double rows[ROWS], int count,
-                      double m[UNKNOWNS][UNKNOWNS], double y[UNKNOWNS]) {
+                      double m[UNKNOWNS * UNKNOWNS], double y[UNKNOWNS]) {
     double slopes[UNKNOWNS][ROWS];
     for (int i = 0; i < count; i++) {
         speeds near = *x;
@@ -145,8 +125,9 @@ static void linearise(const task *t, const speeds *x, const double rows[ROWS], i
         y[i] = 0;
         for (int k = 0; k < ROWS; k++) y[i] -= slopes[i][k] * rows[k];
         for (int j = 0; j <= i; j++) {
-            m[i][j] = 0;
-            for (int k = 0; k < ROWS; k++) m[i][j] += slopes[i][k] * slopes[j][k];
+            double *to = m + i * count + i - j;
+            *to = 0;
+            for (int k = 0; k < ROWS; k++) *to += slopes[i][k] * slopes[j][k];
         }
     }
 }
@@ -171,15 +152,16 @@ static double improve(const task *t, speeds *x) {
     double rows[ROWS], best = vary(t, x, rows, &cusp), damping = 1e-3, *at[UNKNOWNS];
     const int count = unknowns(t, x, at);
     for (int round = 0; round < ROUNDS && best > DBL_EPSILON && best < INFINITY && count; round++) {
-        double m[UNKNOWNS][UNKNOWNS], y[UNKNOWNS], before = best;
+        double m[UNKNOWNS * UNKNOWNS], y[UNKNOWNS], before = best;
         linearise(t, x, rows, count, m, y);
         for (; damping < 1e12; damping *= 8) {
-            double damped[UNKNOWNS][UNKNOWNS], step[UNKNOWNS], tried[ROWS];
+            double damped[UNKNOWNS * UNKNOWNS], step[UNKNOWNS], tried[ROWS];
             speeds next = *x;
-            memcpy(damped, m, sizeof damped);
-            memcpy(step, y, sizeof step);
-            for (int i = 0; i < count; i++) damped[i][i] += damping * (1e-6 + m[i][i]);
-            if (!solve(count, damped, step)) continue;
+            memcpy(damped, m, (size_t)(count * count) * sizeof *m);
+            memcpy(step, y, (size_t)count * sizeof *y);
+            for (int i = 0; i < count; i++) damped[i * count] += damping * (1e-6 + m[i * count]);
+            if (bat_banded_factor(damped, count, count - 1) != BAT_OK) continue;
+            bat_banded_solve(damped, count, count - 1, step, 1);
             unknowns(t, &next, at);
             for (int i = 0; i < count; i++) *at[i] += step[i];
             const double sum = are_sound(t, &next) ? vary(t, &next, tried, &next_cusp) : (double)INFINITY;
@@ -241,7 +223,7 @@ static double best_of(const task *t, speeds *best) {
 static bat_status check(const bat_blend_options *o) {
     for (int e = 0; e < 2; e++)
         if (o->continuity[e] < 0 || o->continuity[e] > BAT_CONTINUITY_MAX ||
-            !(o->tension[e] >= 1 / TENSION_MAX && o->tension[e] <= TENSION_MAX))
+            !bat_end_is_tension(o->tension[e]))
             return BAT_ARGUMENT;
     return BAT_OK;
 }

@@ -45,6 +45,8 @@ void bat_end_derive(const bat_end *end, const double s[3], vec d[3]) {
                    vec_scale(end->tangent, s[2]));
 }
 
+bool bat_end_is_tension(double factor) { return factor >= 1 / 1e3 && factor <= 1e3; }
+
 bat_status bat_ends_check(const bat_curve *a, const bat_curve *b) {
     if (!a || !b || bat_curve_is_closed(a) || bat_curve_is_closed(b)) return BAT_ARGUMENT;
     return bat_curve_dimension(a) == bat_curve_dimension(b) ? BAT_OK : BAT_DIMENSION;

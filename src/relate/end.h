@@ -17,6 +17,8 @@ bat_end bat_end_of(vec at, vec d1, vec d2, vec d3);
 bat_end bat_end_at(const bat_curve *curve, bool last, bool turned);
 /* Derivatives 1..3 by a parameter in which the speed is s[0], and its derivatives s[1] and s[2]. */
 void bat_end_derive(const bat_end *end, const double s[3], vec d[3]);
+/* Whether a factor on the speed at an end is from 1e-3 to 1e3. */
+bool bat_end_is_tension(double factor);
 /* Whether a and b are open and of one dimension, else what is wrong. */
 bat_status bat_ends_check(const bat_curve *a, const bat_curve *b);
 

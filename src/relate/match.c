@@ -7,8 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double TENSION_MAX = 1e3;
-
 /* A clamped curve of at least that degree, with so many control points that those of its two ends are apart. */
 static bat_status roomy(const bat_curve *a, int continuity, bool last, bat_curve **out) {
     const int apart = 2 * (continuity + 1);
@@ -75,8 +73,7 @@ bat_status bat_curve_match(const bat_curve *a, bool a_end, const bat_curve *b, b
                            double tension, bat_curve **out, double *moved) {
     bat_status status = bat_ends_check(a, b);
     if (status != BAT_OK) return status;
-    if (!out || continuity < 0 || continuity > BAT_CONTINUITY_MAX || !(tension >= 1 / TENSION_MAX) ||
-        !(tension <= TENSION_MAX))
+    if (!out || continuity < 0 || continuity > BAT_CONTINUITY_MAX || !bat_end_is_tension(tension))
         return BAT_ARGUMENT;
     /* as a runs: on into b, or out of it */
     const bat_end target = bat_end_at(b, b_end, b_end == a_end);

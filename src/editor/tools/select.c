@@ -42,7 +42,6 @@ static const double REACH = 8, REACH_TOUCH = 22; /* px to a line, and to a handl
 static const double STILL = 4;                   /* px that a click may travel */
 static const double TWICE = 400;                 /* ms between the presses of a double click */
 static const double HANDLE = 4.5, ROTATE_AWAY = 26, CROWDED = 30;
-static const double PI = 3.14159265358979323846;
 
 static double reach(bat_device device) { return device == BAT_DEVICE_TOUCH ? REACH_TOUCH : REACH; }
 
@@ -212,7 +211,7 @@ static bat_status lift(bat_context *c, bat_selecting *s) {
 /* ---- what the drag does ---- */
 
 static double snapped_angle(double radians, bool snap) {
-    return snap ? round(radians / (PI / 12)) * (PI / 12) : radians;
+    return snap ? round(radians / (BAT_PI / 12)) * (BAT_PI / 12) : radians;
 }
 
 static void scaling(const bat_selecting *s, uint32_t modifiers, const double from[2], const double to[2],
@@ -521,7 +520,7 @@ static bat_status turn_or_scale(bat_context *c, bat_command_id id, double matrix
     double about[2] = {box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2};
     if (id == BAT_COMMAND_SCALE_DOWN) factor = 1 / factor;
     if (turns)
-        bat_matrix_rotation((id == BAT_COMMAND_ROTATE_LEFT ? -1 : 1) * (far ? 15 : 1) * PI / 180, about,
+        bat_matrix_rotation((id == BAT_COMMAND_ROTATE_LEFT ? -1 : 1) * (far ? 15 : 1) * BAT_PI / 180, about,
                             matrix);
     else
         bat_matrix_scaling(factor, factor, about, matrix);
