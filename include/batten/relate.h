@@ -131,9 +131,7 @@ typedef struct bat_nib {
  * joins are. Where the parallels of the curve do not fit together, or an end with a butt cap bends more than a circle of half the
  * width, the outline is what the lines across the curve cover, as bat_curve_outline_width makes it. A bevel that another stretch of the curve covers in part is cut off all the
  * same, by less than half a width. BAT_ARGUMENT: a width or a limit out of range; BAT_TOLERANCE: the tolerance is below 1e-12 of
- * the greatest coordinate, or
- * of it and what the outline is made of, within a factor of 10.
- * docs/math/relate.md 7.
+ * the greatest coordinate, or of it and what the outline is made of, within a factor of 10. docs/math/relate.md 7.
  */
 BAT_API bat_status bat_curve_outline(const bat_curve *curve, const bat_nib *nib, double tolerance,
                                      double corner, size_t *count, bat_curve ***out, double *max_error);

@@ -4,14 +4,10 @@
 
 #include "relate/encounter.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
 enum { PAIRS_MAX = 2 * 1000 * 1000 };
-
-/* The gap below which rounding hides whether points of these curves are the same. */
-static double hidden(const bat_curve *curve) { return 64 * DBL_EPSILON * bat_segments_reach_of(curve); }
 
 static bat_status meet(bat_encounter *m, bat_meeting *out) {
     bat_encounter_side own = {0}, others = {0};
@@ -75,7 +71,7 @@ bat_status bat_curve_intersect(const bat_curve *a, const bat_curve *b, double to
     if (a == b && bat_curve_copy(a, &copy) != BAT_OK) return BAT_MEMORY;
     const bool turned = !copy && compare(a, b) > 0; /* so that the order of both changes nothing */
     bat_encounter m = {.a = turned ? b : a, .b = copy ? copy : turned ? a : b, .left = PAIRS_MAX};
-    m.gap = fmax(tolerance, fmax(hidden(a), hidden(b)));
+    m.gap = fmax(tolerance, fmax(bat_segments_hidden(a), bat_segments_hidden(b)));
     const bat_status status = meet(&m, out);
     if (status == BAT_OK && turned) turn_over(out);
     bat_curve_free(copy);
@@ -84,7 +80,8 @@ bat_status bat_curve_intersect(const bat_curve *a, const bat_curve *b, double to
 
 bat_status bat_curve_self_intersect(const bat_curve *curve, double tolerance, bat_meeting *out) {
     if (!curve || !out || !(tolerance > 0)) return BAT_ARGUMENT;
-    bat_encounter m = {.a = curve, .b = curve, .left = PAIRS_MAX, .gap = fmax(tolerance, hidden(curve))};
+    bat_encounter m = {
+        .a = curve, .b = curve, .left = PAIRS_MAX, .gap = fmax(tolerance, bat_segments_hidden(curve))};
     return meet(&m, out);
 }
 

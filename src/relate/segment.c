@@ -20,8 +20,10 @@ double bat_segments_reach_of(const bat_curve *curve) {
     return most;
 }
 
+double bat_segments_hidden(const bat_curve *curve) { return 64 * DBL_EPSILON * bat_segments_reach_of(curve); }
+
 bool bat_segments_hide(const bat_curve *curve, double tolerance) {
-    return bat_curve_degree(curve) > 1 && !(tolerance >= 64 * DBL_EPSILON * bat_segments_reach_of(curve));
+    return bat_curve_degree(curve) > 1 && !(tolerance >= bat_segments_hidden(curve));
 }
 
 bat_status bat_segments_of(const bat_curve *curve, int *count, bat_segment **out) {

@@ -12,7 +12,9 @@ typedef struct bat_segment {
 
 /* The greatest coordinate of its control points: what is nearer than some of its last digits is hidden by rounding. */
 double bat_segments_reach_of(const bat_curve *curve);
-/* Whether rounding hides a tolerance: it is below 64 epsilons of that, and the curve is not straight anyway. */
+/* The gap below which rounding hides whether points of the curve are the same: 64 epsilons of that. */
+double bat_segments_hidden(const bat_curve *curve);
+/* Whether rounding hides a tolerance, which is below that, and the curve is not straight anyway. */
 bool bat_segments_hide(const bat_curve *curve, double tolerance);
 /* The spans of a curve; *out is the caller's (free). */
 bat_status bat_segments_of(const bat_curve *curve, int *count, bat_segment **out);

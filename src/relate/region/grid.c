@@ -346,16 +346,13 @@ bat_status bat_arrangement_grid(bat_arrangement *a) {
     a->step = ldexp(1, exponent - 1);
     bat_status status = BAT_OK;
     for (size_t i = 0; i < a->curve_count && status == BAT_OK; i++) status = take_curve(&g, i);
-    g.count = 1;
-    for (int i = 0; i < ROUNDS && status == BAT_OK && g.now.count && g.count; i++) {
-        g.count = 0;
+    bool meet = g.now.count > 0; /* elsewhere than at places of the grid, as far as is known */
+    for (int i = 0; i < ROUNDS && status == BAT_OK && meet; i++) {
         status = find_slits(&g);
-        if (status == BAT_OK && g.count) {
-            status = take_apart(&g);
-            g.count = 1;
-        }
+        meet = g.count > 0;
+        if (status == BAT_OK && meet) status = take_apart(&g);
     }
-    if (status == BAT_OK && g.now.count && g.count) status = BAT_TOLERANCE; /* never seen */
+    if (status == BAT_OK && meet) status = BAT_TOLERANCE; /* never seen */
     if (status == BAT_OK) status = make_edges(&g);
     free(g.now.all), free(g.slits);
     return status;
