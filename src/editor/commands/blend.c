@@ -38,6 +38,17 @@ static bool is_possible(const bat_document *document, int index) {
 
 static const bat_curve *curve_of(const ends *e, int k) { return bat_object_curve(e->object[k], e->curve[k]); }
 
+static bool is_open(const bat_object *object, int k) {
+    const bat_curve *curve = bat_object_curve(object, k);
+    return !bat_curve_is_closed(curve) && bat_curve_dimension(curve) == 2;
+}
+
+static bool has_open(const bat_object *object) {
+    int k = bat_object_curve_count(object);
+    while (k > 0 && !is_open(object, k - 1)) k--;
+    return k > 0;
+}
+
 /* How far two ends are from each other. */
 static double gap(const bat_curve *a, bool a_last, const bat_curve *b, bool b_last) {
     double jump[WAYS] = {INFINITY};
@@ -50,8 +61,7 @@ static bat_status find(const bat_tuning *t, ends *e) {
     int found = 0;
     for (int i = 0; i < t->count; i++)
         for (int k = 0; k < bat_object_curve_count(t->before[i]); k++) {
-            const bat_curve *curve = bat_object_curve(t->before[i], k);
-            if (bat_curve_is_closed(curve) || bat_curve_dimension(curve) != 2) continue;
+            if (!is_open(t->before[i], k)) continue;
             if (found < 2) e->object[found] = t->before[i], e->curve[found] = k;
             found++;
         }
@@ -120,6 +130,8 @@ static bat_status add(bat_context *c, int index, bat_beside *m) {
     ends e;
     bat_curve *made = NULL;
     bat_object *beside = NULL;
+    if (!has_open(object))
+        return BAT_OK; /* one of two at most: the ends are not looked for with each of many */
     bat_status status = find(c->tuning, &e);
     if (status != BAT_OK || bat_object_id(object) != bat_object_id(e.object[0])) return status;
     m->fit++;
