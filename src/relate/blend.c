@@ -27,7 +27,7 @@ typedef struct speeds {
 } speeds;
 
 typedef struct task {
-    bat_end end[2]; /* leaving the first, arriving at the second; 1 apart */
+    bat_curve_end end[2]; /* leaving the first, arriving at the second; 1 apart */
     int order[2];
     int degree;
     int first; /* 0: the speeds are free, too; 1: they are given */
@@ -44,7 +44,7 @@ static void points_of(const task *t, const speeds *x, vec p[POINTS]) {
         vec d[ORDERS + 1];
         double factor = 1;
         d[0] = t->end[e].at;
-        bat_end_derive(&t->end[e], x->s[e], d + 1);
+        bat_curve_end_derive(&t->end[e], x->s[e], d + 1);
         for (int j = 1; j <= t->order[e]; j++) {
             factor *= (e ? -1.0 : 1.0) / (t->degree - j + 1);
             d[j] = vec_scale(d[j], factor);
@@ -85,7 +85,7 @@ static double vary(const task *t, const speeds *x, double rows[ROWS], bool *cusp
         vec at[4] = {{0}};
         for (int k = 1; k < 4 && k <= t->degree; k++)
             at[k] = bezier(t->degree - k, d[k], 0.5 - 0.5 * bat_cos(angle));
-        const bat_end here = bat_end_of(at[0], at[1], at[2], at[3]);
+        const bat_curve_end here = bat_curve_end_of(at[0], at[1], at[2], at[3]);
         const double speed = vec_norm(at[1]) * bat_sin(angle) * (0.5 * BAT_PI / SAMPLES);
         if ((i || t->order[0]) && !(vec_dot(before, here.tangent) > 0)) *cusp = true;
         vec_store(vec_scale(vec_reject(here.rate, here.tangent), sqrt(speed)), rows + 3 * i);
@@ -133,7 +133,7 @@ static void linearise(const task *t, const speeds *x, const double rows[ROWS], i
 }
 
 /* A speed at which neither curvature nor its rate throws the control points far. */
-static double calm_speed(const bat_end *end) {
+static double calm_speed(const bat_curve_end *end) {
     return 1 / (1 + 0.5 * vec_norm(end->bend) + sqrt(vec_norm(end->rate)) / 3);
 }
 
@@ -223,13 +223,13 @@ static double best_of(const task *t, speeds *best) {
 static bat_status check(const bat_blend_options *o) {
     for (int e = 0; e < 2; e++)
         if (o->continuity[e] < 0 || o->continuity[e] > BAT_CONTINUITY_MAX ||
-            !bat_end_is_tension(o->tension[e]))
+            !bat_curve_end_is_tension(o->tension[e]))
             return BAT_ARGUMENT;
     return BAT_OK;
 }
 
 /* Ends moved and scaled so that the first is at the origin and they are 1 apart. */
-static void shrink(bat_end *end, vec origin, double scale) {
+static void shrink(bat_curve_end *end, vec origin, double scale) {
     end->at = vec_scale(vec_sub(end->at, origin), 1 / scale);
     end->bend = vec_scale(end->bend, scale);
     end->rate = vec_scale(vec_scale(end->rate, scale), scale);
@@ -257,7 +257,7 @@ bat_status bat_curve_blend(const bat_curve *a, bool a_end, const bat_curve *b, b
     if (status == BAT_OK) status = bat_options_read(options, sizeof o, sizeof o, &o);
     if (status == BAT_OK) status = out ? check(&o) : BAT_ARGUMENT;
     if (status != BAT_OK) return status;
-    task t = {.end = {bat_end_at(a, a_end, !a_end), bat_end_at(b, b_end, b_end)},
+    task t = {.end = {bat_curve_end_at(a, a_end, !a_end), bat_curve_end_at(b, b_end, b_end)},
               .order = {o.continuity[0], o.continuity[1]},
               .degree = o.continuity[0] + o.continuity[1] + 1};
     const vec origin = t.end[0].at, last = t.end[1].at;

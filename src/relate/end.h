@@ -6,19 +6,19 @@
 #include <batten/curve.h>
 
 /* Point, unit tangent, curvature vector, and third derivative by arc length. docs/math/blend.md 1. */
-typedef struct bat_end {
+typedef struct bat_curve_end {
     vec at, tangent, bend, rate;
     int known; /* the highest order that exists: 0 or 1 where the speed vanishes */
-} bat_end;
+} bat_curve_end;
 
 /* Of the derivatives by any parameter, the first not zero. */
-bat_end bat_end_of(vec at, vec d1, vec d2, vec d3);
+bat_curve_end bat_curve_end_of(vec at, vec d1, vec d2, vec d3);
 /* Of an open curve, as one comes to its end (last), or leaves its start; turned: as one goes the other way. */
-bat_end bat_end_at(const bat_curve *curve, bool last, bool turned);
+bat_curve_end bat_curve_end_at(const bat_curve *curve, bool last, bool turned);
 /* Derivatives 1..3 by a parameter in which the speed is s[0], and its derivatives s[1] and s[2]. */
-void bat_end_derive(const bat_end *end, const double s[3], vec d[3]);
+void bat_curve_end_derive(const bat_curve_end *end, const double s[3], vec d[3]);
 /* Whether a factor on the speed at an end is from 1e-3 to 1e3. */
-bool bat_end_is_tension(double factor);
+bool bat_curve_end_is_tension(double factor);
 /* Whether a and b are open and of one dimension, else what is wrong. */
 bat_status bat_ends_check(const bat_curve *a, const bat_curve *b);
 

@@ -73,10 +73,10 @@ bat_status bat_curve_match(const bat_curve *a, bool a_end, const bat_curve *b, b
                            double tension, bat_curve **out, double *moved) {
     bat_status status = bat_ends_check(a, b);
     if (status != BAT_OK) return status;
-    if (!out || continuity < 0 || continuity > BAT_CONTINUITY_MAX || !bat_end_is_tension(tension))
+    if (!out || continuity < 0 || continuity > BAT_CONTINUITY_MAX || !bat_curve_end_is_tension(tension))
         return BAT_ARGUMENT;
     /* as a runs: on into b, or out of it */
-    const bat_end target = bat_end_at(b, b_end, b_end == a_end);
+    const bat_curve_end target = bat_curve_end_at(b, b_end, b_end == a_end);
     if (continuity > target.known) return BAT_SINGULAR;
     bat_curve *room = NULL;
     status = roomy(a, continuity, a_end, &room);
@@ -89,7 +89,7 @@ bat_status bat_curve_match(const bat_curve *a, bool a_end, const bat_curve *b, b
         bat_curve_free(room);
         return BAT_SINGULAR;
     }
-    bat_end_derive(&target, s, d + 1);
+    bat_curve_end_derive(&target, s, d + 1);
     const double far = put(room, a_end, continuity, d);
     status = bat_curve_finish(room, out);
     if (status == BAT_OK && moved) *moved = far;

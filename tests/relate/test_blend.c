@@ -143,8 +143,8 @@ static void matches_meet_and_keep_the_rest(void **state) {
     for (int i = 0; i < ROUNDS; i++) {
         const int dimension = 2 + i % 2, k = i % 4;
         const bool a_end = random_unit(&r) < 0.5, b_end = random_unit(&r) < 0.5;
-        bat_curve *a = random_curve(&r, random_int(&r, 1, 7), dimension, random_int(&r, 0, 1),
-                                    random_int(&r, 0, 5)),
+        const int degree = random_int(&r, 1, 7), kind = random_int(&r, 0, 1), extra = random_int(&r, 0, 5);
+        bat_curve *a = random_curve(&r, degree, dimension, kind, extra),
                   *b = arch(&r, dimension, random_int(&r, 1, 4), 0, 1), *made = NULL, *again = NULL;
         double moved;
         const bat_status status = bat_curve_match(a, a_end, b, b_end, k, random_between(&r, 0.5, 2), &made,

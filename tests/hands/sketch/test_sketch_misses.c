@@ -134,6 +134,7 @@ static void count_calm(double scale) {
     print_message(
         "scale %g: without a bump, of %d whose ends miss by 0.5, 1, 2, 3, 5 px: %d, %d, %d, %d, %d\n", scale,
         SHAPES * TRIES, calm[0], calm[1], calm[2], calm[3], calm[4]);
+    if (FEWER) return; /* a sixth is too few for a share */
     for (int i = 0; i < SIZES; i++) assert_true(calm[i] >= (sizes[i] < 5 ? 0.94 : 0.75) * SHAPES * TRIES);
 }
 
