@@ -46,7 +46,8 @@ BAT_API bat_status bat_surface_silhouettes(const bat_surface *surface, const bat
                                            bat_tracks **out);
 /* Where a plane cuts a surface, with chords within `tolerance` (0: 1e-6 of the surface's size). A part of the surface
  * that lies in the plane has no tracks. BAT_ARGUMENT: normal is zero, or the tolerance below 0; BAT_NUMBER: a number is
- * not finite or too large. */
+ * not finite or too large; BAT_TOLERANCE, and no tracks: the tolerance is below 1e-12 of the greatest coordinate, which
+ * rounding hides. Four times as fine has twice as many points. */
 BAT_API bat_status bat_surface_section(const bat_surface *surface, const double origin[3],
                                        const double normal[3], double tolerance, bat_tracks **out);
 
@@ -54,8 +55,10 @@ BAT_API bat_status bat_surface_section(const bat_surface *surface, const double 
 typedef struct bat_intersect_options {
     size_t size;      /* of this struct, as base.h says */
     double tolerance; /* surfaces this close touch; a loop less deep is a contact; 0: 1e-4 of the size */
-    double chord;     /* greatest distance of the polylines' chords; 0: 1e-6 of the size */
-    double leaf;      /* parts of this size, relative to the surface's, are searched one by one; 0: .03 */
+    double
+        chord; /* greatest distance of the polylines' chords; 0: 1e-6 of the size; below 1e-12 of the greatest
+                       * coordinate: BAT_TOLERANCE, and no tracks */
+    double leaf; /* parts of this size, relative to the surface's, are searched one by one; 0: .03 */
 } bat_intersect_options;
 
 BAT_API void bat_intersect_options_init(bat_intersect_options *options, size_t size);

@@ -171,6 +171,13 @@ void bat_surface_spread(const bat_surface *surface, bat_direction direction, siz
 }
 double bat_surface_size(const bat_surface *surface) { return surface->size; }
 
+double bat_surface_least_chord(const bat_surface *surface) {
+    const size_t count = 3 * (size_t)surface->axis[0].spread * (size_t)surface->axis[1].spread;
+    double most = 0;
+    for (size_t i = 0; i < count; i++) most = fmax(most, fabs(surface->points[i]));
+    return 1e-12 * most;
+}
+
 const double *bat_surface_row(const bat_surface *surface, int i) {
     const bat_curve *u = &surface->axis[0];
     if (i < 0 || i >= u->count) return NULL;

@@ -11,6 +11,8 @@ struct bat_surface {
     double *points;    /* axis[0].spread rows of axis[1].spread points */
 };
 
+/* Chords nearer to a surface than this are hidden by rounding: 1e-12 of its greatest coordinate. O(points). */
+double bat_surface_least_chord(const bat_surface *surface);
 /* Allocates one block; the counts are set, the contents of the arrays are not. */
 bat_status bat_surface_allocate(const int degree[2], const bool closed[2], const int count[2],
                                 bat_surface **out);

@@ -1,9 +1,11 @@
 /* The intersection of two surfaces: seeds, branches, contacts; and tracks as curves. */
 #include "curve/fit.h"
+#include "form/surface/surface.h"
 #include "form/trace/meet.h"
 #include "form/view/view.h"
 #include <batten/fit.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,7 +28,9 @@ static bat_status read_options(const bat_intersect_options *options, bat_meet *m
         if (*given[i] < 0) return BAT_ARGUMENT;
     }
     if (!(m->gap > 0)) m->gap = usual_gap * m->size;
-    if (!(m->chord > 0)) m->chord = usual_chord * m->size;
+    const double least = fmax(bat_surface_least_chord(m->side[0]), bat_surface_least_chord(m->side[1]));
+    if (m->chord > 0 && m->chord < least) return BAT_TOLERANCE;
+    if (!(m->chord > 0)) m->chord = fmax(usual_chord * m->size, least);
     if (!(m->leaf > 0)) m->leaf = usual_leaf;
     m->leaf = fmin(fmax(m->leaf, 1e-3), 1);
     return BAT_OK;

@@ -247,6 +247,27 @@ static void sections_lie_in_the_plane(void **state) {
     bat_surface_free(s);
 }
 
+/* Chords that rounding hides are refused at once, whatever the size. */
+static void hidden_chords_are_refused(void **state) {
+    (void)state;
+    for (double size = 1e-6; size < 1e7; size *= 1e6) {
+        bat_surface *s = solid_torus(size, 0.4 * size, 24, 12);
+        const double at[3] = {0}, normal[3] = {0.1, 0.1, 1}, hidden[] = {1e-13 * size, 1e-18 * size, 1e-300};
+        bat_tracks *tracks = NULL;
+        for (int i = 0; i < 3; i++) {
+            assert_int_equal(bat_surface_section(s, at, normal, hidden[i], &tracks), BAT_TOLERANCE);
+            bat_intersect_options options = bat_intersect_defaults();
+            options.chord = hidden[i];
+            assert_int_equal(bat_surface_intersect(s, s, &options, &tracks), BAT_TOLERANCE);
+            assert_null(tracks);
+        }
+        assert_int_equal(bat_surface_section(s, at, normal, 1e-9 * size, &tracks), BAT_OK);
+        assert_int_equal(bat_tracks_count(tracks), 2);
+        bat_tracks_free(tracks);
+        bat_surface_free(s);
+    }
+}
+
 /* A plane that touches a torus all along its top circle: nothing but crossings. */
 static void touching_along_a_curve_is_given_up(void **state) {
     (void)state;
@@ -318,6 +339,7 @@ int main(void) {
         cmocka_unit_test(a_cylinder_from_its_end_has_none),
         cmocka_unit_test(nothing_ends_inside),
         cmocka_unit_test(sections_lie_in_the_plane),
+        cmocka_unit_test(hidden_chords_are_refused),
         cmocka_unit_test(touching_along_a_curve_is_given_up),
         cmocka_unit_test(bad_data_are_refused),
         cmocka_unit_test(failing_allocations_are_reported),
