@@ -175,6 +175,16 @@ def once_more(trees, done):
     return [(name, passed or name in unsteady, seconds) for name, passed, seconds in done], unsteady
 
 
+def by_kind(done):
+    """Seconds of tests by what their names begin with: where the time goes."""
+    sums = {}
+    for name, _, seconds in done:
+        kind = name.partition("_")[0]
+        number, total = sums.get(kind, (0, 0))
+        sums[kind] = (number + 1, total + seconds)
+    return [f"{kind}: {number} tests, {total:.0f} s" for kind, (number, total) in sorted(sums.items(), key=lambda row: -row[1][1])]
+
+
 def main():
     suite = tuple(sys.argv[1:])
     if suite not in SUITES:
@@ -193,6 +203,7 @@ def main():
     good = sum(passed for _, passed, _ in done)
     print("The slowest:", *(f"{name} {seconds:.0f} s" for name, _, seconds in sorted(done, key=lambda row: -row[2])[:SLOWEST]),
           sep="\n    ")
+    print("By kind:", *by_kind(done)[:SLOWEST], sep="\n    ")
     if unsteady:
         print("Unsteady, to be mended: these failed, and passed when run again alone:", *unsteady, sep="\n    ")
     if bad:
