@@ -201,6 +201,20 @@ static void touching_surfaces_are_counted(void **state) {
         }
 }
 
+/* Two lines across a saddle, from corner to corner: rounding puts a corner a little beyond one of its edges. */
+static void branches_end_at_corners(void **state) {
+    (void)state;
+    for (int number = 0; number < 112; number += 8)
+        for (int turned = 0; turned < 2; turned++) {
+            touching t = touching_make(SADDLE_PLANE, number, 1, 0);
+            touching_count found = {0};
+            assert_true(touching_find(&t, turned, &found));
+            assert_int_equal(found.branches, 4);
+            assert_int_equal(found.contacts, 1);
+            touching_free(&t);
+        }
+}
+
 static void bad_data_are_refused(void **state) {
     (void)state;
     bat_surface *a = tube(0.5, 2, 0, 0), *b = tube(0.4, 0, 0, 0);
@@ -264,6 +278,7 @@ int main(void) {
         cmocka_unit_test(curves_are_within_the_tolerance),
         cmocka_unit_test(touching_along_a_curve_is_said),
         cmocka_unit_test(touching_surfaces_are_counted),
+        cmocka_unit_test(branches_end_at_corners),
         cmocka_unit_test(bad_data_are_refused),
         cmocka_unit_test(failing_allocations_are_reported),
     };
