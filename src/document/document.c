@@ -22,6 +22,7 @@ struct bat_document {
     double page[4];
     double scale; /* millimetres of a unit */
     bat_unit unit;
+    bat_stand stand;
     bat_source *source;
     int followers; /* objects that follow others */
 };
@@ -68,7 +69,7 @@ bat_status bat_document_copy(const bat_document *document, bat_document **out) {
     copy->followers = document->followers;
     copy->source = bat_source_retain(document->source);
     memcpy(copy->page, document->page, sizeof copy->page);
-    copy->scale = document->scale, copy->unit = document->unit;
+    copy->scale = document->scale, copy->unit = document->unit, copy->stand = document->stand;
     *out = copy;
     return BAT_OK;
 }
@@ -168,6 +169,20 @@ bat_status bat_document_set_scale(bat_document *document, double millimetres, ba
     if (!scale_valid(millimetres, unit)) return BAT_NUMBER;
     document->scale = millimetres, document->unit = unit;
     return BAT_OK;
+}
+
+bat_stand bat_document_stand(const bat_document *document) { return document->stand; }
+
+void bat_document_set_stand(bat_document *document, bat_stand stand) { document->stand = stand; }
+
+static const char *const STANDS[] = {"", "wall", "floor"};
+
+const char *bat_stand_word(bat_stand stand) { return STANDS[stand]; }
+
+bat_stand bat_stand_of_word(const char *word) {
+    bat_stand stand = BAT_STAND_FLOOR;
+    while (stand && (!word || strcmp(STANDS[stand], word) != 0)) stand--;
+    return stand;
 }
 
 void bat_document_bounds(const bat_document *document, double box[4]) {
@@ -291,6 +306,7 @@ uint64_t bat_document_digest(const bat_document *document) {
     for (int i = 0; i < 4; i++) digest = bat_digest_double(digest, document->page[i]);
     if (bat_unit_is_said_by(document->unit, document->scale))
         digest = bat_digest_double(bat_digest_number(digest, (uint64_t)document->unit), document->scale);
+    if (document->stand) digest = bat_digest_number(digest, (uint64_t)document->stand);
     digest = bat_digest_number(digest, (uint64_t)document->list.count);
     return bat_digest_number(digest, bat_list_digest(&document->list));
 }

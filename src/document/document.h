@@ -16,6 +16,15 @@ void bat_document_raise_next(bat_document *document, bat_id next);
 const bat_source *bat_document_origin(const bat_document *document);
 void bat_document_set_origin(bat_document *document, const bat_source *source); /* retains it */
 
+/* How the page stands in a room: as a wall, its up is up; as a floor, up is towards the eye. Until somebody says so, what is
+ * drawn tells (bat_stand_of). */
+typedef enum bat_stand { BAT_STAND_UNSAID, BAT_STAND_WALL, BAT_STAND_FLOOR } bat_stand;
+bat_stand bat_document_stand(const bat_document *document);
+void bat_document_set_stand(bat_document *document, bat_stand stand);
+/* "wall", "floor"; "" until it is said. Of another word it is BAT_STAND_UNSAID. */
+const char *bat_stand_word(bat_stand stand);
+bat_stand bat_stand_of_word(const char *word);
+
 /* NULL, or what is wrong with an object by itself. Objects never change, so checking one once is enough. */
 const char *bat_object_check(const bat_object *object);
 /* What bat_nesting_next finds, but by the parents' ids, without a walk; the document's groups must be valid.

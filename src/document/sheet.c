@@ -4,7 +4,9 @@
 #include <string.h>
 
 bat_sheet bat_sheet_of(const bat_document *document) {
-    bat_sheet sheet = {.scale = bat_document_scale(document), .unit = bat_document_unit(document)};
+    bat_sheet sheet = {.scale = bat_document_scale(document),
+                       .unit = bat_document_unit(document),
+                       .stand = bat_document_stand(document)};
     bat_document_page(document, sheet.page);
     return sheet;
 }
@@ -14,13 +16,15 @@ bat_status bat_sheet_put(bat_document *document, const bat_sheet *sheet) {
     bat_status status = bat_document_set_page(document, sheet->page);
     if (status == BAT_OK) status = bat_document_set_scale(document, sheet->scale, sheet->unit);
     if (status != BAT_OK) (void)bat_document_set_page(document, before.page);
+    if (status == BAT_OK) bat_document_set_stand(document, sheet->stand);
     return status;
 }
 
 bool bat_sheet_has_page(const bat_sheet *sheet) { return sheet->page[2] > 0 && sheet->page[3] > 0; }
 
 bool bat_sheet_same(const bat_sheet *a, const bat_sheet *b) {
-    return memcmp(a->page, b->page, sizeof a->page) == 0 && a->scale == b->scale && a->unit == b->unit;
+    return memcmp(a->page, b->page, sizeof a->page) == 0 && a->scale == b->scale && a->unit == b->unit &&
+           a->stand == b->stand;
 }
 
 bat_sheet bat_sheet_resized(const bat_sheet *now, const double size[2]) {

@@ -1,13 +1,14 @@
-/* A document's page and physical size, together. */
+/* A document's page, its physical size and how it stands, together. */
 #ifndef BATTEN_SRC_SHEET_H
 #define BATTEN_SRC_SHEET_H
 
-#include <batten/document.h>
+#include "document/document.h"
 
 typedef struct bat_sheet {
     double page[4]; /* x, y, width, height in document units; width 0: no page */
     double scale;   /* millimetres of a unit */
     bat_unit unit;
+    bat_stand stand; /* how the page stands in a room */
 } bat_sheet;
 
 bat_sheet bat_sheet_of(const bat_document *document);

@@ -2,6 +2,8 @@
 #ifndef BATTEN_TESTS_EDITING_H
 #define BATTEN_TESTS_EDITING_H
 
+#include "document/document.h"
+#include "format/seen/seen.h"
 #include "support/pen.h"
 
 static inline uint64_t digest(const bat_editor *editor) {
@@ -13,11 +15,12 @@ static inline void check(const bat_editor *editor) {
     if (wrong) fail_msg("%s", wrong);
 }
 
-/* An editor in a window of 1000 x 800 px at zoom 1; takes ownership of the document. */
+/* An editor in a window of 1000 x 800 px at zoom 1, whose page lies on the floor; takes ownership of the document. */
 static inline bat_editor *editor_of(bat_document *document) {
     bat_editor *editor = NULL;
     assert_int_equal(bat_editor_create(&editor), BAT_OK);
     bat_editor_resize(editor, 1000, 800, 1);
+    if (bat_seen_in_space(document)) bat_document_set_stand(document, BAT_STAND_FLOOR);
     assert_int_equal(bat_editor_open(editor, document, "test"), BAT_OK);
     bat_editor_command(editor, "zoom-100");
     return editor;

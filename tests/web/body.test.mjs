@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { downloaded, drop, launch, move, open, pictures, place, quiet, SCREENSHOTS, state } from './page.mjs';
+import { downloaded, drop, faceOn, launch, move, open, pictures, place, quiet, SCREENSHOTS, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -181,6 +181,7 @@ test('the path of a walk is a curve: laid out by a button, moved by keys, redraw
   const { page, hand, context } = await open(browser, server.address);
   await drop(page, 'walk.bvh', walk());
   await page.waitForSelector('.time:not([hidden])');
+  await faceOn(page); // where places of the drawing are seen
   await quiet(page);
   const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `body-path-${name}.png`) });
   const first = await state(page);

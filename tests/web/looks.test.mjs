@@ -109,8 +109,9 @@ for (const [name, bytes] of [['jug', JUG], ['sheet', SHEET]]) {
       const server = await serve({ name: `${name}.batten`, bytes });
       t.after(() => server.close());
       const fetched = [];
-      const { page } = await open(browser, server.address, { ...SMALL, colorScheme });
-      page.on('request', (request) => fetched.push(request.url()));
+      const context = await browser.newContext({ ...SMALL, colorScheme });
+      context.on('request', (request) => fetched.push(request.url()));
+      const { page } = await open(context, server.address);
       const first = await state(page);
       await page.locator('#first button').click();
       await tilted(page);

@@ -4,7 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, quiet, reveal, SCREENSHOTS, state } from './page.mjs';
+import { launch, open, quiet, ready, reveal, SCREENSHOTS, state, until } from './page.mjs';
 import { serve } from './server.mjs';
 
 const JUG = fs.readFileSync(path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples/jug.batten'));
@@ -62,7 +62,7 @@ for (const [locale, colorScheme, words] of [['en', 'light', /^Name \(/], ['ko-KR
   });
 }
 
-test('a drawing with a saved view offers it; taken, the offer goes', async (t) => {
+test('a drawing with a saved view opens in it, and offers it when one has turned away; taken, the offer goes', async (t) => {
   const keeping = await serve({ name: 'jug.batten', bytes: JUG });
   t.after(() => keeping.close());
   const first = await open(browser, keeping.address);
@@ -72,15 +72,24 @@ test('a drawing with a saved view offers it; taken, the offer goes', async (t) =
   const bytes = Buffer.from(await first.page.evaluate(() => Array.from(batten.engine.save(true))));
   const server = await serve({ name: 'seen.batten', bytes });
   t.after(() => server.close());
-  const { page } = await open(browser, server.address);
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(server.address);
+  await ready(page);
+  await until(page, () => batten.loop.space?.counts.painted > 0);
+  await quiet(page);
+  const tilt = () => page.evaluate(() => glance().tilt);
   const offer = page.locator('#notice button');
+  assert.equal(await tilt(), 30, 'it opens in it');
+  assert.equal(await offer.isVisible(), false);
+  await page.keyboard.press('5');
   await offer.waitFor();
   assert.equal(await offer.textContent(), 'Saved view');
   const before = await state(page);
   await offer.click();
   await quiet(page);
   assert.equal(await offer.isVisible(), false);
-  assert.ok(await page.evaluate(() => batten.loop.space?.counts.painted > 0), 'the view is tilted');
+  assert.equal(await tilt(), 30, 'the view is tilted');
   const now = await state(page);
   assert.equal(now.digest, before.digest, 'seeing is not editing');
   assert.equal(now.check, '');

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { launch, open, quiet, ready, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const EXAMPLES = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples');
@@ -181,9 +181,11 @@ test('by keys alone: orbit, look, plane, home', async (t) => {
   const server = await serve({ name: 'jug.batten', bytes: JUG });
   t.after(() => server.close());
   const { page } = await open(browser, server.address, { viewport: { width: 640, height: 480 } });
+  await page.reload(); // it opens as it was left, face-on
+  await ready(page);
   await page.locator('#stage').focus();
   await page.waitForFunction(() => performance.getEntriesByType('resource').some(({ name }) => /stage\/space/.test(name)),
-    null, { timeout: 10000 }); // a surface is there, face-on
+    null, { timeout: 10000 }); // a surface is there
   assert.equal(await page.evaluate(() => batten.loop.space === undefined), true);
   const begun = await state(page);
   await keep(page, 'before');

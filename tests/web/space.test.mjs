@@ -5,7 +5,7 @@ import { createHash } from 'node:crypto';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { densify, launch, open, pictures, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { densify, launch, open, pictures, quiet, ready, SCREENSHOTS, settle, state, until } from './page.mjs';
 import { fileURLToPath } from 'node:url';
 import { serve } from './server.mjs';
 
@@ -297,4 +297,26 @@ test('a finger pulls a curve off the page by its second view, and draws lines; t
     await page.keyboard.press('Control+z');
     await settle(page);
   }
+});
+
+test('a drawing in space opens from three quarters, and later as it was left', async (t) => {
+  const jug = fs.readFileSync(path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples/jug.batten'));
+  const server = await serve({ name: 'jug.batten', bytes: jug });
+  t.after(() => server.close());
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  const opened = async (room) => {
+    await ready(page);
+    await until(page, (wanted) => batten.dial && batten.engine.number('room').split(' ').map((angle) => Math.round(Number(angle))).join() === wanted, room);
+    await quiet(page);
+  };
+  await page.goto(server.address);
+  await opened('30,65,0');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'space-opened.png') });
+  await page.keyboard.press('Shift+Alt+ArrowLeft');
+  await opened('45,65,0');
+  await page.reload();
+  await opened('45,65,0');
+  await page.keyboard.press('5');
+  await until(page, () => batten.painter.painted.tilt === 0);
 });

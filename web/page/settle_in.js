@@ -31,7 +31,7 @@ export async function settleIn(shell) {
         void shell.panel.dock.fetch();
       }
       const { Dial } = await want(import('../stage/dial.js'));
-      shell.dial = new Dial(shell.engine, shell.stage, shell.wake);
+      shell.dial = new Dial(shell);
       shell.wake();
       const { Options } = await want(import('../sheets/options.js'));
       shell.panel.shows.push(await Options.make(shell.panel, dressed)); // what stands in the middle would change its width

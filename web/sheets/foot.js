@@ -103,7 +103,7 @@ export class Foot {
     this.knots.textContent = `${before}${frame.knotsAfter}`;
     this.tolerance.textContent = word('shell.in-drawing', reach);
     this.zoom.textContent = [`${short(frame.zoom * 100)} %`,
-      ...(frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
+      ...(frame.tilt || frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
   }
 
   /** @param {Frame} frame */

@@ -1,9 +1,10 @@
-// The dial: a small horizon with the three axes of the drawing, as they lie in the view. A tap brings the page home, a
+// The dial: a small horizon with the three axes of the room, as they lie in the view. A tap brings the page home, a
 // drag turns the view, the ends of the axes are the named views.
 
 import { Device, Phase } from '../engine/codes.js';
 import { stand } from '../page/build.js';
 import { word } from '../page/words.js';
+import { Opening } from './opening.js';
 
 const REACH = 16; // px from the middle to the end of an axis that is seen in its full length
 const FAST = 2; // a drag on the dial turns so many times as far as one on the drawing
@@ -12,7 +13,7 @@ const SHORT = 0.4; // of the full length: the end of a shorter axis cannot be ta
 const NOWHERE = -1e5; // view pixels: a drag on the dial has nothing of the drawing under it
 const CONTACT = 0xffffff00;
 const SECONDARY = 2; // as PointerEvent.buttons has it
-/** The ends: commands, and where they point in the drawing; z points down through the page. */
+/** The ends: commands, and where they point in the room, of which the page is a floor or a wall; z points down. */
 const ENDS = /** @type {[string, number[]][]} */ ([
   ['view-front', [0, 1, 0]], ['view-side', [1, 0, 0]], ['view-top', [0, 0, -1]],
 ]);
@@ -34,10 +35,12 @@ function drawn(name, traits) {
 }
 
 export class Dial {
-  /** @param {import('../engine/engine.js').Engine} engine @param {HTMLElement} stage @param {() => void} wake */
-  constructor(engine, stage, wake) {
+  /** @param {import('../main.js').Shell} shell */
+  constructor(shell) {
+    const { engine, stage, wake } = shell;
     this.engine = engine;
     this.wake = wake;
+    this.opening = new Opening(shell);
     this.box = document.createElement('div');
     this.box.className = 'dial';
     this.box.setAttribute('role', 'group');
@@ -146,19 +149,24 @@ export class Dial {
   /** @param {import('../engine/types.js').Frame} frame */
   show(frame) {
     this.#say();
-    const shown = [frame.angle, frame.tilt].join();
+    this.opening.show();
+    const shown = [frame.angle, frame.tilt, frame.revision].join();
     if (shown === this.shown) {
       return;
     }
     this.shown = shown;
     this.box.classList.toggle('tilted', frame.tilt !== 0);
-    const [angle, tilt] = [frame.angle, frame.tilt].map((degrees) => (degrees * Math.PI) / 180);
-    const [c, s, k, h] = [Math.cos(angle), Math.sin(angle), Math.cos(tilt), Math.sin(tilt)];
+    const [turn, tilt, roll] = this.engine.number('room').split(' ').map((degrees) => (Number(degrees) * Math.PI) / 180);
+    const [c, s, k, h] = [Math.cos(turn), Math.sin(turn), Math.cos(tilt), Math.sin(tilt)];
+    const [head, over] = [Math.cos(roll), Math.sin(roll)];
     this.horizon.setAttribute('ry', String(REACH * Math.abs(k)));
+    this.horizon.setAttribute('transform', `rotate(${(roll * 180) / Math.PI})`);
     const places = ENDS.map(([, [x, y, z]], i) => {
-      const along = c * x - s * y;
+      const level = c * x - s * y;
       const back = s * x + c * y;
-      const down = back * k + z * h;
+      const below = back * k + z * h;
+      const along = head * level - over * below;
+      const down = over * level + head * below;
       const [endX, endY, ahead] = [REACH * along, REACH * down, z * k - back * h];
       this.axes[i].setAttribute('x2', String(endX));
       this.axes[i].setAttribute('y2', String(endY));

@@ -10,7 +10,9 @@
 #include "editor/session/transaction.h"
 #include "editor/tables/commands.h"
 #include "editor/view/curve_ground.h"
+#include "editor/view/room.h"
 #include "editor/view/stage.h"
+#include <string.h>
 
 /* The next plane in the drawing, after the present ground, or the first; none in a hidden layer. */
 static const bat_object *next_plane(const bat_context *c) {
@@ -67,19 +69,21 @@ bat_status bat_ground_draw_on(bat_context *c, const double origin[3], const doub
     return status;
 }
 
-/* Along two axes of the drawing, through the view's pivot; level and at the page's height it is the page. */
+/* Along two axes of the room, through the view's pivot; as the page lies and where it lies it is the page. */
 bat_status bat_command_plane_named(bat_context *c, bat_command_id id) {
-    const double x[6] = {0, 1, 0, 0, 0, 1}, y[6] = {1, 0, 0, 0, 0, 1}, z[6] = {1, 0, 0, 0, 1, 0};
+    const bool wall = bat_room_is_wall(c->session->document);
+    const int across = id == BAT_COMMAND_PLANE_SIDE ? 1 : 0, along = id == BAT_COMMAND_PLANE_LEVEL ? 1 : 2;
+    double room[9], axes[6];
     bat_pivot_set(c, NULL);
     const double *origin = c->stage->view.pivot;
-    if (id == BAT_COMMAND_PLANE_LEVEL && origin[2] == 0) {
+    if (id == (wall ? BAT_COMMAND_PLANE_FRONT : BAT_COMMAND_PLANE_LEVEL) && origin[2] == 0) {
         bat_ground_take(c, NULL);
         return BAT_OK;
     }
-    return bat_ground_draw_on(c, origin,
-                              id == BAT_COMMAND_PLANE_LEVEL   ? z
-                              : id == BAT_COMMAND_PLANE_FRONT ? y
-                                                              : x);
+    bat_room_axes(wall, room);
+    memcpy(axes, room + 3 * across, 3 * sizeof *axes);
+    memcpy(axes + 3, room + 3 * along, 3 * sizeof *axes);
+    return bat_ground_draw_on(c, origin, axes);
 }
 
 /* Through the view's pivot, at right angles to the gaze. */

@@ -5,6 +5,8 @@
 #include "editor/session/page.h"
 #include "editor/session/session.h"
 #include "editor/tables/settings.h"
+#include "format/model/drawn.h"
+#include "format/seen/seen.h"
 #include <string.h>
 
 void bat_page_show(bat_context *c, const bat_sheet *before) {
@@ -18,6 +20,21 @@ bat_status bat_page_take(bat_context *c, const bat_sheet *sheet, int shown) {
     const bat_status status = bat_page_commit(c, sheet, shown);
     if (status == BAT_OK) bat_page_show(c, &before);
     return status;
+}
+
+/* A wall lies down, a floor stands up. */
+bat_status bat_command_page_stand(bat_context *c, bat_command_id id) {
+    bat_sheet sheet = bat_sheet_of(c->session->document);
+    const bool wall = bat_stand_of(c->session->document) == BAT_STAND_WALL;
+    (void)id;
+    if (!bat_seen_in_space(c->session->document)) return BAT_STATE;
+    sheet.stand = wall ? BAT_STAND_FLOOR : BAT_STAND_WALL;
+    const bat_status status = bat_page_commit(c, &sheet, (int)c->settings->values[BAT_PROPERTY_UNIT]);
+    if (status == BAT_OK)
+        bat_notice(c, wall ? BAT_STRING_NOTICE_FLOOR : BAT_STRING_NOTICE_WALL);
+    else
+        bat_notice_failure(c, status);
+    return status == BAT_OK ? bat_command_view_quarter(c, BAT_COMMAND_VIEW_QUARTER) : status;
 }
 
 /* Upright or on its side, or no page at all: what is drawn keeps its size and its place. */

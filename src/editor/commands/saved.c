@@ -57,6 +57,7 @@ bat_status bat_command_view_saved(bat_context *c, bat_command_id id) {
     const bat_viewpoint *to = bat_object_view(bat_document_at(document, next));
     bat_moves_leave(c);
     bat_views_leave(c->views, view);
+    c->views->saved = false;
     bat_view_look_from(view, to);
     if (view->tilt != 0)
         c->settings->values[BAT_PROPERTY_PERSPECTIVE] = view->fov > 0;

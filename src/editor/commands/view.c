@@ -7,8 +7,12 @@
 #include "editor/session/notice.h"
 #include "editor/show/moves.h"
 #include "editor/tables/settings.h"
+#include "editor/session/session.h"
+#include "editor/view/room.h"
+#include "editor/view/saved.h"
 #include "editor/view/stage.h"
 #include "editor/view/views.h"
+#include "format/seen/seen.h"
 #include <math.h>
 
 static const double TURN = 15; /* degrees per step */
@@ -43,44 +47,64 @@ bat_status bat_command_zoom(bat_context *c, bat_command_id id) {
 /* Home from a tilted view: the last face-on page, as it was. */
 static bat_status go_home(bat_context *c) {
     bat_view *view = &c->stage->view, from = *view;
-    bat_views_leave(c->views, view);
+    bat_saved_leave(c);
     if (!bat_views_home(c->views, view)) return BAT_STATE;
     bat_views_jump(c->views, &from, view);
     return BAT_OK;
 }
 
-static void orbit(bat_context *c, double angle, double tilt) {
+/* About the middle of the selection, or of everything. */
+static bat_view leave(bat_context *c) {
     bat_pivot_set(c, NULL);
-    bat_view *view = &c->stage->view, from = *view;
-    bat_views_leave(c->views, view);
-    bat_view_orbit(view, angle, tilt);
-    bat_views_jump(c->views, &from, view);
+    bat_saved_leave(c);
+    return c->stage->view;
 }
 
+static bool is_wall(const bat_context *c) { return bat_room_is_wall(c->session->document); }
+
+/* Up: the table is tilted, and the eye comes down; before a wall it rises. */
 bat_status bat_command_orbit(bat_context *c, bat_command_id id) {
-    const bat_view *view = &c->stage->view;
+    bat_view *view = &c->stage->view;
+    const bool wall = is_wall(c);
     const double across = (id == BAT_COMMAND_ORBIT_LEFT) - (id == BAT_COMMAND_ORBIT_RIGHT);
     const double up = (id == BAT_COMMAND_ORBIT_UP) - (id == BAT_COMMAND_ORBIT_DOWN);
-    if ((up < 0 && view->tilt == 0) || (up > 0 && view->tilt == 180)) return BAT_STATE;
-    orbit(c, view->angle + TURN * across, view->tilt + TURN * up);
+    if (up < 0 && view->tilt == 0 && !wall) return BAT_STATE;
+    const bat_view from = leave(c);
+    bat_room_orbit(view, wall, TURN * across, wall ? -TURN * up : TURN * up, NULL);
+    bat_views_jump(c->views, &from, view);
     return BAT_OK;
 }
 
 /* The ends of the dial's axes. */
 bat_status bat_command_view_named(bat_context *c, bat_command_id id) {
-    orbit(c, id == BAT_COMMAND_VIEW_SIDE ? 90 : 0, id == BAT_COMMAND_VIEW_TOP ? 0 : 90);
+    const bat_attitude pose = {.turn = id == BAT_COMMAND_VIEW_SIDE ? 90 : 0,
+                               .tilt = id == BAT_COMMAND_VIEW_TOP ? 0 : 90};
+    const bat_view from = leave(c);
+    bat_room_take(&c->stage->view, is_wall(c), &pose);
+    bat_views_jump(c->views, &from, &c->stage->view);
+    return BAT_OK;
+}
+
+/* From the right in front and above, all of it. */
+bat_status bat_command_view_quarter(bat_context *c, bat_command_id id) {
+    (void)id;
+    if (!bat_seen_in_space(c->session->document)) return BAT_STATE;
+    const bat_view from = leave(c);
+    bat_room_take(&c->stage->view, is_wall(c), &(bat_attitude){.turn = 30, .tilt = 65});
+    (void)bat_seen_fit_drawn(c);
+    bat_views_jump(c->views, &from, &c->stage->view);
     return BAT_OK;
 }
 
 /* The page as it was last seen face-on, or the plane that the pen draws on from straight above. */
 bat_status bat_command_view_ground(bat_context *c, bat_command_id id) {
-    bat_view *view = &c->stage->view, from = *view;
+    double normal[3];
     (void)id;
     if (bat_stage_dimension(c->stage) == 2) return bat_stage_tilted(c->stage) ? go_home(c) : BAT_STATE;
-    bat_pivot_set(c, NULL);
-    bat_views_leave(c->views, view);
-    bat_stage_face(c->stage);
-    bat_views_jump(c->views, &from, view);
+    const bat_view from = leave(c);
+    bat_stage_facing(c->stage, normal);
+    bat_room_look_along(&c->stage->view, is_wall(c), normal);
+    bat_views_jump(c->views, &from, &c->stage->view);
     return BAT_OK;
 }
 
@@ -96,11 +120,12 @@ bat_status bat_command_turn(bat_context *c, bat_command_id id) {
     double middle[2], angle = c->stage->view.angle;
     if (id == BAT_COMMAND_VIEW_UPRIGHT && bat_stage_tilted(c->stage)) return go_home(c);
     if (id == BAT_COMMAND_VIEW_UPRIGHT && angle == 0) return BAT_STATE;
+    const double turn = id == BAT_COMMAND_VIEW_UPRIGHT ? -angle : id == BAT_COMMAND_VIEW_LEFT ? -TURN : TURN;
     middle_of(c->stage, middle);
-    bat_stage_rotate(c->stage, middle,
-                     id == BAT_COMMAND_VIEW_UPRIGHT ? -angle
-                     : id == BAT_COMMAND_VIEW_LEFT  ? -TURN
-                                                    : TURN);
+    if (bat_stage_tilted(c->stage))
+        bat_room_orbit(&c->stage->view, is_wall(c), turn, 0, NULL);
+    else
+        bat_stage_rotate(c->stage, middle, turn);
     return BAT_OK;
 }
 

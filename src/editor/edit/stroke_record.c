@@ -1,5 +1,6 @@
 #include "editor/edit/stroke_record.h"
 #include "editor/edit/mirror_record.h"
+#include "editor/edit/view_record.h"
 #include "editor/session/journal_line.h"
 #include "editor/view/stage.h"
 #include <batten/levels.h>
@@ -162,14 +163,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
     bat_mirror_write(&edit->mirror, line);
     bat_text_string(line, ",\"view\":");
-    const bat_view *view = &edit->stage.view;
-    bat_line_numbers(line,
-                     (double[]){view->x, view->y, view->zoom, view->angle, view->tilt, view->pivot[0],
-                                view->pivot[1], view->pivot[2], view->fov, view->width, view->height},
-                     view->tilt != 0    ? (view->fov > 0 ? 11 : 8)
-                     : view->angle != 0 ? 4
-                                        : 3,
-                     1);
+    bat_view_write(&edit->stage.view, line, false);
     write_ground(line, &edit->stage.ground);
     stroke(line, &edit->samples);
 }
@@ -349,36 +343,6 @@ static void read_parts(reader *r, bat_edit *edit) {
     }
 }
 
-static bat_status read_view(const bat_json *json, bat_view *view, bat_problem *problem) {
-    const double far = BAT_COORDINATE_MAX;
-    const double size = BAT_PIXELS_MAX, wide = 170; /* degrees */
-    const double
-        low[11] = {-BAT_VIEW_REACH, -BAT_VIEW_REACH, BAT_ZOOM_MIN, -180, 0, -far, -far, -far, 1, 0, 0},
-        high[11] = {BAT_VIEW_REACH, BAT_VIEW_REACH, BAT_ZOOM_MAX, 180, 180, far, far, far, wide, size, size};
-    uint32_t list = bat_json_member(json, 1, "view"), node = bat_json_first(json, list);
-    uint32_t count = bat_json_count(json, list);
-    double numbers[11] = {0};
-    bool good = count == 3 || count == 4 || count == 8 || count == 11;
-    for (uint32_t k = 0; k < count && good; k++, node = json->nodes[node].next) {
-        numbers[k] = item_number(json, node);
-        good = numbers[k] >= low[k] && numbers[k] <= high[k];
-    }
-    if (!good)
-        return bat_json_complain(json, list ? list : 1, BAT_SYNTAX, "view",
-                                 "[x, y, zoom], [x, y, zoom, angle] or the 8 or 11 numbers of a tilted view",
-                                 problem);
-    *view = bat_view_defaults();
-    if (count >= 8) memcpy(view->pivot, numbers + 5, sizeof view->pivot);
-    view->fov = numbers[8];
-    view->width = numbers[9];
-    view->height = numbers[10];
-    bat_view_orbit(view, numbers[3], numbers[4]);
-    view->x = numbers[0];
-    view->y = numbers[1];
-    view->zoom = numbers[2];
-    return BAT_OK;
-}
-
 static bat_status read_ground(const bat_json *json, bat_ground *ground, bat_problem *problem) {
     uint32_t node = bat_json_member(json, 1, "ground");
     const char *name;
@@ -407,7 +371,7 @@ bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_
     out->kind = bat_edit_named(name ? name : "");
     if (out->kind == BAT_EDIT_COUNT)
         return bat_json_say(json, 1, BAT_UNSUPPORTED, "do: no edit has this name", problem);
-    bat_status staged = read_view(json, &out->stage.view, problem);
+    bat_status staged = bat_view_read(json, &out->stage.view, problem);
     if (staged == BAT_OK) staged = read_ground(json, &out->stage.ground, problem);
     reader r = {json, 1, problem, staged};
     const double ids = (double)BAT_ID_MAX;

@@ -1,7 +1,11 @@
 #include "editor/input/orbit.h"
 #include "base/real.h"
 #include "editor/input/input.h"
+#include "editor/session/session.h"
+#include "editor/view/room.h"
+#include "editor/view/saved.h"
 #include "editor/view/views.h"
+#include <math.h>
 
 static const double SLACK = 3,
                     SLACK_TOUCH = 12; /* px that the contacts' middle may move before the view turns */
@@ -31,17 +35,20 @@ bool bat_orbit_starts(bat_context *c, int index, const double to[2]) {
 }
 
 void bat_orbit_start(bat_context *c) {
-    c->input->orbit.on = true;
-    bat_views_leave(c->views, &c->stage->view);
+    bat_orbit *orbit = &c->input->orbit;
+    orbit->on = true;
+    orbit->wall = bat_room_is_wall(c->session->document);
+    orbit->over = fabs(bat_room_attitude(&c->stage->view, orbit->wall).roll) > 90;
+    bat_saved_leave(c);
 }
 
 void bat_orbit_move(bat_context *c, int index, const double to[2]) {
-    bat_view *view = &c->stage->view;
+    bat_orbit *orbit = &c->input->orbit;
     const bat_contact *contact = &c->input->contacts.list[index];
-    const double share = SPEED / count(c, NULL);
-    if (c->input->orbit.on)
-        bat_view_orbit(view, view->angle - (to[0] - contact->at[0]) * share,
-                       view->tilt - (to[1] - contact->at[1]) * share);
+    const double share = SPEED / count(c, NULL), across = (to[0] - contact->at[0]) * share;
+    if (orbit->on) /* what is near goes with the pen, also where the drag began with the head down */
+        bat_room_orbit(&c->stage->view, orbit->wall, orbit->over ? across : -across,
+                       -(to[1] - contact->at[1]) * share, &orbit->held);
 }
 
 void bat_orbit_end(bat_context *c) {

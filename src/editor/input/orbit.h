@@ -10,6 +10,8 @@ typedef struct bat_orbit {
     bool on;          /* the view turns */
     double moved[2];  /* of the contacts' middle, before that */
     double middle[2]; /* of the contacts when they began */
+    bool wall, over;  /* room.h; the drag began with the head down */
+    double held;      /* room.h */
 } bat_orbit;
 
 /* All contacts with this duty begin anew, from where they are. */

@@ -9,6 +9,7 @@
 #include "editor/choice/choice.h"
 #include "editor/commands/dispatch.h"
 #include "editor/panels/page.h"
+#include "editor/panels/view.h"
 #include "editor/panels/panels.h"
 #include "editor/session/context.h"
 #include "editor/session/notice.h"
@@ -147,6 +148,7 @@ bat_status bat_panel_enter(bat_context *c, const char *name, const char *text) {
     double from, to;
     if (!name || !text) return BAT_ARGUMENT;
     if (bat_page_names(name)) return bat_page_enter(c, name, text);
+    if (!strcmp(name, "view")) return bat_view_enter(c, text);
     if (id == BAT_NUMBER_COUNT) return enter_property(c, name, text);
     if (bat_toolbox_busy(c) || c->session->transaction.open || !bat_number_now(c, id, &from))
         return BAT_STATE;
@@ -182,6 +184,11 @@ const char *bat_panel_number(bat_context *c, const char *name) {
         const int count = bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS ? bat_pointing_of(c)->marked
                                                                                   : 0;
         if (count > 0) bat_unit_number(count, text);
+        return text;
+    }
+    if (name && !strcmp(name, "view")) return bat_view_text(c);
+    if (name && !strcmp(name, "room")) {
+        bat_view_room_text(c, text);
         return text;
     }
     if (bat_page_names(name)) {

@@ -10,5 +10,6 @@ void bat_panels_free(bat_panels *panels) {
     free(panels->move);
     free(panels->mixed);
     free(panels->colours);
+    free(panels->view);
     free(panels->history);
 }

@@ -136,6 +136,14 @@ bool bat_seen_fit_selection(bat_context *c) {
     return box_selected(c, box) && bat_view_fit(&c->stage->view, box, margin_of(c));
 }
 
+bool bat_seen_fit_drawn(bat_context *c) {
+    const double none[4] = {0};
+    double box[4];
+    if (bat_stage_deep(c->stage)) return fit_deep(c, none);
+    box_around(c, none, box);
+    return bat_view_fit(&c->stage->view, box, margin_of(c));
+}
+
 bool bat_seen_fit(bat_context *c) {
     double page[4], box[4];
     bat_document_page(c->session->document, page);

@@ -16,6 +16,8 @@ bool bat_seen_hidden(const bat_context *c, int at);
 bool bat_seen_out_of_reach(const bat_context *c, int at);
 /* Fits the view to everything; the one definition of "everything". False: nothing to fit to. */
 bool bat_seen_fit(bat_context *c);
+/* In a tilted view the same without the page. */
+bool bat_seen_fit_drawn(bat_context *c);
 /* The same to what is selected. False: nothing is, or it has no place. */
 bool bat_seen_fit_selection(bat_context *c);
 

@@ -13,6 +13,9 @@ void bat_page_write(const bat_sheet *sheet, bat_text *line) {
     bat_text_json_string(line, bat_unit_name(sheet->unit));
     bat_text_string(line, ",\"scale\":");
     bat_text_number(line, sheet->scale);
+    if (!sheet->stand) return;
+    bat_text_string(line, ",\"stand\":");
+    bat_text_json_string(line, bat_stand_word(sheet->stand));
 }
 
 static bat_status record(bat_session *session, const bat_sheet *sheet, size_t *size) {
@@ -71,6 +74,10 @@ bat_status bat_page_perform(bat_context *c, const bat_json *json, bat_problem *p
     if (!word || strcmp(word, bat_unit_name(sheet.unit)) != 0)
         return bat_json_complain(json, named ? named : 1, BAT_UNSUPPORTED, "unit", "px, mm, cm, in, pt or pc",
                                  problem);
+    const uint32_t stand = bat_json_member(json, 1, "stand");
+    sheet.stand = bat_stand_of_word(bat_json_text(json, stand));
+    if (stand && !sheet.stand)
+        return bat_json_complain(json, stand, BAT_UNSUPPORTED, "stand", "wall or floor", problem);
     sheet.scale = bat_json_type_of(json, scale) == BAT_JSON_NUMBER ? json->nodes[scale].value.number : 0;
     status = bat_page_commit(c, &sheet, (int)c->settings->values[BAT_PROPERTY_UNIT]);
     return status == BAT_NUMBER

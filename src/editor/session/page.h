@@ -1,7 +1,7 @@
 /*
  * Another page: its box, how long a unit is, and the unit in which its size is said, as one step. As a line of the journal:
  *
- * {"do":"page","page":[0,0,210,297],"unit":"mm","scale":1,"digest":...}
+ * {"do":"page","page":[0,0,210,297],"unit":"mm","scale":1,"digest":...}; "stand":"wall" or "floor" where it is said
  */
 #ifndef BATTEN_EDITOR_SESSION_PAGE_H
 #define BATTEN_EDITOR_SESSION_PAGE_H

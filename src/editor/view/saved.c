@@ -3,7 +3,10 @@
 #include "base/vec.h"
 #include "document/document.h"
 #include "document/nesting.h"
-
+#include "editor/session/notice.h"
+#include "editor/view/room.h"
+#include "editor/view/stage.h"
+#include "editor/view/views.h"
 #include <math.h>
 #include <string.h>
 
@@ -11,12 +14,9 @@ static const double ALIKE = 0.01; /* pixels: views that differ by less are the s
 
 void bat_view_look_from(bat_view *view, const bat_viewpoint *from) {
     const vec gaze = vec_sub(vec_load(from->target, 3), vec_load(from->eye, 3));
-    const double far = vec_norm(gaze), level = bat_hypot(gaze.x, gaze.y), degrees = 180 / BAT_PI;
-    const double middle[2] = {view->width / 2, view->height / 2};
-    /* Straight down or up, where upwards is says how the drawing is turned. */
-    const double side = gaze.z > 0 ? -1 : 1, *up = from->up;
-    const double angle = level > 1e-9 * far ? bat_atan2(-gaze.x, -gaze.y)
-                                            : bat_atan2(side * up[0], side * up[1]);
+    const double far = vec_norm(gaze), middle[2] = {view->width / 2, view->height / 2};
+    double ahead[3];
+    vec_store(gaze, ahead);
     const double high = from->fov > 0 ? 2 * far * bat_tan(from->fov * (BAT_PI / 360)) : from->height;
     const double wide = high / from->size[1] * from->size[0];
     bat_view_look_afresh(view);
@@ -24,7 +24,7 @@ void bat_view_look_from(bat_view *view, const bat_viewpoint *from) {
     memcpy(view->pivot, from->target, sizeof view->pivot);
     if (middle[0] > 0 && middle[1] > 0 && isfinite(high))
         view->zoom = fmin(fmax(fmin(view->height / high, view->width / wide), BAT_ZOOM_MIN), BAT_ZOOM_MAX);
-    bat_view_orbit(view, degrees * angle, degrees * bat_atan2(level, gaze.z));
+    bat_view_look_along(view, ahead, from->up);
     bat_view_hold(view, view->pivot, middle);
 }
 
@@ -32,7 +32,8 @@ static bool is_shown(const bat_view *view, const bat_viewpoint *from) {
     bat_view there = *view;
     double middle[2] = {view->width / 2, view->height / 2}, at[2], seen[2];
     bat_view_look_from(&there, from);
-    if (there.angle != view->angle || there.tilt != view->tilt || (view->tilt != 0 && there.fov != view->fov))
+    if (there.angle != view->angle || there.tilt != view->tilt || there.roll != view->roll ||
+        (view->tilt != 0 && there.fov != view->fov))
         return false;
     const bat_ray mine = bat_view_ray(view, middle), own = bat_view_ray(&there, middle);
     bat_view_to_screen(view, (double[]){0, 0}, seen); /* face-on */
@@ -64,4 +65,10 @@ int bat_saved_next(const bat_document *document, const bat_view *view, int *show
         previous = last = i;
     }
     return *shown < 0 || before < 0 ? last : before;
+}
+
+void bat_saved_leave(bat_context *c) {
+    bat_views_leave(c->views, &c->stage->view);
+    if (c->views->saved) bat_notice_saved_view(c);
+    c->views->saved = false;
 }

@@ -61,14 +61,7 @@ double bat_stage_slant_at(const bat_stage *stage, const bat_hit *hit) {
     return fabs(along);
 }
 
-void bat_stage_face(bat_stage *stage) {
-    bat_view *view = &stage->view;
-    double n[3];
-    normal_of(stage, n);
-    const double level = bat_hypot(n[0], n[1]), degree = 180 / BAT_PI;
-    const double angle = level > 1e-9 ? bat_atan2(-n[0], -n[1]) * degree : view->angle;
-    bat_view_orbit(view, angle, bat_atan2(level, n[2]) * degree);
-}
+void bat_stage_facing(const bat_stage *stage, double normal[3]) { (void)normal_of(stage, normal); }
 
 void bat_stage_seen(const bat_stage *stage, const double pixel[2], double at[2]) {
     bat_view_to_document(&stage->view, pixel, at);
@@ -209,8 +202,9 @@ bool bat_stage_page_box(const bat_stage *stage, double box[4]) {
 bool bat_stage_same(const bat_stage *a, const bat_stage *b) {
     const bat_view *v = &a->view, *w = &b->view;
     return v->x == w->x && v->y == w->y && v->zoom == w->zoom && v->angle == w->angle && v->tilt == w->tilt &&
-           !memcmp(v->pivot, w->pivot, sizeof v->pivot) && v->width == w->width && v->height == w->height &&
-           v->ratio == w->ratio && v->fov == w->fov && bat_ground_same(&a->ground, &b->ground);
+           v->roll == w->roll && !memcmp(v->pivot, w->pivot, sizeof v->pivot) && v->width == w->width &&
+           v->height == w->height && v->ratio == w->ratio && v->fov == w->fov &&
+           bat_ground_same(&a->ground, &b->ground);
 }
 
 void bat_stage_pan(bat_stage *stage, const double from[2], const double to[2]) {
@@ -226,9 +220,5 @@ void bat_stage_zoom(bat_stage *stage, const double about[2], double factor) {
 }
 
 void bat_stage_rotate(bat_stage *stage, const double about[2], double degrees) {
-    bat_view *view = &stage->view;
-    if (view->tilt == 0)
-        bat_view_rotate(view, about, degrees);
-    else
-        bat_view_orbit(view, view->angle + degrees, view->tilt);
+    bat_view_rotate(&stage->view, about, degrees);
 }

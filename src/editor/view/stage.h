@@ -27,8 +27,8 @@ bool bat_stage_on_page(const bat_stage *stage, const double pixel[2], double at[
 double bat_stage_slant(const bat_stage *stage);
 /* The same where it was hit. */
 double bat_stage_slant_at(const bat_stage *stage, const bat_hit *hit);
-/* Turns the view so that the ground is seen from straight above. */
-void bat_stage_face(bat_stage *stage);
+/* The ground's normal, on the side where the eye looks along it. */
+void bat_stage_facing(const bat_stage *stage, double normal[3]);
 /* Drawing coordinates under a pixel, and the pixel of drawing coordinates. */
 void bat_stage_seen(const bat_stage *stage, const double pixel[2], double at[2]);
 void bat_stage_project(const bat_stage *stage, const double at[2], double pixel[2]);
@@ -70,6 +70,6 @@ bool bat_stage_same(const bat_stage *a, const bat_stage *b);
 void bat_stage_pan(bat_stage *stage, const double from[2], const double to[2]);
 void bat_stage_bring(bat_stage *stage, const double at[2], double margin);
 void bat_stage_zoom(bat_stage *stage, const double about[2], double factor);
-void bat_stage_rotate(bat_stage *stage, const double about[2], double degrees); /* tilted: about the pivot */
+void bat_stage_rotate(bat_stage *stage, const double about[2], double degrees); /* of a page seen face-on */
 
 #endif

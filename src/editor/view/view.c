@@ -10,7 +10,9 @@ static void keep_in_reach(bat_view *view) {
     view->y = clamp(view->y, -BAT_VIEW_REACH, BAT_VIEW_REACH);
 }
 
-bat_view bat_view_defaults(void) { return (bat_view){.zoom = 1, .cosine = 1, .ratio = 1, .tilt_cosine = 1}; }
+bat_view bat_view_defaults(void) {
+    return (bat_view){.zoom = 1, .cosine = 1, .ratio = 1, .tilt_cosine = 1, .low = {0, 1}};
+}
 
 void bat_view_look_afresh(bat_view *view) {
     bat_view afresh = bat_view_defaults();
@@ -21,13 +23,25 @@ void bat_view_look_afresh(bat_view *view) {
     *view = afresh;
 }
 
+/* Degrees in (-180, 180], whole hundredths. */
+static double reduced(double degrees) {
+    const double angle = round(remainder(degrees, 360) * 100) / 100;
+    return angle <= -180 ? 180 : angle + 0; /* no -0 */
+}
+
 void bat_view_turn(bat_view *view, double degrees) {
     if (!isfinite(degrees)) return;
-    double angle = round(remainder(degrees, 360) * 100) / 100;
-    view->angle = angle <= -180 ? 180 : angle + 0; /* no -0 */
+    const double angle = view->angle = reduced(degrees);
     /* Exact when upright. */
     view->cosine = angle == 0 ? 1 : bat_cos(view->angle * (BAT_PI / 180));
     view->sine = angle == 0 ? 0 : bat_sin(view->angle * (BAT_PI / 180));
+    view->low[0] = view->sine;
+    view->low[1] = view->cosine;
+    if (view->roll != 0) {
+        const double way = reduced(angle - view->roll) * (BAT_PI / 180);
+        view->low[0] = bat_sin(way);
+        view->low[1] = bat_cos(way);
+    }
 }
 
 double bat_view_pixel(const bat_view *view) { return 1 / view->zoom; }
@@ -38,11 +52,17 @@ void bat_view_to_document(const bat_view *view, const double screen[2], double d
 }
 
 void bat_view_axes(const bat_view *view, double right[3], double down[3], double ahead[3]) {
-    const double c = view->cosine, s = view->sine, k = view->tilt_cosine, h = view->tilt_sine;
+    const double s = view->low[0], c = view->low[1], k = view->tilt_cosine, h = view->tilt_sine;
     const double axes[3][3] = {{c, -s, 0}, {s * k, c * k, h}, {-s * h, -c * h, k}};
     memcpy(right, axes[0], sizeof axes[0]);
     memcpy(down, axes[1], sizeof axes[1]);
     memcpy(ahead, axes[2], sizeof axes[2]);
+    if (view->roll == 0) return;
+    const double a = view->roll * (BAT_PI / 180), turn = bat_cos(a), roll = bat_sin(a);
+    for (int d = 0; d < 3; d++) {
+        right[d] = turn * axes[0][d] - roll * axes[1][d];
+        down[d] = roll * axes[0][d] + turn * axes[1][d];
+    }
 }
 
 double bat_view_away(const bat_view *view) {
@@ -106,12 +126,11 @@ void bat_view_towards(const bat_view *view, const double point[3], double along[
 
 /* Two rows: the parallel projection along the gaze. */
 static void flat_map(const bat_view *view, double map[8]) {
-    const double c = view->cosine, s = view->sine, k = view->tilt_cosine, h = view->tilt_sine;
+    const double k = view->tilt_cosine, h = view->tilt_sine, *low = view->low;
     const double flat[8] = {1, 0, 0, 0, 0, 1, 0, 0}, less = view->tilt == 0 ? 0 : 1 - k;
     memcpy(map, flat, sizeof flat);
     if (view->tilt == 0) return;
     /* The page's own downward direction (s, c) is shortened, and what lies deeper is seen further down. */
-    const double low[2] = {s, c};
     for (int row = 0; row < 2; row++) {
         for (int d = 0; d < 2; d++) map[4 * row + d] -= low[row] * low[d] * less;
         map[4 * row + 2] = low[row] * h;
@@ -137,16 +156,19 @@ void bat_view_map(const bat_view *view, double map[BAT_MAP_NUMBERS]) {
         for (int d = 0; d < 4; d++) map[4 * row + d] += middle[row] * (deep[d] - still[d]);
 }
 
-void bat_view_orbit(bat_view *view, double angle, double tilt) {
+void bat_view_pose(bat_view *view, double angle, double tilt, double roll) {
     double at[2];
-    if (!isfinite(angle) || !isfinite(tilt)) return;
+    if (!isfinite(angle) || !isfinite(tilt) || !isfinite(roll)) return;
     bat_view_to_screen(view, view->pivot, at);
+    view->roll = reduced(roll);
     bat_view_turn(view, angle);
     view->tilt = round(clamp(tilt, 0, 180) * 100) / 100;
     view->tilt_cosine = view->tilt == 90 ? 0 : bat_cos(view->tilt * (BAT_PI / 180));
     view->tilt_sine = view->tilt == 180 ? 0 : bat_sin(view->tilt * (BAT_PI / 180));
     bat_view_hold(view, view->pivot, at);
 }
+
+void bat_view_orbit(bat_view *view, double angle, double tilt) { bat_view_pose(view, angle, tilt, 0); }
 
 double bat_view_tolerance(const bat_view *view) { return 0.05 / view->zoom; }
 

@@ -5,7 +5,8 @@
  * Drawing coordinates are what the window shows. Face-on (tilt 0) they are the x y of the page, and a point in space
  * loses its z. Tilted, they are coordinates in the plane through the pivot at right angles to the gaze, in document
  * units: parallel projection onto it. The page lies like a table top, z points down through it, away from an eye
- * above: angle is the turn of the table, tilt how far the eye has come down towards its edge (90) and under it (180).
+ * above: angle is the turn of the table, tilt how far the eye has come down towards its edge (90) and under it (180). Roll
+ * is the turn of the head: the window shows the page turned by angle, of which the table has turned by angle - roll.
  * The pivot has the same drawing coordinates at every angle and tilt: its x y.
  *
  * In perspective the plane through the pivot is seen as it is in parallel projection, so that lengths there stay; the eye
@@ -34,7 +35,8 @@ typedef struct bat_view {
     double width, height, ratio; /* view pixels; device pixels per view pixel */
     bool fit_wanted;             /* show everything as soon as the window has a size */
     double tilt, tilt_cosine, tilt_sine; /* degrees, [0, 180], whole hundredths; 0: face-on */
-    double pivot[3];                     /* what orbits turn about; without effect face-on */
+    double roll, low[2]; /* degrees, as angle; the page's direction that is seen going down, of length 1 */
+    double pivot[3];     /* what orbits turn about; without effect face-on */
     double fov; /* perspective: the vertical angle of view in degrees; 0: parallel. Without effect face-on */
 } bat_view;
 
@@ -64,9 +66,11 @@ double bat_view_tolerance(const bat_view *view);
 double bat_map_depth(const double *map, int dimension, const double *point);
 /* The direction in which a point is seen, of length 1; zero at the eye. */
 void bat_view_towards(const bat_view *view, const double point[3], double along[3]);
-/* Turns about the pivot, which stays where it is seen. The tilt is kept within its range; face-on that is a turn of the
- * page about the pivot. */
+/* Turns about the pivot, which stays where it is seen, without a roll. The tilt is kept within its range; face-on that is a
+ * turn of the page about the pivot. */
 void bat_view_orbit(bat_view *view, double angle, double tilt);
+/* The same with a roll, which face-on has no effect. */
+void bat_view_pose(bat_view *view, double angle, double tilt, double roll);
 /* Moves the pivot; the picture stays. In perspective a point behind the eye, or so far away that the zoom would leave its
  * limits, is not taken. */
 void bat_view_set_pivot(bat_view *view, const double at[3]);

@@ -1,5 +1,6 @@
 #include "editor/view/views.h"
 #include "base/real.h"
+#include "editor/view/room.h"
 #include <math.h>
 #include <string.h>
 
@@ -64,14 +65,19 @@ void bat_views_glide(bat_views *views, bat_view *view, double share) {
         bat_views_arrive(views, view);
         return;
     }
-    const double s = fmax(share, 0), turn = remainder(to->angle - from->angle, 360);
+    /* With a roll, by the room of a wall, in which what is upright stays so. */
+    const bool wall = from->roll != 0 || to->roll != 0;
+    const bat_attitude a = bat_room_attitude(from, wall), b = bat_room_attitude(to, wall);
+    const double s = fmax(share, 0);
+    const bat_attitude pose = {a.turn + s * remainder(b.turn - a.turn, 360), a.tilt + s * (b.tilt - a.tilt),
+                               a.roll + s * remainder(b.roll - a.roll, 360)};
     bat_view between = *to;
     double start[2] = {from->width / 2, from->height / 2}, end[2] = {start[0], start[1]}, pixel[2];
     memcpy(between.pivot, to->tilt != 0 ? to->pivot : from->pivot, sizeof between.pivot);
     pixel_of(from, between.pivot, start);
     pixel_of(to, between.pivot, end);
     for (int k = 0; k < 2; k++) pixel[k] = start[k] + s * (end[k] - start[k]);
-    bat_view_orbit(&between, from->angle + s * turn, from->tilt + s * (to->tilt - from->tilt));
+    bat_room_take(&between, wall, &pose);
     between.zoom = from->zoom * bat_exp(s * bat_log(to->zoom / from->zoom));
     bat_view_hold(&between, between.pivot, pixel);
     look(view, &between);

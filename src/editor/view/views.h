@@ -12,6 +12,7 @@ typedef struct bat_views {
     int count;
     bat_view home; /* the last face-on view, once `away` */
     bool away;
+    bool saved;        /* the drawing opened in one that it holds, which has not been left since */
     bat_view from, to; /* of the last jump */
     bool gliding;      /* the view is on its way there */
     uint32_t jumps;    /* so far */

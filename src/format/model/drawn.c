@@ -87,6 +87,7 @@ static bat_status add(gathering *g, const bat_object *object, int *flat) {
 }
 
 bat_stand bat_stand_of(const bat_document *document) {
+    if (bat_document_stand(document)) return bat_document_stand(document);
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_kind_type *kind = bat_object_type(object);

@@ -2,12 +2,10 @@
 #ifndef BATTEN_FORMAT_DRAWN_H
 #define BATTEN_FORMAT_DRAWN_H
 
-#include <batten/document.h>
+#include "document/document.h"
 #include <batten/format.h>
 
-/* How the page stands in a room: as a wall, its up is up; as a floor, up is towards the eye. */
-typedef enum bat_stand { BAT_STAND_WALL, BAT_STAND_FLOOR } bat_stand;
-/* A floor where a plane stands on it at right angles, else a wall. O(objects). */
+/* As the drawing says; else a floor where a plane stands on it at right angles, else a wall. O(objects). */
 bat_stand bat_stand_of(const bat_document *document);
 
 /* The room that a model is put into. */

@@ -202,6 +202,15 @@ static bat_status read_scale(const bat_fields *f, bat_document *document) {
                             : status;
 }
 
+static bat_status read_stand(const bat_fields *f, bat_document *document) {
+    const uint32_t named = bat_json_member(f->json, 1, "stand");
+    const bat_stand stand = bat_stand_of_word(bat_json_text(f->json, named));
+    if (named && !stand)
+        return bat_json_complain(f->json, named, BAT_UNSUPPORTED, "stand", "wall or floor", f->problem);
+    bat_document_set_stand(document, stand);
+    return BAT_OK;
+}
+
 /* Adds the document's own pictures to those already known. */
 static bat_status read_pictures(const bat_fields *f, uint32_t list, bat_pictures *pictures) {
     bat_status status = BAT_OK;
@@ -223,6 +232,7 @@ static bat_status read_document(const bat_fields *f, bat_document *document, boo
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
     if (status == BAT_OK) status = read_scale(f, document);
+    if (status == BAT_OK) status = read_stand(f, document);
     if (status == BAT_OK) status = read_objects(f, bat_json_member(f->json, 1, "objects"), document);
     if (status == BAT_OK) status = bat_fields_id(f, 1, "next", BAT_ID_MAX + 1, &next);
     if (status == BAT_OK)
@@ -373,6 +383,10 @@ void bat_document_to_json(const bat_document *document, bool pictures, bat_text 
         bat_text_string(text, bat_unit_word(bat_document_unit(document)));
         bat_text_string(text, "\",\"scale\":");
         bat_text_number(text, bat_document_scale(document));
+    }
+    if (bat_document_stand(document)) {
+        bat_text_string(text, ",\n\"stand\":");
+        bat_text_json_string(text, bat_stand_word(bat_document_stand(document)));
     }
     bat_text_string(text, ",\n\"next\":");
     bat_text_integer(text, bat_document_next(document));

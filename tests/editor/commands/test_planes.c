@@ -6,8 +6,10 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "editor/view/room.h"
 #include "support/editing.h"
 #include "support/sheet.h"
+#include <stdio.h>
 
 static bat_editor *drawing(void) {
     bat_document *document = NULL;
@@ -51,6 +53,58 @@ static void along_two_axes_through_the_selection(void **state) {
         assert_int_equal(bat_document_count(bat_editor_document(editor)), before + 3);
     }
     assert_int_equal(round_trip(editor, first), 3);
+    bat_editor_free(editor);
+}
+
+/* The page stands up and lies down by a step, which the file and the journal have; the view then has its top up, and the named
+ * views and planes are those of the room. */
+static void the_page_is_a_wall_or_a_floor(void **state) {
+    (void)state;
+    static const char *const views[] = {"view-front", "view-side", "view-top"};
+    static const double looks[2][3][3] = {{{0, -1, 0}, {-1, 0, 0}, {0, 0, 1}},
+                                          {{0, 0, 1}, {-1, 0, 0}, {0, 1, 0}}};
+    bat_editor *editor = drawing();
+    const uint64_t first = digest(editor);
+    double right[3], down[3], ahead[3];
+    for (int wall = 0; wall < 2; wall++) {
+        if (wall) assert_int_equal(bat_editor_command(editor, "page-stand"), BAT_OK);
+        bat_editor_glide(editor, 1);
+        for (int i = 0; i < 3; i++) {
+            assert_int_equal(bat_editor_command(editor, views[i]), BAT_OK);
+            bat_editor_glide(editor, 1);
+            bat_view_axes(&editor->stage.view, right, down, ahead);
+            for (int k = 0; k < 3; k++) assert_true(fabs(ahead[k] - looks[wall][i][k]) < 1e-9);
+            assert_true(i == 2 || fabs(down[wall ? 1 : 2] - 1) < 1e-9);
+            assert_true(right[i == 1 ? (wall ? 2 : 1) : 0] * (i == 1 && !wall ? -1 : 1) > 0.99);
+        }
+        check(editor);
+    }
+    assert_true(bat_document_stand(bat_editor_document(editor)) == BAT_STAND_WALL);
+    assert_int_equal(bat_editor_command(editor, "plane-front"), BAT_OK);
+    const double *plane = editor->stage.ground.numbers;
+    assert_true(plane[5] == 0 && plane[8] == 0); /* as the wall stands */
+    assert_string_equal(bat_editor_number(editor, "room"), "0 0 0");
+    assert_int_equal(bat_editor_command(editor, "view-quarter"), BAT_OK);
+    bat_editor_glide(editor, 1);
+    char view[400];
+    snprintf(view, sizeof view, "%s", bat_editor_number(editor, "view"));
+    const bat_attitude pose = bat_room_attitude(&editor->stage.view, true);
+    assert_true(fabs(pose.turn - 30) < 0.02 && fabs(pose.tilt - 65) < 0.02 && pose.roll == 0);
+    assert_int_equal(bat_editor_command(editor, "view-upright"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "view", view), BAT_OK);
+    bat_editor_glide(editor, 1);
+    assert_string_equal(bat_editor_number(editor, "view"), view);
+    assert_int_equal(bat_editor_enter(editor, "view", "{\"view\":[1,2]}"), BAT_SYNTAX);
+    assert_int_equal(bat_editor_enter(editor, "view", ""), BAT_OK);
+    char *bytes = NULL;
+    size_t size = 0;
+    bat_document *read = NULL;
+    assert_int_equal(bat_document_write(bat_editor_document(editor), &bytes, &size), BAT_OK);
+    assert_int_equal(bat_document_read(bytes, size, &read, NULL), BAT_OK);
+    assert_true(bat_document_digest(read) == digest(editor));
+    bat_document_free(read);
+    free(bytes);
+    assert_int_equal(round_trip(editor, first), 2);
     bat_editor_free(editor);
 }
 
@@ -138,6 +192,7 @@ static void what_cannot_be_picked_is_said(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(along_two_axes_through_the_selection),
+        cmocka_unit_test(the_page_is_a_wall_or_a_floor),
         cmocka_unit_test(level_with_the_page_is_the_page),
         cmocka_unit_test(through_three_points),
         cmocka_unit_test(what_cannot_be_picked_is_said),

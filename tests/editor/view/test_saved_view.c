@@ -212,6 +212,17 @@ static void opening(void **state) {
     assert_string_equal(frame->offer, "");
     assert_string_equal(frame->notice, "");
     turn(again, "view-upright");
+    const uint32_t before = bat_editor_frame(again)->notice_version;
+    assert_int_equal(bat_editor_enter(again, "view", ""), BAT_OK);
+    bat_editor_glide(again, 1);
+    frame = bat_editor_frame(again); /* where a host opens it so, it is offered */
+    assert_true(frame->tilt == 90 && frame->notice_version > before);
+    assert_string_equal(frame->offer, "");
+    turn(again, "orbit-left"); /* once one has turned away */
+    assert_string_equal(bat_editor_frame(again)->offer, "view-saved");
+    turn(again, "view-saved");
+    turn(again, "orbit-left"); /* and knows it */
+    assert_string_equal(bat_editor_frame(again)->offer, "");
     bat_free(text), bat_free(bare);
     bat_editor_free(editor), bat_editor_free(again), bat_editor_free(without);
 }

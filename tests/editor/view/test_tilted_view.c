@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "editor/view/room.h"
+#include "editor/view/saved.h"
 #include "editor/view/views.h"
 #include "support/editing.h"
 #include <stdio.h>
@@ -203,9 +205,13 @@ static void keys_turn_in_steps_and_name_views(void **state) {
     assert_true(tilt_of(editor) == 0 && bat_editor_frame(editor)->view[3] == 0);
     assert_true(bat_editor_key(editor, "Z", true, BAT_SHIFT, 0));
     assert_true(tilt_of(editor) == 90);
-    for (int i = 0; i < 20; i++) bat_editor_key(editor, "ArrowUp", true, BAT_SHIFT | BAT_ALT, 0);
-    assert_true(tilt_of(editor) == 180); /* there is no upside down */
-    assert_int_equal(bat_editor_frame(editor)->still[0].role, BAT_ROLE_PAGE_BACK);
+    static const double tilts[] = {180, 90, 0, 90}; /* straight below, head down, straight above, as before */
+    for (int i = 0; i < 24; i++) {
+        bat_editor_key(editor, "ArrowUp", true, BAT_SHIFT | BAT_ALT, 0);
+        if (i % 6 == 5) assert_true(fabs(tilt_of(editor) - tilts[i / 6]) < 1e-9);
+        if (i == 5) assert_int_equal(bat_editor_frame(editor)->still[0].role, BAT_ROLE_PAGE_BACK);
+    }
+    assert_true(bat_editor_frame(editor)->view[3] == 90);
     assert_true(bat_editor_key(editor, "5", true, 0, 0));
     assert_int_equal(bat_editor_frame(editor)->still[0].role, BAT_ROLE_PAGE);
     check(editor);
@@ -424,6 +430,71 @@ static void a_disc_lies_under_the_hovering_pen(void **state) {
     bat_editor_free(editor);
 }
 
+/* Of a floor and of a wall: what is upright is seen upright from every side, as far as the poles; over them a drag goes on with
+ * no jump, upside down, all the way round. */
+static void orbits_go_round_the_rooms_upright(void **state) {
+    (void)state;
+    seed = 23;
+    for (int wall = 0; wall < 2; wall++) {
+        bat_stage stage = bat_stage_defaults();
+        bat_view *view = &stage.view;
+        double held = 0, before[9], after[9], turned = 0;
+        int heads = 0;
+        view->width = 1000, view->height = 800;
+        bat_room_take(view, wall, &(bat_attitude){.turn = 30, .tilt = 65});
+        bat_view_axes(view, before, before + 3, before + 6);
+        assert_true(fabs(before[wall ? 1 : 2]) < 1e-3);
+        assert_true(before[wall ? 4 : 5] > 0.8 &&
+                    before[wall ? 7 : 8] > 0.4); /* up is up, and looked down on */
+        assert_true(before[6] < -0.4);           /* from the right */
+        for (int i = 0; i < 740; i++) {
+            bat_room_orbit(view, wall, any(-2, 2), 0.5, &held);
+            bat_view_axes(view, after, after + 3, after + 6);
+            turned = fmax(turned, apart(before, after, 9));
+            memcpy(before, after, sizeof after);
+            const bat_attitude pose = bat_room_attitude(view, wall);
+            assert_true(pose.tilt >= 0 && pose.tilt <= 180);
+            assert_true(fabs(pose.roll) < 1e-9 || fabs(fabs(pose.roll) - 180) < 1e-9);
+            assert_true(pose.roll == 0 ? after[wall ? 4 : 5] > -1e-3 : after[wall ? 4 : 5] < 1e-3);
+            heads += fabs(pose.roll) > 90;
+        }
+        assert_true(turned < 0.06);
+        assert_true(heads > 300 && heads < 400);
+        const bat_attitude end = bat_room_attitude(view, wall);
+        assert_true(end.roll == 0 && end.tilt > 62 &&
+                    end.tilt < 76); /* each pole holds it for some degrees */
+    }
+}
+
+/* A view of any attitude is the public camera, and one that is saved comes back as it was. */
+static void a_view_may_be_rolled(void **state) {
+    (void)state;
+    seed = 31;
+    for (int i = 0; i < 200; i++) {
+        bat_stage stage = any_stage(), again = bat_stage_defaults();
+        const double angle = any(-180, 180), tilt = any(1, 179), roll = any(-180, 180);
+        bat_view_pose(&stage.view, angle, tilt, roll);
+        bat_viewpoint camera;
+        double at[3], seen[2], pixel[2], other[2], from[3], along[3];
+        for (int k = 0; k < 3; k++) at[k] = any(-400, 400);
+        assert_int_equal(bat_stage_viewpoint(&stage, &camera), BAT_OK);
+        bat_stage_look(&stage, 3, at, seen);
+        bat_stage_project(&stage, seen, pixel);
+        assert_int_equal(bat_viewpoint_project(&camera, at, other, NULL), BAT_OK);
+        assert_true(apart(pixel, other, 2) < 1e-6);
+        const bat_ray ray = bat_view_ray(&stage.view, pixel);
+        assert_int_equal(bat_viewpoint_ray(&camera, pixel, from, along), BAT_OK);
+        assert_true(apart(ray.along, along, 3) < 1e-9);
+        again.view.width = 1000, again.view.height = 800;
+        bat_view_look_from(&again.view, &camera);
+        assert_true(again.view.angle == stage.view.angle && again.view.tilt == stage.view.tilt);
+        assert_true(again.view.roll == stage.view.roll || fabs(remainder(roll, 180)) < 0.06);
+        bat_stage_look(&again, 3, at, seen);
+        bat_stage_project(&again, seen, other);
+        assert_true(apart(pixel, other, 2) < 1e-3);
+    }
+}
+
 /* A plane in space, whatever way it lies, is turned to. */
 static void the_view_turns_to_a_plane(void **state) {
     (void)state;
@@ -438,8 +509,12 @@ static void the_view_turns_to_a_plane(void **state) {
         double numbers[9] = {1, 2, 3};
         for (int k = 0; k < 3; k++) numbers[3 + k] = x[k], numbers[6 + k] = y[k] / sqrt(length);
         assert_true(bat_ground_named("plane", 9, numbers, &stage.ground));
-        bat_stage_face(&stage);
+        double normal[3], right[3], down[3], ahead[3];
+        bat_stage_facing(&stage, normal);
+        bat_room_look_along(&stage.view, i % 2, normal);
         assert_true(bat_stage_slant(&stage) > 1 - 1e-6);
+        bat_view_axes(&stage.view, right, down, ahead);
+        assert_true(fabs(right[i % 2 ? 1 : 2]) < 1e-3); /* the horizon is level */
     }
 }
 
@@ -635,6 +710,8 @@ int main(void) {
         cmocka_unit_test(a_redraw_is_that_of_the_page),
         cmocka_unit_test(edge_on_no_stroke_begins),
         cmocka_unit_test(a_disc_lies_under_the_hovering_pen),
+        cmocka_unit_test(orbits_go_round_the_rooms_upright),
+        cmocka_unit_test(a_view_may_be_rolled),
         cmocka_unit_test(the_view_turns_to_a_plane),
         cmocka_unit_test(a_curve_is_lifted_and_its_first_view_stays),
         cmocka_unit_test(old_views_give_way),
