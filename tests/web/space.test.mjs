@@ -318,5 +318,5 @@ test('a drawing in space opens from three quarters, and later as it was left', a
   await page.reload();
   await opened('45,65,0');
   await page.keyboard.press('5');
-  await until(page, () => batten.painter.painted.tilt === 0);
+  await until(page, () => JSON.parse(batten.engine.number('view')).view[4] === 0);
 });

@@ -1,4 +1,5 @@
 /* Commands that make surfaces from the selected curves. */
+#include "editor/edit/capping.h"
 #include "editor/edit/flip.h"
 #include "editor/edit/making.h"
 #include "editor/choice/choice.h"
@@ -19,6 +20,7 @@ static bat_recipe_kind kind_of(bat_command_id id) {
 
 bool bat_surface_command_fits(const bat_context *c, bat_command_id id) {
     if (id == BAT_COMMAND_SURFACE_FLIP) return bat_flip_fits(c);
+    if (id == BAT_COMMAND_SURFACE_CAP) return bat_capping_fits(c);
     if (id == BAT_COMMAND_SURFACE_FREE) return bat_making_can_free(c);
     return bat_making_fits(c, kind_of(id), id == BAT_COMMAND_SURFACE_CLOSE);
 }
@@ -44,6 +46,11 @@ bat_status bat_command_surface(bat_context *c, bat_command_id id) {
 bat_status bat_command_surface_free(bat_context *c, bat_command_id id) {
     (void)id;
     return told(c, bat_making_free(c), BAT_STRING_NOTICE_NOTHING_FOLLOWS);
+}
+
+bat_status bat_command_surface_cap(bat_context *c, bat_command_id id) {
+    (void)id;
+    return told(c, bat_capping(c), none_fits(c));
 }
 
 bat_status bat_command_surface_flip(bat_context *c, bat_command_id id) {

@@ -71,6 +71,7 @@ static bool possible_surface(bat_context *c, const facts *f, bat_command_id id) 
     case BAT_COMMAND_SURFACE_LOFT: return f->roots > 1 && bat_surface_command_fits(c, id);
     case BAT_COMMAND_SURFACE_FREE:
         return bat_document_has_followers(c->session->document) && bat_surface_command_fits(c, id);
+    case BAT_COMMAND_SURFACE_CAP:
     case BAT_COMMAND_SURFACE_FLIP: return f->open + f->closed == 0 && bat_surface_command_fits(c, id);
     case BAT_COMMAND_SURFACE_MEET:
     case BAT_COMMAND_WIRE_MEET:

@@ -1,6 +1,7 @@
 /* Surfaces made from the selected curves: what is offered, what is made, how it follows while curves are edited, and when it
  * is free. Each session replays, and undo leads back. */
 #include "document/document.h"
+#include "editor/export.h"
 #include "editor/tables/tables.h"
 
 #include <batten/batten.h>
@@ -275,6 +276,65 @@ static void can_be_flipped(void **state) {
     bat_editor_free(editor);
 }
 
+/* Of what is exported: whether STEP has a solid, and whether triangles have open edges. */
+static void is_solid(bat_editor *editor, bool solid) {
+    bat_problem problem;
+    char *bytes = NULL;
+    size_t size = 0;
+    assert_int_equal(bat_editor_export(editor, "step wall", BAT_EXCERPT_ALL, &bytes, &size, &problem),
+                     BAT_OK);
+    assert_int_equal(strstr(bytes, "MANIFOLD_SOLID_BREP") != NULL, solid);
+    bat_free(bytes);
+    assert_int_equal(bat_editor_export(editor, "stl wall tell", BAT_EXCERPT_ALL, &bytes, &size, &problem),
+                     BAT_OK);
+    assert_int_equal(strstr(bytes, "\"open\":0,") != NULL, solid);
+    bat_free(bytes);
+}
+
+/* A tube whose ends are open is closed by cones and planes to the middles of its rims; nothing else of it moves, its triangles
+ * leave no edge open, and there is nothing more to close. */
+static void open_ends_are_capped(void **state) {
+    (void)state;
+    bat_editor *editor = open(&PIPE);
+    const uint64_t first = digest(editor);
+    assert_int_equal(bat_editor_command(editor, "surface-cap"), BAT_STATE);
+    assert_int_equal(bat_editor_command(editor, "surface-sweep"), BAT_OK);
+    bat_surface *before = NULL;
+    bat_surface_copy(bat_object_surface(surface_in(editor)), &before);
+    bat_editor_frame(editor);
+    assert_true(offers(editor, "surface-cap"));
+    is_solid(editor, false);
+    assert_int_equal(bat_editor_command(editor, "surface-cap"), BAT_OK);
+    is_solid(editor, true);
+    const bat_surface *after = bat_object_surface(surface_in(editor));
+    const bat_direction along = bat_surface_is_closed(before, BAT_U) ? BAT_V : BAT_U;
+    double was[2], now[2], around[2];
+    bat_surface_domain(before, along, was), bat_surface_domain(after, along, now);
+    bat_surface_domain(before, 1 - along, around);
+    for (int i = 0; i <= 24; i++) {
+        const double t = was[0] + (was[1] - was[0]) * i / 24,
+                     s = around[0] + (around[1] - around[0]) * i / 24;
+        const double place[2] = {along == BAT_U ? t : s, along == BAT_U ? s : t};
+        double at[3], there[3], end[2][3];
+        bat_surface_eval(before, place[0], place[1], 0, at),
+            bat_surface_eval(after, place[0], place[1], 0, there);
+        for (int k = 0; k < 3; k++) assert_true(fabs(at[k] - there[k]) < 1e-9);
+        for (int e = 0; e < 2; e++) { /* each end is one point, and straight ways lead there */
+            double half[3], rim[3];
+            const double ways[3] = {now[e], (now[e] + was[e]) / 2, was[e]};
+            bat_surface_eval(after, along == BAT_U ? ways[0] : s, along == BAT_U ? s : ways[0], 0, end[e]);
+            bat_surface_eval(after, along == BAT_U ? ways[1] : s, along == BAT_U ? s : ways[1], 0, half);
+            bat_surface_eval(after, along == BAT_U ? ways[2] : s, along == BAT_U ? s : ways[2], 0, rim);
+            for (int k = 0; k < 3; k++) assert_true(fabs(half[k] - (end[e][k] + rim[k]) / 2) < 1e-9);
+        }
+    }
+    assert_null(bat_object_recipe(surface_in(editor)));
+    assert_int_equal(bat_editor_command(editor, "surface-cap"), BAT_STATE);
+    bat_surface_free(before);
+    assert_int_equal(round_trip(editor, first), 2);
+    bat_editor_free(editor);
+}
+
 /* All moved together it stays bound; moved alone it is free, which is told. */
 static void moved_together_or_alone(void **state) {
     (void)state;
@@ -525,6 +585,7 @@ int main(void) {
                                        cmocka_unit_test(with_a_deleted_curve_it_is_free),
                                        cmocka_unit_test(can_be_freed),
                                        cmocka_unit_test(can_be_flipped),
+                                       cmocka_unit_test(open_ends_are_capped),
                                        cmocka_unit_test(moved_together_or_alone),
                                        cmocka_unit_test(copies),
                                        cmocka_unit_test(numbers),
