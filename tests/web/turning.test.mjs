@@ -15,7 +15,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** Of each picture: how many pixels are red, and the middle of those and of what is drawn on them. */
+/** Of each picture: how many pixels are red, and the middle of those and of what is drawn on them: blue, with red beside it. */
 const analyse = (page, pictures) => page.evaluate(async (all) => {
   const results = [];
   for (const data of all) {
@@ -26,10 +26,15 @@ const analyse = (page, pictures) => page.evaluate(async (all) => {
     context.drawImage(image, 0, 0);
     const { data: pixels } = context.getImageData(0, 0, image.width, image.height);
     const sums = { red: [0, 0, 0], blue: [0, 0, 0] };
+    const isRed = (x, y) => {
+      const [r, g, b] = pixels.subarray(4 * (y * image.width + x));
+      return r > 150 && g < 90 && b < 90;
+    };
+    const isBeside = (x, y) => [[8, 0], [-8, 0], [0, 8], [0, -8]].some(([right, down]) => isRed(x + right, y + down));
     for (let y = 60; y < image.height - 40; y++) {
       for (let x = 60; x < image.width - 60; x++) {
         const [r, g, b] = pixels.subarray(4 * (y * image.width + x));
-        const sum = r > 150 && g < 90 && b < 90 ? sums.red : b > 120 && b > r + 60 && b > g + 20 ? sums.blue : null;
+        const sum = isRed(x, y) ? sums.red : b > 120 && b > r + 60 && b > g + 20 && isBeside(x, y) ? sums.blue : null;
         if (sum) {
           sum[0]++;
           sum[1] += x;
