@@ -98,7 +98,14 @@ static inline touching touching_make(touching_kind kind, int number, double scal
     touching t = {.exact = 0};
     double m[12];
     touching_pair(kind, large, small, gap, angle, t.side);
-    const double within = 1e-4 * fmin(bat_surface_size(t.side[0]), bat_surface_size(t.side[1])),
+    touching_pose(&r, scale, far, m);
+    for (int k = 0; k < 2; k++) {
+        bat_surface *moved = NULL;
+        if (bat_surface_transform(t.side[k], m, &moved) != BAT_OK) abort();
+        bat_surface_free(t.side[k]);
+        t.side[k] = moved;
+    }
+    const double within = 1e-4 * fmin(bat_surface_size(t.side[0]), bat_surface_size(t.side[1])) / scale,
                  off = 3e-5 * large; /* of circles that are splines */
     const bool eight = kind == TUBE_IN_TUBE || kind == RING_PLANE, loop = kind <= TUBES_ACROSS;
     const bool in = gap<-(loop ? 2.1 : 1) * within - off, out = gap> within + off,
@@ -113,13 +120,6 @@ static inline touching touching_make(touching_kind kind, int number, double scal
     else
         t.want = (touching_count){in ? 2 : 0, in && kind == RING_ON_PLANE ? 2 : 0, 0, touch};
     t.exact = !touch ? t.want.branches : kind == SADDLE_PLANE ? 2 : eight ? 1 : 0;
-    touching_pose(&r, scale, far, m);
-    for (int k = 0; k < 2; k++) {
-        bat_surface *moved = NULL;
-        if (bat_surface_transform(t.side[k], m, &moved) != BAT_OK) abort();
-        bat_surface_free(t.side[k]);
-        t.side[k] = moved;
-    }
     return t;
 }
 
