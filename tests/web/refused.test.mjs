@@ -142,3 +142,39 @@ test('a save that takes long says so until it is done', async (t) => {
   assert.equal((await state(page)).unsaved, true, 'what was drawn meanwhile is not in the file');
   await context.close();
 });
+
+/** A drawing that is not written at once. */
+const HEAVY = Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300">${
+  Array.from({ length: 3000 }, (_, i) => `<path d="M${i % 400} 20c2 -3 4 3 6 0s1 2 ${1 + i / 1000} 3" stroke="#000" fill="none"/>`).join('')}</svg>`);
+
+test('what is heavy is written beside the page, and by the page where there is no worker', async (t) => {
+  expectFaults(/no worker/);
+  const server = await serve({ name: 'heavy.svg', bytes: HEAVY });
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  await page.waitForFunction(() => batten.files.bound);
+  await page.evaluate(() => {
+    const { engine } = batten;
+    globalThis.written = 0;
+    engine.save = (native) => {
+      globalThis.written++;
+      return Object.getPrototypeOf(engine).save.call(engine, native);
+    };
+  });
+  const count = () => String(server.bytes).split('<path').length;
+  const before = count();
+  await draw(page, hand);
+  await page.keyboard.press('Control+S');
+  await saved(page);
+  assert.equal(await page.evaluate(() => globalThis.written), 0, 'the page goes on');
+  assert.equal(count(), before + 1);
+  assert.ok(String(server.bytes).includes(String(HEAVY).slice(100, 5000)), 'the file is kept');
+  const { bytes } = server;
+  await page.evaluate(() => { globalThis.Worker = class { constructor() { throw new Error('no worker'); } }; });
+  await draw(page, hand);
+  await page.keyboard.press('Control+S');
+  await saved(page);
+  assert.equal(await page.evaluate(() => globalThis.written), 1);
+  assert.notDeepEqual(server.bytes, bytes);
+  await context.close();
+});

@@ -1,4 +1,4 @@
-// Reads what may take long in a worker, with its progress and a way to cancel. Fetched with the first such file.
+// Reads what may take long in a worker, with its progress and a way to cancel, and writes it there. Fetched with the first such file.
 
 import { adopt, imageOf } from '../engine/image.js';
 import { addressOf, miss, Missing, want } from '../page/build.js';
@@ -14,9 +14,10 @@ import { Refusal, spoken, word } from '../page/words.js';
  * @property {Blob} file @property {string} name
  * @property {'open' | 'add' | 'paste'} how in place of the drawing, or added to it: as a group, or as it is
  * @property {boolean} asked what it holds is to be told
+ * @property {boolean} [native] the drawing is to be written, in the native format or as SVG, and nothing is read
  */
 /** @typedef {{ image: Image, bytes: Uint8Array<ArrayBuffer>, content: Content | null }} Answer */
-/** @typedef {{ share?: number, answer?: Answer, refused?: string }} Said */
+/** @typedef {{ share?: number, answer?: Answer, written?: Uint8Array, refused?: string }} Said */
 
 const PATIENCE = 300; // milliseconds before progress is shown
 const ID = 'opening';
@@ -68,27 +69,24 @@ class Progress {
 }
 
 /**
- * @param {Engine} engine @param {Blob} file @param {string} name @param {Order['how']} how @param {boolean} asked
- * @returns {Promise<Answer | null>} null: cancelled. Throws the refusal.
+ * Has a copy of the engine do it in a worker. Throws the refusal.
+ * @param {Engine} engine @param {Partial<Order>} what @param {(share: number) => void} tell
+ * @param {Promise<null>} [cancelled]
+ * @returns {Promise<Answer | Uint8Array | null>} null: cancelled
  */
-async function send(engine, file, name, how, asked) {
+async function work(engine, what, tell, cancelled = new Promise(() => {})) {
   const texts = await spoken();
-  const worker = new Worker(addressOf('keep/apart_worker.js'), { type: 'module' });
   const { module: { first, second } } = engine;
   const image = imageOf(engine);
-  /** @type {Order} */
-  const order = { first, second, image, texts, file, name, how, asked };
-  /** @type {Progress | undefined} */
-  let progress;
+  const worker = new Worker(addressOf('keep/apart_worker.js'), { type: 'module' });
   try {
-    return await new Promise((resolve, reject) => {
-      progress = new Progress(name, texts, () => resolve(null));
+    const done = new Promise((resolve, reject) => {
       worker.addEventListener('message', ({ data }) => {
-        const { share, answer: made, refused } = /** @type {Said} */ (data);
+        const { share, answer: made, written, refused } = /** @type {Said} */ (data);
         if (share !== undefined) {
-          progress?.tell(share);
-        } else if (made) {
-          resolve(made);
+          tell(share);
+        } else if (made ?? written) {
+          resolve(made ?? written);
         } else {
           reject(new Refusal(refused));
         }
@@ -97,11 +95,26 @@ async function send(engine, file, name, how, asked) {
         miss(new Missing(`apart_worker.js: ${event.message ?? ''}`));
         reject(new Refusal(''));
       });
-      worker.postMessage(order, [image.memory.buffer]);
     });
+    worker.postMessage({ first, second, image, texts, ...what }, [image.memory.buffer]);
+    return await Promise.race([done, cancelled]);
   } finally {
     worker.terminate();
-    progress?.end();
+  }
+}
+
+/**
+ * @param {Engine} engine @param {Blob} file @param {string} name @param {Order['how']} how @param {boolean} asked
+ * @returns {Promise<Answer | null>} null: cancelled. Throws the refusal.
+ */
+async function send(engine, file, name, how, asked) {
+  let cancel = () => {};
+  const cancelled = new Promise((resolve) => { cancel = () => resolve(null); });
+  const progress = new Progress(name, await spoken(), () => cancel());
+  try {
+    return /** @type {Answer | null} */ (await work(engine, { file, name, how, asked }, (share) => progress.tell(share), cancelled));
+  } finally {
+    progress.end();
   }
 }
 
@@ -135,4 +148,13 @@ export async function addApart(engine, file, name, grouped) {
     }
     return made !== null;
   }
+}
+
+/**
+ * The drawing as the bytes of a file, written while the page goes on. Throws if that cannot be.
+ * @param {Engine} engine @param {boolean} native
+ */
+export async function writeApart(engine, native) {
+  await engine.module.complete();
+  return /** @type {Uint8Array} */ (await work(engine, { native }, () => {}));
 }

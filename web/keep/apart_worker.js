@@ -1,5 +1,5 @@
 // The worker that reads a file, or adds it to the drawing, in a copy of the page's engine: the page goes on meanwhile, and takes
-// what the copy has become. It ends with its answer, or when the page ends it.
+// what the copy has become. Or it writes the drawing. It ends with its answer, or when the page ends it.
 
 import { Engine } from '../engine/engine.js';
 import { adopt, imageOf } from '../engine/image.js';
@@ -68,14 +68,28 @@ function prepare(engine) {
   }
 }
 
-/** @param {Order} order @returns {Promise<Answer>} */
-async function read({ first, second, image, texts, file, name, how, asked }) {
+/** The page's engine. @param {Order} order */
+function copied({ first, second, image, texts }) {
   speakAs(texts);
   const module = new Module(first);
   module.second = second;
   const engine = new Engine(module);
   [engine.size, engine.readOnly] = [image.size, image.readOnly];
   adopt(engine, image, false);
+  return engine;
+}
+
+/** @param {Order} order @param {boolean} native */
+function write(order, native) {
+  const engine = copied(order);
+  engine.onrecovery = (_, error) => { throw error; }; // the page has the journal
+  return engine.save(native);
+}
+
+/** @param {Order} order @returns {Promise<Answer>} */
+async function read(order) {
+  const { file, name, how, asked } = order;
+  const engine = copied(order);
   const bytes = await bytesOf(file, (share) => tell(UNPACKED * share));
   if (how === 'open') {
     readInto(engine, bytes, name, watch());
@@ -90,6 +104,11 @@ async function read({ first, second, image, texts, file, name, how, asked }) {
 
 addEventListener('message', async ({ data }) => {
   try {
+    if (data.native !== undefined) {
+      const written = write(data, data.native);
+      postMessage({ written }, { transfer: [written.buffer] });
+      return;
+    }
     const answer = await read(data);
     postMessage({ answer }, { transfer: [answer.image.memory.buffer, answer.bytes.buffer] });
   } catch (error) {

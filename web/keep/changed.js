@@ -20,7 +20,7 @@ export function tellChanged(files, text, apart = false) {
     { label: word('shell.look-both'), run: () => void compareBoth(files, text) },
     { label: word('shell.overwrite'), run: () => void overwrite(files) },
     apart ? { label: word('shell.copy'), run: () => {
-      files.download();
+      void files.download();
       tellChanged(files, text); // still changed
     } } : { label: word('shell.beside'), run: () => void saveBeside(files) }]);
 }

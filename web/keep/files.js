@@ -22,6 +22,7 @@ import { counted, word } from '../page/words.js';
 const SVG = 'image/svg+xml';
 const JSON_TYPE = 'application/json';
 const PATIENCE = 500; // milliseconds of a save before it is said that it is under way
+const LIGHT = 1 << 18; // bytes of a journal: what it makes is written at once, while the page waits
 
 /** @param {import('../engine/losses.js').Losses} losses */
 export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
@@ -226,7 +227,7 @@ export class Files {
     const native = isNative(this.name);
     this.over = undefined;
     if (!this.bound) {
-      if (this.download(native, () => this.saveNow())) {
+      if (await this.download(native, () => this.saveNow())) {
         this.engine.saved();
         this.wake();
       }
@@ -242,8 +243,14 @@ export class Files {
         return;
       }
       slow = setTimeout(() => this.notices.ask('saving', word('shell.saving.help', this.name), [], true), PATIENCE);
+      // Another drawing may be opened meanwhile.
+      const { place, engine: { drawing } } = this;
+      const bytes = await this.#written(native);
       // The engine remembers the state that it asked to have saved: anything drawn meanwhile stays unsaved.
-      await this.place.save(this.engine.save(native), native ? JSON_TYPE : SVG, over);
+      await place.save(bytes, native ? JSON_TYPE : SVG, over);
+      if (drawing !== this.engine.drawing) {
+        return;
+      }
       this.engine.saved();
       this.onsaved();
       // What no longer agreed with the drawing is no longer in the file.
@@ -258,6 +265,23 @@ export class Files {
       this.saving = false;
       this.wake();
     }
+  }
+
+  /** The drawing as the bytes of a file: made at once if that takes no time, else while the page goes on. @param {boolean} native */
+  async #written(native) {
+    const { drawing } = this.engine;
+    if (this.engine.journal.length > LIGHT) {
+      try {
+        const { writeApart } = await want(import('./apart.js'));
+        return await writeApart(this.engine, native);
+      } catch (error) {
+        if (drawing !== this.engine.drawing) {
+          throw error;
+        }
+        console.error(error); // no memory for a copy, or no worker
+      }
+    }
+    return this.engine.save(native);
   }
 
   /** Tells the user at once that the file changed on disk, not at the next save. @param {string} tag of the file now */
@@ -284,7 +308,7 @@ export class Files {
     }
     const answer = await (kept ? askInexact(this.name, unshown) : ask(this.name, losses));
     if (answer === 'copy') {
-      this.download(false);
+      await this.download(false);
     }
     this.asked ||= kept && answer !== '';
     return answer === 'lose' || answer === 'save';
@@ -308,14 +332,16 @@ export class Files {
       { label: word('shell.again'), run: () => this.saveNow(over) },
       { label: word('shell.copy'), run: () => {
         this.#tellUnsaved(error, over); // a copy is not the file
-        this.download();
+        void this.download();
       } }]);
   }
 
-  /** Saves a copy in the browser's download folder. @param {boolean} [native] @param {() => void} [again] @returns {boolean} */
-  download(native = isNative(this.name), again = () => void this.download(native)) {
+  /** Saves a copy in the browser's download folder. @param {boolean} [native] @param {() => void} [again] @returns {Promise<boolean>} */
+  async download(native = isNative(this.name), again = () => void this.download(native)) {
     try {
-      this.deliver(this.engine.save(native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG);
+      const { name } = this;
+      const light = this.engine.journal.length <= LIGHT; // then it is there before the next event
+      this.deliver(light ? this.engine.save(native) : await this.#written(native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG, name);
       this.notices.over('uncopied');
       return true;
     } catch (error) {

@@ -85,9 +85,9 @@ static void put(bat_document *document, int index, bat_object *made) {
     bat_object_release(made);
 }
 
-static void shift(bat_document *document, int index, double dx, double dy) {
+static void map(bat_document *document, int index, const double rows[6]) {
     const bat_object *object = bat_document_at(document, index);
-    const double rows[6] = {1, 0, dx, 0, 1, dy};
+    const double dx = rows[2], dy = rows[5];
     bat_curve *curves[16];
     const int count = bat_object_curve_count(object);
     bat_object *made = NULL;
@@ -104,6 +104,14 @@ static void shift(bat_document *document, int index, double dx, double dy) {
         assert_int_equal(bat_curve_transform(bat_object_curve(object, i), rows, &curves[i]), BAT_OK);
     assert_int_equal(bat_object_with_curves(object, count, curves, &made), BAT_OK);
     put(document, index, made);
+}
+
+static void shift(bat_document *document, int index, double dx, double dy) {
+    map(document, index, (const double[6]){1, 0, dx, 0, 1, dy});
+}
+
+static void shear(bat_document *document, int index, double dx, double dy) {
+    map(document, index, (const double[6]){1, 0, dx, 1, 1, dy});
 }
 
 static void paint(bat_document *document, int index, uint32_t stroke, double width) {
@@ -199,15 +207,15 @@ static void an_edit_changes_its_element_alone(void **state) {
                   "viewBox=\"0 0 180 90\" width=\"18cm\" height=\"90mm\"");
 }
 
-/* A rectangle of which a corner was moved is a path from then on, with all that it had besides. */
+/* A rectangle that is a rectangle no longer is a path from then on, with all that it had besides. */
 static void a_shape_becomes_a_path(void **state) {
     (void)state;
     bat_document *document = opened(PREFIXED);
-    shift(document, find_drawn(document, 0), 1, 2);
+    shear(document, find_drawn(document, 0), 1, 2);
     char *text = written(document, false);
     const char *at = strstr(text, "<s:path d=\"M1 2");
     assert_non_null(at);
-    assert_non_null(strstr(at, "L9 2L9 11L1 11Z\"></s:path><s:line")); /* what was straight is written so */
+    assert_non_null(strstr(at, "L9 10L9 19L1 11Z\"></s:path><s:line")); /* what was straight is written so */
     assert_null(strstr(text, "s:rect"));
     bat_free(text);
     bat_document_free(document);

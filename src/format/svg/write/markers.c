@@ -19,6 +19,7 @@ typedef struct writing {
     double precision;
     bat_outline *outline;
     uint64_t digest; /* of the marker that is being written */
+    bool unmarked;   /* as of the element's ids */
 } writing;
 
 /* A part, which is taken over, as one path; its box is its clip path. */
@@ -28,6 +29,7 @@ static bat_status write_part(writing *w, bat_object *part, const bat_marker_part
     bat_svg_ids ids = bat_svg_write_gradients(w->text, part, back, w->number);
     bat_status status = bat_svg_write_clip(w->text, part, back, w->number++, &ids);
     ids.inks[0] = from->fill, ids.inks[1] = from->stroke;
+    ids.unmarked = w->unmarked;
     bat_text_string(w->text, "<path");
     if (uneven) {
         bat_text_string(w->text, " transform=\"");
@@ -98,7 +100,7 @@ bat_status bat_svg_write_markers(bat_text *text, const bat_object *object, const
     *digest = 0;
     if (!markers) return BAT_OK;
     const bat_marked *m = bat_markers_marked(markers);
-    writing w = {text, object, pen, number + 1, precision, outline, 0};
+    writing w = {text, object, pen, number + 1, precision, outline, 0, ids->unmarked};
     *digest = bat_digest_number(bat_digest_begin(), (uint64_t)m->order);
     for (int k = 0; k < BAT_MARKER_PLACES && status == BAT_OK; k++) {
         int same = 0;

@@ -42,6 +42,8 @@ static void keep_object(bat_svg_patch *p, int index) {
         return;
     }
     const int mark = p->fresh_count;
+    bat_svg_patch_try_shape(p, object, entry);
+    if (p->status != BAT_OK) return;
     const bool apart = shared && plan->sheets; /* without its id, which rules may name */
     const bat_svg_ids ids = bat_svg_patch_gradients(p, object, entry, apart);
     bat_svg_patch_mark(p, bat_object_id(object));
@@ -160,63 +162,7 @@ static void place_native(bat_svg_patch *p, bool with_native) {
                        native ? tag->end - tag->open : 0);
 }
 
-/* ---- reading it again ---- */
-
-/* Two documents that ought to show the same, the second from `next` on. */
-typedef struct seen {
-    const bat_document *document, *again;
-    int next;
-    double slack;
-    bool clipped;
-} seen;
-
-/* Whether the next drawn thing of the second document is where that one is, which shows the object or a part of it. */
-static bat_status find_next(seen *s, const bat_object *object, const bat_object *shown) {
-    const bat_object *other = NULL;
-    double a[4], b[4];
-    while ((other = bat_document_at(s->again, s->next++)) && !bat_object_is_drawn(other)) {
-    }
-    if (!other) return BAT_UNSUPPORTED;
-    if (bat_object_is_foreign(shown) && bat_object_is_foreign(other))
-        return BAT_OK; /* their boxes are guesses */
-    if (!bat_object_markers(shown) != !bat_object_markers(other)) return BAT_UNSUPPORTED;
-    bat_object_bounds(shown, a);
-    bat_object_bounds(other, b);
-    for (int j = 0; j < 4; j++)
-        if (!(fabs(a[j] - b[j]) <= s->slack)) return BAT_UNSUPPORTED;
-    return s->clipped && !bat_svg_same_clip(s->document, object, s->again, other, s->slack) ? BAT_UNSUPPORTED
-                                                                                            : BAT_OK;
-}
-
-/* Whether the new text shows what the document holds. */
-static bat_status see_again(const bat_document *document, const bat_document *again) {
-    bat_status status = BAT_OK;
-    double all[4];
-    bat_document_bounds(document, all);
-    const double slack = 1e-3 * fmax(1, bat_hypot(all[2] - all[0], all[3] - all[1]));
-    seen s = {document, again, 0, slack, bat_svg_is_clipped(document) || bat_svg_is_clipped(again)};
-    for (int i = 0; i < bat_document_count(document) && status == BAT_OK; i++) {
-        const bat_object *object = bat_document_at(document, i);
-        if (!bat_object_is_drawn(object) || !(bat_object_style(object)->stroked ||
-                                              bat_object_style(object)->filled || bat_object_markers(object)))
-            continue;
-        bat_object *parts[2] = {NULL};
-        bool group = false;
-        if (!bat_object_widths(object).count) {
-            status = find_next(&s, object, object);
-            continue;
-        }
-        status = bat_object_parts(object, parts, &group);
-        for (int j = 0; j < 2; j++) {
-            if (status == BAT_OK && parts[j]) status = find_next(&s, object, parts[j]);
-            bat_object_release(parts[j]);
-        }
-    }
-    int k = s.next;
-    for (const bat_object *other; (other = bat_document_at(again, k)); k++)
-        if (status == BAT_OK && bat_object_is_drawn(other)) status = BAT_UNSUPPORTED;
-    return status;
-}
+/* ---- what is written ---- */
 
 /* The native document, with the element of each object. */
 static bat_status write_native(const bat_document *document, const bat_svg_output *out, uint64_t digest,
@@ -266,22 +212,19 @@ static bat_status write_beside(const bat_document *document, const bat_svg_outpu
     return write_native(document, out, again->digest, text);
 }
 
-static bat_status finish(const bat_document *document, const bat_svg_output *out, bool with_native,
-                         bat_text *text) {
-    const bat_svg_options merging = bat_svg_merging();
-    bat_svg_again again = {0};
-    bat_status status = bat_svg_again_read(&out->text, &merging, &again);
-    if (status == BAT_OK) status = see_again(document, again.document);
+/* The text as it was read again, with what SVG cannot hold in its place. */
+static bat_status finish(const bat_document *document, const bat_svg_output *out, const bat_svg_again *again,
+                         bool with_native, bat_text *text) {
     size_t at = out->text.size, behind = at;
+    bat_status status = BAT_OK;
     for (int i = 0; i < out->count && with_native; i++)
         if (out->marks[i].id == 0) {
             at = out->marks[i].at;
             behind = at + sizeof NATIVE_PLACE - 1;
         }
-    if (status == BAT_OK) bat_text_add(text, out->text.data, at);
-    if (status == BAT_OK && with_native) status = write_beside(document, out, &again, text);
+    bat_text_add(text, out->text.data, at);
+    if (with_native) status = write_beside(document, out, again, text);
     if (status == BAT_OK) bat_text_add(text, out->text.data + behind, out->text.size - behind);
-    bat_svg_again_free(&again);
     return status == BAT_OK && text->failed ? BAT_MEMORY : status;
 }
 
@@ -294,6 +237,29 @@ static void collect(bat_svg_patch *p, bool with_native) {
     if (p->status == BAT_OK) bat_svg_patch_new(p);
     bat_svg_patch_page(p);
     place_native(p, with_native);
+}
+
+/* Makes the new text from the plan. */
+static void make(bat_svg_patch *p, bool with_native, bat_svg_output *out) {
+    p->made.size = out->text.size = 0;
+    p->edit_count = p->kept_count = p->fresh_count = out->count = p->number = 0;
+    collect(p, with_native);
+    if (p->status == BAT_OK) bat_svg_patch_apply(p, out);
+    if (p->status == BAT_OK && bat_svg_patch_sweep(p, &out->text) > 0) {
+        out->text.size = 0;
+        out->count = 0;
+        bat_svg_patch_apply(p, out);
+    }
+}
+
+/* Makes it and reads it again. *differs: something looks otherwise, which the plan now says. */
+static void attempt(bat_svg_patch *p, bool with_native, bat_svg_output *out, bat_svg_again *again,
+                    bool *differs) {
+    const bat_svg_options merging = bat_svg_merging();
+    *differs = false;
+    make(p, with_native, out);
+    if (p->status == BAT_OK) p->status = bat_svg_again_read(&out->text, &merging, again);
+    if (p->status == BAT_OK) p->status = bat_svg_patch_compare(&p->plan, again->document, differs);
 }
 
 bat_status bat_svg_patch_write(const bat_document *document, bool with_native, double precision,
@@ -311,19 +277,21 @@ bat_status bat_svg_patch_write(const bat_document *document, bool with_native, d
     if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_UNSUPPORTED;
     const size_t room = 3 * (size_t)p.plan.count + 2; /* an object may have two parts in a group */
     bat_svg_output out = {.marks = malloc(2 * room * sizeof *out.marks)};
+    bat_svg_again again = {0};
+    bool differs = false;
     p.kept = malloc(room * sizeof *p.kept);
     p.fresh = malloc(room * sizeof *p.fresh);
     if (!out.marks || !p.kept || !p.fresh) p.status = BAT_MEMORY;
-    if (p.status == BAT_OK) collect(&p, with_native);
-    if (p.status == BAT_OK) bat_svg_patch_apply(&p, &out);
-    if (p.status == BAT_OK && bat_svg_patch_sweep(&p, &out.text) > 0) {
-        bat_text_free(&out.text);
-        out.text = (bat_text){0};
-        out.count = 0;
-        bat_svg_patch_apply(&p, &out);
+    if (p.status == BAT_OK) attempt(&p, with_native, &out, &again, &differs);
+    if (p.status == BAT_OK &&
+        differs) { /* rules that hold for others than before: once more, and all is said */
+        bat_svg_again_free(&again);
+        attempt(&p, with_native, &out, &again, &differs);
     }
-    if (p.status == BAT_OK) p.status = finish(document, &out, with_native, text);
+    if (p.status == BAT_OK && differs) p.status = BAT_UNSUPPORTED;
+    if (p.status == BAT_OK) p.status = finish(document, &out, &again, with_native, text);
     status = p.status;
+    bat_svg_again_free(&again);
     free(out.marks);
     bat_text_free(&out.text);
     free(p.kept);

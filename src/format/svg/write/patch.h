@@ -69,8 +69,14 @@ bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, 
                                     bool apart);
 /* The same for the element of a group that is gone, where others are left in it. */
 bool bat_svg_patch_group_tag(bat_svg_patch *p, uint32_t element);
+/* Whether the element can keep its kind with the shape that the object has now; then the plan says so. */
+void bat_svg_patch_try_shape(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry);
 void bat_svg_patch_page(bat_svg_patch *p);
 void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry);
+/* ---- patch_shape.c: rectangles, circles, ellipses, lines ---- */
+/* Sets the attributes of an element that still is what it is called. False: only a path can be that, and nothing is set. */
+bool bat_svg_patch_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
+                         double precision);
 /* ---- patch_data.c: path data ---- */
 /* Writes the path data of an object: subpaths that are as they were in the element keep their text. m: to its own units.
  * *raw: it stands in a tag as it is. */
@@ -122,6 +128,11 @@ uint32_t bat_svg_element_at(const bat_svg_tags *tags, size_t at);
  * BAT_UNSUPPORTED: the document does not come back in this way. */
 bat_status bat_svg_held_write(const bat_document *document, const bat_svg_output *out,
                               const bat_svg_again *again, bat_text *text);
+
+/* ---- alike.c: what was read again beside the document ---- */
+/* Whether the text that was read again shows what the document holds. *differs: objects are there that look otherwise; their
+ * elements insist from now on. BAT_UNSUPPORTED: it does not, and nothing can be done about it. O(objects). */
+bat_status bat_svg_patch_compare(bat_svg_plan *plan, const bat_document *again, bool *differs);
 
 /* The file as it is now. BAT_UNSUPPORTED: it cannot be written so. O(size). */
 bat_status bat_svg_patch_write(const bat_document *document, bool with_native, double precision,

@@ -74,10 +74,23 @@ static bool is_ruled(const bat_svg_plan *plan, uint32_t element) {
     return plan->sheets && (has_rule(plan, "path", 4) || has_rule(plan, name, size));
 }
 
+static bool is_renamed(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry) {
+    return bat_svg_reshaped(object, entry) && !(plan->fate[entry->element] & BAT_SVG_SHAPED) &&
+           !bat_svg_is_called(plan, entry->element, "path");
+}
+
 static bool says_all(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry,
                      bool apart) {
-    const bool renamed = bat_svg_reshaped(object, entry) && !bat_svg_is_called(plan, entry->element, "path");
-    return apart || (renamed && is_ruled(plan, entry->element));
+    return apart || plan->fate[entry->element] & BAT_SVG_INSISTS ||
+           (is_renamed(plan, object, entry) && is_ruled(plan, entry->element));
+}
+
+/* Its markers change, or a path would get some that the element has not, or the other way round. */
+static bool says_markers(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry,
+                         bool apart) {
+    const bool may = says_all(plan, object, entry, apart) ||
+                     (is_renamed(plan, object, entry) && !bat_object_markers(object));
+    return bat_svg_remarked(object, entry) || (may && strstr(plan->text, "marker") != NULL);
 }
 
 static bool differs(const bat_object *object, const bat_sourced *entry, bat_paint_part part) {
@@ -96,7 +109,7 @@ bat_svg_ids bat_svg_patch_gradients(bat_svg_patch *p, const bat_object *object, 
         ids = bat_svg_write_gradients(&p->made, object, m, bat_svg_patch_number(p));
     bat_svg_patch_clip(p, object, entry, &ids);
     static const double same[6] = {1, 0, 0, 1, 0, 0};
-    if (bat_svg_remarked(object, entry)) bat_svg_patch_markers(p, object, same, &ids);
+    if (says_markers(&p->plan, object, entry, apart)) bat_svg_patch_markers(p, object, same, &ids);
     return ids;
 }
 
@@ -140,6 +153,11 @@ static double share_of(double opacity, const bat_sourced *entry) {
     return entry->opacity > 0 ? fmin(1, opacity / entry->opacity) : opacity;
 }
 
+/* A property that sheets may say otherwise, or no longer say. */
+static bool unsaid(const bat_svg_retag *r, bool all, const char *property) {
+    return all && (r->insists || !bat_svg_retag_declares(r, property));
+}
+
 static void set_order(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry, bool all) {
     const char *order = bat_svg_order(object);
     const bool plain = strcmp(order, "normal") == 0, says = bat_svg_retag_says(r, "paint-order");
@@ -148,11 +166,10 @@ static void set_order(bat_svg_retag *r, const bat_object *object, const bat_sour
     if (!plain || says) bat_svg_retag_style(r, "paint-order", order);
 }
 
-static void set_markers(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
-                        const bat_svg_ids *ids) {
+static void set_markers(bat_svg_retag *r, const bat_svg_ids *ids) {
     static const char *const places[BAT_MARKER_PLACES] = {"marker-start", "marker-mid", "marker-end"};
     char value[BAT_SVG_ID + 8];
-    for (int k = 0; k < BAT_MARKER_PLACES && bat_svg_remarked(object, entry); k++) {
+    for (int k = 0; k < BAT_MARKER_PLACES; k++) {
         snprintf(value, sizeof value, *ids->markers[k] ? "url(#%s)" : "none", ids->markers[k]);
         bat_svg_retag_style(r, places[k], value);
     }
@@ -166,12 +183,13 @@ static double line_scale(const bat_svg_retag *r, const bat_svg_plan *plan, const
     return fixed ? plan->pixel : sqrt(bat_matrix_area(entry->inner));
 }
 
-/* all: whatever the element does not say itself is said. */
+/* apart: as of bat_svg_patch_tag. */
 static void set_style(bat_svg_retag *r, const bat_svg_plan *plan, const bat_object *object,
-                      const bat_sourced *entry, bool all, const bat_svg_ids *ids) {
+                      const bat_sourced *entry, bool apart, const bat_svg_ids *ids) {
     static const char *const caps[] = {"butt", "round", "square"}, *const joins[] = {"miter", "round",
                                                                                      "bevel"};
     const bat_style *was = &entry->style, *now = bat_object_style(object);
+    const bool all = says_all(plan, object, entry, apart);
     const bool fill_served = entry->paint[BAT_PAINT_FILL] != 0,
                stroke_served = entry->paint[BAT_PAINT_STROKE] != 0;
     const bool fill = *ids->fill || differs(object, entry, BAT_PAINT_FILL) || now->filled != was->filled ||
@@ -180,32 +198,30 @@ static void set_style(bat_svg_retag *r, const bat_svg_plan *plan, const bat_obje
                         now->stroked != was->stroked || (now->stroked && now->stroke != was->stroke);
     const bool begun = now->stroked && !was->stroked;
     const double scale = line_scale(r, plan, entry, begun), widens = bat_svg_plan_widens(plan, entry);
-    if (fill || (all && !bat_svg_retag_says(r, "fill")))
+    if (fill || unsaid(r, all, "fill"))
         set_paint(r, true, now->filled, now->fill, was->filled ? was->fill : 0xff,
-                  !was->filled || fill_served, ids->fill);
-    if (stroke || (all && !bat_svg_retag_says(r, "stroke")))
+                  all || !was->filled || fill_served, ids->fill);
+    if (stroke || unsaid(r, all, "stroke"))
         set_paint(r, false, now->stroked, now->stroke, was->stroked ? was->stroke : 0xff,
-                  begun || stroke_served, ids->stroke);
-    if (now->even_odd != was->even_odd || (all && !bat_svg_retag_says(r, "fill-rule")))
+                  all || begun || stroke_served, ids->stroke);
+    if (now->even_odd != was->even_odd || unsaid(r, all, "fill-rule"))
         bat_svg_retag_style(r, "fill-rule", now->even_odd ? "evenodd" : "nonzero");
     if (now->stroked) {
         const bat_paint *paint = bat_object_paint(object);
-        if (now->width != was->width * widens || begun || (all && !bat_svg_retag_says(r, "stroke-width")))
+        if (now->width != was->width * widens || begun || unsaid(r, all, "stroke-width"))
             set_number(r, "stroke-width", scale > 0 ? now->width / scale : now->width);
-        if (now->cap != was->cap || begun || (all && !bat_svg_retag_says(r, "stroke-linecap")))
+        if (now->cap != was->cap || begun || unsaid(r, all, "stroke-linecap"))
             bat_svg_retag_style(r, "stroke-linecap", caps[now->cap]);
-        if (now->join != was->join || begun || (all && !bat_svg_retag_says(r, "stroke-linejoin")))
+        if (now->join != was->join || begun || unsaid(r, all, "stroke-linejoin"))
             bat_svg_retag_style(r, "stroke-linejoin", joins[now->join]);
-        if (now->miter_limit != was->miter_limit || begun ||
-            (all && !bat_svg_retag_says(r, "stroke-miterlimit")))
+        if (now->miter_limit != was->miter_limit || begun || unsaid(r, all, "stroke-miterlimit"))
             set_number(r, "stroke-miterlimit", now->miter_limit);
         if (differs(object, entry, BAT_PAINT_LINE) || (widens != 1 && paint && paint->dash_count) ||
-            (begun && bat_svg_retag_says(r, "stroke-dasharray")) ||
-            (all && !bat_svg_retag_says(r, "stroke-dasharray")))
+            (begun && bat_svg_retag_says(r, "stroke-dasharray")) || unsaid(r, all, "stroke-dasharray"))
             set_dashes(r, paint, scale);
     }
     set_order(r, object, entry, all);
-    set_markers(r, object, entry, ids);
+    if (says_markers(plan, object, entry, apart)) set_markers(r, ids);
     if (now->opacity != was->opacity || all) set_number(r, "opacity", share_of(now->opacity, entry));
 }
 
@@ -219,7 +235,8 @@ static void set_state(bat_svg_retag *r, const bat_object *object, const bat_sour
                               ? "inkscape:label"
                               : "data-name",
                           bat_object_name(object));
-    if (hidden != entry->hidden) bat_svg_retag_style(r, "display", hidden ? "none" : "inline");
+    if (hidden != entry->hidden || r->insists) bat_svg_retag_style(r, "display", hidden ? "none" : "inline");
+    if (r->insists && !hidden) bat_svg_retag_style(r, "visibility", "visible");
     if (bat_object_is_locked(object) != entry->locked) {
         bat_svg_retag_set(r, "data-locked", entry->locked ? NULL : "true");
         if (entry->locked) bat_svg_retag_set(r, "sodipodi:insensitive", NULL);
@@ -296,6 +313,20 @@ static void fade_foreign(bat_svg_retag *r, double now, const bat_sourced *entry)
     if (now != was) set_number(r, "opacity", fmin(1, entry->own * (was > 0 ? now / was : now)));
 }
 
+void bat_svg_patch_try_shape(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry) {
+    const bat_svg_plan *plan = &p->plan;
+    const bat_svg_tag *tag = &plan->tags.list[entry->element];
+    bat_svg_retag r;
+    if (!bat_svg_reshaped(object, entry) || bat_object_is_foreign(object) || bat_object_picture(object) ||
+        bat_object_is_group(object) || plan->fate[entry->element] & BAT_SVG_INSISTS)
+        return;
+    bat_svg_retag_begin(&r, plan->text + tag->open, tag->body - tag->open, plan->types, plan->types_size,
+                        plan->sheets);
+    if (bat_svg_patch_shape(&r, object, entry, p->precision)) plan->fate[entry->element] |= BAT_SVG_SHAPED;
+    if (r.failed || r.values.failed) p->status = BAT_MEMORY;
+    bat_svg_retag_free(&r);
+}
+
 bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sourced *entry, bool apart,
                        bool hides, bool anonymous, const bat_svg_ids *ids) {
     const bat_svg_plan *plan = &p->plan;
@@ -303,13 +334,16 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
     bat_svg_retag r;
     bat_svg_retag_begin(&r, plan->text + tag->open, tag->body - tag->open, plan->types, plan->types_size,
                         plan->sheets);
+    r.insists = plan->fate[entry->element] & BAT_SVG_INSISTS;
     if (!bat_object_is_group(object)) {
         const bool reshaped = bat_svg_reshaped(object, entry);
         if (!bat_object_is_foreign(object))
-            set_style(&r, plan, object, entry, says_all(plan, object, entry, apart), ids);
+            set_style(&r, plan, object, entry, apart, ids);
         else
             fade_foreign(&r, bat_object_style(object)->opacity, entry);
-        if (reshaped) {
+        if (plan->fate[entry->element] & BAT_SVG_SHAPED)
+            bat_svg_patch_shape(&r, object, entry, p->precision);
+        else if (reshaped) {
             const bat_status status = set_shape(&r, object, entry, p->precision);
             if (status != BAT_OK) p->status = status;
         }
@@ -356,7 +390,8 @@ void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat
     const char *name = plan->text + tag->open + 1;
     const size_t length = bat_svg_tag_name(name - 1, tag->body - tag->open);
     if (tag->close == tag->end) return;
-    if (!bat_svg_reshaped(object, entry) || bat_object_picture(object)) {
+    if (!bat_svg_reshaped(object, entry) || bat_object_picture(object) ||
+        plan->fate[entry->element] & BAT_SVG_SHAPED) {
         bat_text_add(&p->made, plan->text + tag->close, tag->end - tag->close);
         return;
     }

@@ -9,7 +9,9 @@ typedef enum bat_svg_fate {
     BAT_SVG_TOUCHED = 1, /* it no longer looks as it did, or is no longer where it was */
     BAT_SVG_GONE = 2,    /* it is not written at its place */
     BAT_SVG_NEEDED = 4,  /* something else in the file refers to it */
-    BAT_SVG_GROUPED = 8  /* it is the element of a group of the document */
+    BAT_SVG_GROUPED = 8, /* it is the element of a group of the document */
+    BAT_SVG_SHAPED = 16, /* it has another shape of its own kind: a rectangle is still one */
+    BAT_SVG_INSISTS = 32 /* it says itself all that it looks like, whatever sheets and neighbours say */
 } bat_svg_fate;
 
 typedef enum bat_svg_stay {

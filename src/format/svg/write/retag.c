@@ -105,6 +105,11 @@ void bat_svg_retag_set_raw(bat_svg_retag *r, const char *name, const char *value
     change_of(r, name)->raw = true;
 }
 
+bool bat_svg_retag_declares(const bat_svg_retag *r, const char *property) {
+    declaration found;
+    return find_declaration(&r->style, property, &found);
+}
+
 bool bat_svg_retag_says(const bat_svg_retag *r, const char *property) {
     declaration found;
     bat_svg_piece piece;
@@ -115,7 +120,7 @@ void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *val
     declaration found;
     bat_svg_piece piece;
     const bool declared = find_declaration(&r->style, property, &found);
-    if (!declared && !r->sheets && (!r->styled || bat_svg_retag_has(r, property, &piece))) {
+    if (!declared && !r->sheets && !r->insists && (!r->styled || bat_svg_retag_has(r, property, &piece))) {
         bat_svg_retag_set(r, property, value);
         return;
     }
@@ -123,6 +128,7 @@ void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *val
     if (declared) {
         bat_text_add(&made, r->style.data, found.value);
         bat_text_string(&made, value);
+        if (r->insists) bat_text_string(&made, " !important");
         bat_text_add(&made, r->style.data + found.value_end, r->style.size - found.value_end);
     } else {
         if (r->style.size > 0) bat_text_add(&made, r->style.data, r->style.size);
@@ -130,6 +136,7 @@ void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *val
         bat_text_string(&made, property);
         bat_text_string(&made, ":");
         bat_text_string(&made, value);
+        if (r->insists) bat_text_string(&made, " !important");
     }
     if (made.failed) r->failed = true;
     bat_text_free(&r->style);

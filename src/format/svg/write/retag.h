@@ -24,6 +24,7 @@ typedef struct bat_svg_retag {
     bat_text values;
     bat_text style;        /* the style attribute, decoded */
     bool styled, restyled; /* there is one; it has changed */
+    bool insists;          /* what is set overrules all that sheets say */
     bool failed;
 } bat_svg_retag;
 
@@ -37,6 +38,8 @@ void bat_svg_retag_set(bat_svg_retag *r, const char *name, const char *value); /
 void bat_svg_retag_set_raw(bat_svg_retag *r, const char *name, const char *value);
 /* Sets a property of style where the element has it: in its style attribute, or by itself. */
 void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *value);
+/* Whether its style attribute says what the property is: then sheets do not, unless it insists. */
+bool bat_svg_retag_declares(const bat_svg_retag *r, const char *property);
 /* Whether the element itself says what the property is. */
 bool bat_svg_retag_says(const bat_svg_retag *r, const char *property);
 /* Whether the element is a picture of an SVG file that stands alone, and not the one that is in that file. */
