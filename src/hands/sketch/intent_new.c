@@ -34,13 +34,23 @@ static double off_line(const bat_intent *intent, const bat_intent_near *near, co
     return foot.d;
 }
 
+/* Where the stroke starts or ends: as far as its hook leads on along it. way: the direction there, outwards. */
+static void tip_of(const bat_intent *intent, int side, double tip[2], double way[2]) {
+    const double fine = fmin(1, intent->size / INTENT_FULL), hook = fine * intent->hook;
+    const double whole = bat_polyline_length(&intent->stroke), h = fmin(6 * fine, intent->length / 4);
+    const double *end = intent->stroke.x + (side ? 2 * (size_t)(intent->stroke.count - 1) : 0);
+    bat_intent_heading(intent, side ? whole - hook - h : hook + h, h, way);
+    if (!side) way[0] = -way[0], way[1] = -way[1];
+    bat_polyline_at(&intent->stroke, side ? whole - hook : hook, tip);
+    const double on = fmax(0, (end[0] - tip[0]) * way[0] + (end[1] - tip[1]) * way[1]);
+    for (int k = 0; k < 2; k++) tip[k] += on * way[k];
+}
+
 /* The line that this end of the stroke is put on: the nearest of those that are near enough. */
 static void put_on(const bat_intent *intent, int side, bat_intent_reading *reading) {
-    const double h = fmin(6, intent->length / 4), on = fmin(INTENT_ON, meets * intent->size);
-    const double *p = intent->p + (side ? 2 * (size_t)(intent->places - 1) : 0);
+    const double on = fmin(INTENT_ON, meets * intent->size);
     double way[2], least = INFINITY, *tip = reading->tip[side];
-    bat_intent_heading(intent, intent->hook + (side ? intent->length - h : h), h, way);
-    for (int k = 0; k < 2; k++) tip[k] = p[k] + (side ? intent->hook : -intent->hook) * way[k];
+    tip_of(intent, side, tip, way);
     reading->onto[side] = -1;
     for (int i = 0; i < intent->line_count; i++) {
         const bat_intent_near *near = &intent->line[i];

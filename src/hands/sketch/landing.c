@@ -62,3 +62,34 @@ size_t bat_landing(const bat_stroke_path *path, const bat_press *press, bool at_
         samples++;
     return samples;
 }
+
+/* How far the points lead on beyond the first of three even places, along the tangent there. */
+static double leads_on(const bat_landed *landed, double x[3][BAT_DIMENSION_MAX], size_t m) {
+    double way[BAT_DIMENSION_MAX], square = 0, most = 0;
+    for (size_t c = 0; c < m; c++) {
+        way[c] = 3 * x[0][c] - 4 * x[1][c] + x[2][c];
+        square += way[c] * way[c];
+    }
+    for (size_t i = 0; i < landed->count; i++) {
+        double along = 0;
+        for (size_t c = 0; c < m; c++) along += (landed->points[i * m + c] - x[0][c]) * way[c];
+        most = fmax(most, along);
+    }
+    return square > 0 ? most / sqrt(square) : 0;
+}
+
+bool bat_lead_on(const bat_stroke_path *path, const bat_landed *landed, bool at_end, double *out) {
+    const tip t = {path, at_end};
+    const size_t m = path->m, count = landed->count;
+    double x[3][BAT_DIMENSION_MAX];
+    for (int i = 0; i < 3; i++) place(&t, i * landed->h, x[i]);
+    const double far = fmin(leads_on(landed, x, m), landed->h);
+    if (!(far > 0)) return false;
+    for (size_t i = 1; i <= count; i++) {
+        const double f = far / landed->h * (double)i / (double)count;
+        double *p = out + (at_end ? i - 1 : count - i) * m;
+        for (size_t c = 0; c < m; c++)
+            p[c] = 0.5 * (1 + f) * (2 + f) * x[0][c] - f * (2 + f) * x[1][c] + 0.5 * f * (1 + f) * x[2][c];
+    }
+    return true;
+}

@@ -15,6 +15,8 @@ enum { SAMPLES_MAX = 6000, CORNERS_MAX = 1500, SMOOTH_MAX = 16384 };
 enum { LIVE_LOOSE = 256, LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
 static const double loose = 0.25; /* px that shown samples move by at most */
 static const double sparse = 4;   /* px between samples, from which on they are few */
+static const double bend_share =
+    0.08; /* of the grain: where an end goes on, it bends as twice so much of it does */
 static const double dot_length = 8, noise_cap = 1.5, noise_floor = 0.05;
 /* A drawing of this grain (px) has the whole tolerance; a smaller one has its share of it, at least this. */
 static const double full_grain = 50, least_share = 0.3, most_grain = 200;
@@ -183,7 +185,8 @@ typedef struct cleaning {
     double sigma, lambda; /* noise; the weight of the smoothing, 0: none */
     double grain;
     double *y, *light, *z, *work, *arc;
-    double usual;            /* pressure that half of the samples are below; 0: not known */
+    size_t landed[2]; /* samples that were taken away at its start and end, as the pen landed and left */
+    double usual;     /* pressure that half of the samples are below; 0: not known */
     double *pressure, *time; /* of each sample, in one block; NULL: not known */
 } cleaning;
 
@@ -236,14 +239,16 @@ static bat_status look(cleaning *k) {
 
 /* Takes away what the pen drew while it landed and left, where that is no part of the stroke. */
 static void cut_landings(cleaning *k) {
-    if (!k->pressure || k->count < 16 || k->arc[k->count - 1] < dot_length) return;
-    const bat_stroke_path path = {k->light, k->arc, k->count, k->m};
+    if (!k->pressure) return;
     k->usual = bat_middle(k->pressure, k->count);
+    if (k->count < 16 || k->arc[k->count - 1] < dot_length) return;
+    const bat_stroke_path path = {k->light, k->arc, k->count, k->m};
     const bat_press press = {k->pressure, k->time, k->usual};
     const size_t head = bat_landing(&path, &press, false), tail = bat_landing(&path, &press, true);
-    if (head + tail + 8 > k->count) return;
+    if (head + tail == 0 || head + tail + 8 > k->count) return;
+    k->landed[0] = head, k->landed[1] = tail;
     k->first += head, k->count -= head + tail;
-    if (head + tail > 0) judge_grain(k);
+    judge_grain(k);
 }
 
 static void judge_noise(cleaning *k) {
@@ -283,6 +288,8 @@ static bool cut_hooks(cleaning *k) {
     size_t drop = 0;
     while (drop + 4 < k->count && k->arc[drop] < head) drop++;
     if (drop > 0 && k->arc[drop] - head > sparse) begin_at(k, &path, --drop, head);
+    if (drop > 0) k->landed[0] = 0;
+    if (k->count < whole) k->landed[1] = 0;
     k->first += drop, k->count -= drop;
     return true;
 }
@@ -337,6 +344,25 @@ static bat_status keep_corners(cleaning *k) {
     return status;
 }
 
+/* What of a hook led on along the stroke belongs to it, but for its way to the side. */
+static void lead_on(cleaning *k, bool at_end) {
+    const size_t m = k->m, count = k->landed[at_end];
+    const double *landed = k->y + (at_end ? k->first + k->count : k->first - count) * m;
+    double *z = at_end ? k->z + k->count * m : k->z, straight = k->arc[k->count - 1];
+    if (k->corner_count > 0)
+        straight = at_end ? straight - k->arc[k->corners[k->corner_count - 1]] : k->arc[k->corners[0]];
+    const bat_stroke_path path = {k->z, k->arc, k->count, m};
+    const bat_landed led = {landed, count, fmin(bend_share * k->grain, 0.5 * straight)};
+    if (count == 0 || !bat_lead_on(&path, &led, at_end, k->work)) return;
+    if (!at_end) {
+        memmove(k->z + count * m, k->z, k->count * m * sizeof *k->z);
+        for (size_t i = 0; i < k->corner_count; i++) k->corners[i] += count;
+    }
+    memcpy(z, k->work, count * m * sizeof *z);
+    k->count += count;
+    bat_path_measure(k->z, k->count, m, k->arc);
+}
+
 /* Of small things the whole tolerance would leave little. */
 static double share_of_tolerance(const cleaning *k) {
     const double size = fmin(k->grain, 2 * k->arc[k->count - 1]);
@@ -358,6 +384,7 @@ bat_status bat_clean_stroke(const bat_stroke *stroke, const bat_clean_options *o
     }
     if (status == BAT_OK && is_dot(&k)) status = BAT_DOT;
     if (status == BAT_OK && o->corners) status = keep_corners(&k);
+    if (status == BAT_OK) lead_on(&k, true), lead_on(&k, false);
     if (status == BAT_OK)
         status = resample(k.z, k.arc, k.count, k.m, k.count, k.corners, k.corner_count,
                           out->share * o->tolerance, o->memory ? LIVE_SAMPLES : SAMPLES_MAX, out);
