@@ -17,7 +17,7 @@ test('a spline of even curvature', async () => {
   const blank = await serve();
   const { page, hand, context } = await open(browser, blank.address);
   const shot = (name) => pictures(page, `even-${name}`);
-  await page.keyboard.press('t');
+  await page.keyboard.press('p');
   await settle(page);
   for (const spot of SPOTS) {
     hand.rest(0.45);

@@ -55,12 +55,12 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     assert.equal(left, 1);
     await hand.stroke([at, [at[0] + 2, at[1] + 60], [at[0] + 2, at[1] + 61]], { pointerType, during: () => shot('snap') });
     await press('Control+z');
-    await press('i');
+    await press('Shift+I');
     await shot('isolated');
     await press('Escape');
-    await press('o');
+    await press('Shift+O');
     await shot('outlines');
-    await press('o');
+    await press('Shift+O');
     // The guide is dragged back into its ruler: with the other one undone too, the drawing is as it was.
     await hand.stroke([[gx, gy + 60], [box.x + 5, gy + 60]], { pointerType });
     await press('Escape');

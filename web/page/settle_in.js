@@ -36,6 +36,8 @@ export async function settleIn(shell) {
       const { Options } = await want(import('../sheets/options.js'));
       shell.panel.shows.push(await Options.make(shell.panel, dressed)); // what stands in the middle would change its width
       shell.wake();
+      const { Flyout } = await want(import('../sheets/flyout.js'));
+      shell.panel.flyout = new Flyout(shell, shell.panel.rail);
       if (!shell.server.sole) { // else another page says what is drawn
         greet(shell);
       }

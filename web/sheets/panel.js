@@ -7,6 +7,7 @@ import { Buttons } from './buttons.js';
 import { Controls, SHEET_OF } from './controls.js';
 import { Dock } from './dock.js';
 import { Foot } from './foot.js';
+import { Rail } from './rail.js';
 import { tell } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
@@ -57,6 +58,13 @@ export class Panel {
     this.theme = undefined;
     /** @type {import('../stage/paint.js').Painter | undefined} */
     this.painter = undefined;
+    /** @type {import('../page/settings.js').Settings | undefined} */
+    this.settings = undefined;
+    /** @type {import('../page/words.js').Words | undefined} */
+    this.words = undefined;
+    /** @type {import('./flyout.js').Flyout | undefined} */
+    this.flyout = undefined;
+    this.rail = new Rail(this.tables, this.buttons);
     this.themeButton = fillBar(this.tables, this.buttons);
     this.dock = new Dock(this);
     this.foot = new Foot(engine, this.tables, this.buttons, this.controls);
@@ -66,10 +74,13 @@ export class Panel {
     }
   }
 
-  /** Colours: the painter's, and the buttons that choose them. @param {import('../stage/theme.js').Theme} theme @param {import('../stage/paint.js').Painter} painter */
-  follow(theme, painter) {
+  /** What the page has beside the engine: colours, the painter's and the buttons' that choose them, and bound keys. @param {import('../main.js').Shell} shell */
+  follow(shell) {
+    const { theme, painter } = shell;
     this.theme = theme;
     this.painter = painter;
+    this.settings = shell.settings;
+    this.words = shell.words;
     theme.onchange = () => {
       painter.retheme();
       this.controls.refresh();
@@ -171,9 +182,7 @@ export class Panel {
     this.shown = shown;
     this.buttons.able('undo', frame.canUndo);
     this.buttons.able('redo', frame.canRedo);
-    this.tables.tools.forEach((tool, index) => {
-      this.buttons.commands.get(tool.command)?.setAttribute('aria-pressed', String(index === frame.tool));
-    });
+    this.rail.show(frame.tool);
     this.#showMeaning(meaning);
     this.foot.show(frame, reach, values);
     this.controls.refresh();

@@ -4,6 +4,7 @@ import { want } from '../page/build.js';
 import { rescale, scale, SCALES } from '../page/scale.js';
 import { tell } from '../page/words.js';
 import { SHEET_OF } from './controls.js';
+import { keyMap } from './key_map.js';
 
 /** @param {import('./panel.js').Panel} panel */
 async function drawPressure({ engine, controls }) {
@@ -57,6 +58,7 @@ export function fill(panel, sheet) {
     sheet.append(panel.controls.control(row, 'setting'));
   }
   sheet.append(tell(document.createElement('h3'), { text: 'shell.theme' }), dimPaper(panel), sizes());
+  sheet.append(tell(document.createElement('h3'), { text: 'shell.keys' }), keyMap(panel));
   void drawPressure(panel);
   return { show: () => {} };
 }
