@@ -206,9 +206,9 @@ for (const [screen, viewport] of [['tablet', { width: 1024, height: 768 }], ['na
 }
 
 for (const [screen, options] of [['desk', { viewport: { width: 1280, height: 800 } }], ['tablet', TABLET]]) {
-  test(`the left hand: tools to the right, sheets to the left; ${screen}`, async () => {
+  test(`the left hand: the rail to the right, the bar the other way round; ${screen}`, async () => {
     const { page, context } = await open(browser, server.address, options);
-    const sides = () => page.evaluate(() => Object.fromEntries(['#rail', '[data-name=inspector]'].map((id) => {
+    const sides = () => page.evaluate(() => Object.fromEntries(['#rail', '#tools'].map((id) => {
       const { left, right } = document.querySelector(id).getBoundingClientRect();
       return [id, (left + right) / 2 < innerWidth / 2 ? 'left' : 'right'];
     })));

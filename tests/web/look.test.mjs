@@ -195,9 +195,19 @@ for (const width of [390, 620, 820]) {
       assert.ok(x >= 0 && x + wide <= width, `${await button.textContent()} can be reached`);
     }
     const [hint, readouts] = [await box('#hint'), await box('#readouts')];
-    assert.ok(hint.y + hint.height <= readouts.y);
+    assert.ok(width < 700 ? hint.x + hint.width <= readouts.x : hint.y + hint.height <= readouts.y);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width);
     await page.screenshot({ path: path.join(SCREENSHOTS, `narrow-${width}.png`) });
+    for (const [wide, high] of width < 700 ? [[width, 844], [360, 640]] : []) { // a phone: the drawing has four fifths of it
+      await page.setViewportSize({ width: wide, height: high });
+      await settle(page);
+      const [stage, rail, top] = [await box('#stage'), await box('#rail'), await box('#bar')];
+      assert.equal(top.height, 48);
+      assert.ok((stage.width * stage.height) / (wide * high) >= 0.8, `${stage.width} x ${stage.height} of ${wide} x ${high}`);
+      assert.ok(rail.y >= stage.y + stage.height && rail.y + rail.height === high, 'the tools are at the bottom');
+      assert.equal(await page.locator('.rail button:visible').count(), 10);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= wide);
+    }
     await context.close();
   });
 }
@@ -217,10 +227,14 @@ test('every command and every property of the engine is in the page', async () =
   const [x, y] = await place(page, 592, 103.5);
   await page.mouse.click(x, y);
   await page.waitForSelector('.levels:not([hidden])'); // the strip has controls too
+  await page.waitForSelector('.options', { state: 'attached' });
   const found = () => page.$$eval('[data-property]', (all) => all.map((one) => one.dataset.property));
   const shown = new Set(await found());
   for (const tool of ['sketch', 'tangents', 'rectangle', 'polygon', 'smooth', 'eraser', 'select', 'surface']) { // its options are in the bar
-    await page.evaluate((name) => batten.engine.command(`tool-${name}`) || batten.wake(), tool);
+    await page.evaluate((name) => {
+      batten.engine.command(`tool-${name}`);
+      batten.wake();
+    }, tool);
     await settle(page);
     (await found()).forEach((name) => shown.add(name));
   }

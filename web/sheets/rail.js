@@ -4,12 +4,16 @@
 import { groupOf } from './bar.js';
 
 const GROUPS = ['select', 'draw', 'shape', 'view']; // from the top
+const DOCK = matchMedia('(max-width: 700px)'); // below the drawing, as room.css has it
 
 export class Rail {
   /** @param {import('../engine/types.js').Tables} tables @param {import('./buttons.js').Buttons} buttons */
   constructor(tables, buttons) {
     this.shown = -1;
     const box = /** @type {HTMLElement} */ (document.getElementById('rail'));
+    const turn = () => box.setAttribute('aria-orientation', DOCK.matches ? 'horizontal' : 'vertical');
+    DOCK.addEventListener('change', turn);
+    turn();
     const groups = new Map(GROUPS.map((name) => [name, groupOf(box, `rail-${name}`)]));
     /** The tools of each slot. @type {Map<string, HTMLButtonElement[]>} */
     this.slots = new Map();
