@@ -3,16 +3,17 @@
 
 import { tell } from '../page/words.js';
 
-/** The keys of before, where they were others. @type {Record<string, string>} */
-const EARLIER = {
-  'tool-tangents': 'T', 'tool-line': 'U', 'tool-rectangle': 'Shift+M', 'tool-ellipse': 'Shift+O', 'tool-eyedropper': 'Shift+I',
-  'tool-levels': 'L', 'tool-lift': 'P', 'range': 'R', 'isolate': 'I', 'outline': 'O',
-};
+/** The keys of before of the commands whose keys tools have now. @type {Record<string, string>} */
+const OTHERS = { range: 'R', isolate: 'I', outline: 'O' };
 const MAPS = ['standard', 'earlier', 'own'];
+
+/** The keys of before, where they were others: the sprite has those of the tools. @returns {[string, string][]} */
+const earlierKeys = () => [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('symbol[data-earlier]'))]
+  .map(({ id, dataset }) => /** @type {[string, string]} */ ([id.slice('icon-'.length), dataset.earlier ?? ''])).concat(Object.entries(OTHERS));
 
 /** @param {Record<string, string>} bound the keys that were bound, by command @returns {string} one of MAPS */
 function mapOf(bound) {
-  const rows = Object.entries(EARLIER);
+  const rows = earlierKeys();
   const earlier = rows.filter(([command, keys]) => bound[command] === keys).length;
   return rows.every(([command]) => bound[command] === undefined) ? 'standard' : earlier === rows.length ? 'earlier' : 'own';
 }
@@ -31,7 +32,7 @@ export function keyMap({ settings, words, controls }) {
     /** @type {HTMLOptionElement} */ (choice.lastElementChild).disabled = choice.value !== 'own'; // it is made in the list of commands
   };
   choice.addEventListener('change', () => {
-    for (const [command, keys] of Object.entries(EARLIER)) {
+    for (const [command, keys] of earlierKeys()) {
       settings?.bind(command, choice.value === 'earlier' ? keys : null);
     }
     words?.retell();
