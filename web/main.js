@@ -75,7 +75,7 @@ export class Shell {
       painter.retheme();
       this.wake();
     };
-    this.panel.follow(theme, painter);
+    this.panel.follow(this);
     this.words.onchange = (tables) => {
       this.panel.retold(tables);
       this.requests.commands?.fill();

@@ -105,8 +105,8 @@ test('contrast is computed as WCAG says', () => {
 
 const STATES = [
   ['the list', ['F6', 'F6', 'F6', 'F6', 'End', 'ArrowRight']],
-  ['a range', ['F6', 'F6', 'F6', 'r']],
-  ['waypoints', ['F6', 'F6', 'F6', 'r', 'Enter']],
+  ['a range', ['F6', 'F6', 'F6', 'Shift+T']],
+  ['waypoints', ['F6', 'F6', 'F6', 'Shift+T', 'Enter']],
   ['points', ['F6', 'F6', 'F6', 'a', 'Tab']],
   ['the selection', ['F6', 'F6', 'F6', 'v', 'Tab']],
 ];

@@ -85,7 +85,7 @@ test('what comes late does not push the drawing aside', async (t) => {
     globalThis.sizes = new Set();
     new ResizeObserver(([{ contentRect: { width, height } }]) => sizes.add(`${width} ${height}`)).observe(batten.stage);
   });
-  await page.keyboard.press('l');
+  await page.keyboard.press('t');
   await settle(page);
   const roof = await place(page, 535, 104.5);
   await hand.stroke([roof, roof]);

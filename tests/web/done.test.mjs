@@ -17,7 +17,7 @@ test('Done ends a curve made point by point', async (t) => {
   const { page, hand } = await open(browser, server.address);
   const done = page.locator('#pending button:visible');
   const tap = (at) => hand.stroke([at, at]);
-  for (const [key, sheet] of [['t', 'tangents'], ['u', 'line']]) {
+  for (const [key, sheet] of [['p', 'tangents'], ['l', 'line']]) {
     await page.focus('#stage');
     await page.keyboard.press(key);
     await tap([300, 600]);

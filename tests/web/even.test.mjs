@@ -1,7 +1,7 @@
 // Even curvature in the page: chosen in the settings, for the spline at hand and for the next; dragged by its points.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch, open, pictures, reveal, settle, state } from './page.mjs';
+import { launch, open, pictures, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -17,7 +17,7 @@ test('a spline of even curvature', async () => {
   const blank = await serve();
   const { page, hand, context } = await open(browser, blank.address);
   const shot = (name) => pictures(page, `even-${name}`);
-  await page.keyboard.press('t');
+  await page.keyboard.press('p');
   await settle(page);
   for (const spot of SPOTS) {
     hand.rest(0.45);
@@ -27,13 +27,10 @@ test('a spline of even curvature', async () => {
   assert.equal((await newest(page)).spline.points.length, SPOTS.length);
   hand.rest(0.45);
   await hand.stroke([SPOTS[2]]);
-  await reveal(page, 'settings');
-  await page.selectOption('[data-property=spline-mode]', '2');
+  await page.selectOption('#option-spline-mode', '2');
   await settle(page);
-  await shot('settings');
+  await shot('options');
   assert.equal((await newest(page)).spline.mode, 'even');
-  await page.click('[data-name=settings]'); // Escape would let go of the spline
-  await settle(page);
   await shot('chosen');
   const { digest } = await state(page);
   await hand.stroke([SPOTS[2], [650, 600], [680, 640]], { during: () => shot('dragging') });

@@ -118,7 +118,7 @@ const MILLIMETRES = `<svg xmlns="http://www.w3.org/2000/svg" width="100mm" heigh
 
 job('logo in millimetres', MILLIMETRES, async (page, worker) => {
   await page.evaluate(() => { batten.engine.set('unit', 1); batten.engine.set('filled', 1); batten.wake?.(); });
-  for (const [key, width, height] of [['Shift+O', '40', '40'], ['Shift+M', '60', '10']]) {
+  for (const [key, width, height] of [['o', '40', '40'], ['r', '60', '10']]) {
     await worker.press(key);
     await worker.click([60, 60]);
     await page.waitForSelector('#number-width:focus');

@@ -81,7 +81,7 @@ test('a session by keys alone', async () => {
   await calm(page);
   assert.match(await said(page), /^Selected: curve/);
   await inThemes(page, (colorScheme) => shot(page, `list-${colorScheme}`));
-  await press(page, 'Enter', 'r');
+  await press(page, 'Enter', 'Shift+T');
   assert.equal(await focus(page), 'stage');
   assert.match(await said(page), /Start of the range: /);
   await press(page, '2 x Shift+ArrowLeft', 'ArrowUp', '3 x Shift+ArrowRight');
@@ -110,9 +110,9 @@ test('a session by keys alone', async () => {
 
   // Erase a stretch, smooth another, select, rotate, scale, delete.
   const busy = await state(page);
-  await press(page, 'r', 'e', 'Enter');
+  await press(page, 'Shift+T', 'e', 'Enter');
   assert.equal((await objects(page)).length, count + 2);
-  await press(page, 'r', 's', 'Enter');
+  await press(page, 'Shift+T', 's', 'Enter');
   const smoothed = await state(page);
   assert.equal(smoothed.check, '');
   await press(page, 'v', 'Tab', 'Control+ArrowRight', 'Control+ArrowUp', 'ArrowLeft');
@@ -132,7 +132,7 @@ test('a session by keys alone', async () => {
   assert.equal((await state(page)).digest, redrawn.digest);
 
   // A spline of the tangents tool, started by keys.
-  await press(page, 'Escape', 't', 'Enter', 'Enter', 'Control+ArrowRight', 'Enter', 'Control+ArrowDown', 'Enter', 'Enter');
+  await press(page, 'Escape', 'p', 'Enter', 'Enter', 'Control+ArrowRight', 'Enter', 'Control+ArrowDown', 'Enter', 'Enter');
   assert.equal((await objects(page)).at(-1).kind, 'spline');
   await press(page, 'Tab', '2 x Shift+ArrowRight');
   await inThemes(page, (colorScheme) => shot(page, `spline-${colorScheme}`));
@@ -260,7 +260,7 @@ test('the Tab key passes each toolbar in one stop, F6 each region, and nothing h
   }
   assert.equal(names.size, able);
   // Tab leaves the drawing in any tool, range and points included.
-  for (const keys of [['n'], ['n', 'r'], ['n', 'Enter'], ['a', 'Tab'], ['v', 'Tab'], ['t', 'Tab'], ['s', 'r'], ['e', 'r']]) {
+  for (const keys of [['n'], ['n', 'Shift+T'], ['n', 'Enter'], ['a', 'Tab'], ['v', 'Tab'], ['p', 'Tab'], ['s', 'Shift+T'], ['e', 'Shift+T']]) {
     await page.focus('#stage');
     await press(page, ...keys, 'F6');
     assert.notEqual(await focus(page), 'stage', keys.join(' '));

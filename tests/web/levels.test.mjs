@@ -55,7 +55,7 @@ test('an outline in levels, with a pen', async () => {
   const first = await digest(page);
   assert.equal(await page.locator('.levels').count(), 0);
 
-  await key('l');
+  await key('t');
   assert.equal((await state(page)).hint, hintFor(strings['hint.levels'], 'mouse'));
   const rim = await place(page, 500, 90);
   await hand.stroke([rim, rim]);
@@ -189,7 +189,7 @@ test('an outline in levels, with a pen', async () => {
   await page.locator('.levels').waitFor();
   const [chips, strip] = await Promise.all(['.chips', '.levels'].map((box) => page.locator(box).boundingBox()));
   assert.ok(chips.x + chips.width <= strip.x || chips.y + chips.height <= strip.y, 'what else the stroke could mean is not over the strip');
-  await key('Control+z', 'l');
+  await key('Control+z', 't');
 
   // Detail copied to the arch.
   await page.getByRole('button', { name: strings['command.levels-copy'], exact: true }).last().click();

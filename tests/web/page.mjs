@@ -194,7 +194,12 @@ export async function open(browser, address, options = {}) {
 /** Opens a section of the inspector, or a sheet, and waits until it is filled. @param {string} name */
 export async function reveal(page, name) {
   if (!['numbers', 'style', 'objects', 'layers'].includes(name)) {
-    await page.click(`[data-name=${name}]`);
+    if (await page.isVisible(`[data-name=${name}]`)) {
+      await page.click(`[data-name=${name}]`);
+    } else { // on a phone they are in the menu of the logo
+      await page.click('#logo');
+      await page.click(`#main-menu :is([data-act=${name}], [data-command=${name === 'menu' ? 'shortcuts' : name}])`);
+    }
     return;
   }
   if (await page.locator('#inspector').isHidden()) {
@@ -203,6 +208,19 @@ export async function reveal(page, name) {
   await page.waitForSelector(`#${name} .part-head`);
   if (await page.locator(`#${name}-body`).isHidden()) {
     await page.click(`[data-name=${name}]`);
+  }
+  await settle(page);
+}
+
+/** Opens the settings where a control of them is. @param {string} name of the control */
+export async function setting(page, name) {
+  if (!await page.isVisible('#settings')) {
+    await reveal(page, 'settings');
+  }
+  const field = page.locator(`#setting-${name}`);
+  await field.waitFor({ state: 'attached' });
+  if (await field.isHidden()) {
+    await page.click(`[aria-controls=${await field.evaluate((one) => one.closest('[role=tabpanel]').id)}]`);
   }
   await settle(page);
 }

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { inThemes, launch, open, pictures, place, reveal, rulesIn, said, SCREENSHOTS, settle, state, violations } from './page.mjs';
+import { inThemes, launch, open, pictures, place, reveal, rulesIn, said, SCREENSHOTS, setting, settle, state, violations } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -55,12 +55,12 @@ for (const [pointerType, colorScheme] of [['mouse', 'light'], ['pen', 'dark']]) 
     assert.equal(left, 1);
     await hand.stroke([at, [at[0] + 2, at[1] + 60], [at[0] + 2, at[1] + 61]], { pointerType, during: () => shot('snap') });
     await press('Control+z');
-    await press('i');
+    await press('Shift+I');
     await shot('isolated');
     await press('Escape');
-    await press('o');
+    await press('Shift+O');
     await shot('outlines');
-    await press('o');
+    await press('Shift+O');
     // The guide is dragged back into its ruler: with the other one undone too, the drawing is as it was.
     await hand.stroke([[gx, gy + 60], [box.x + 5, gy + 60]], { pointerType });
     await press('Escape');
@@ -139,7 +139,7 @@ test('numbers of the selection and of the grid, in the unit in force', async () 
   assert.equal((await state(page)).digest, fresh.digest);
   await page.click('[data-name=numbers]');
   assert.equal(await page.isVisible('#numbers-body'), false);
-  await page.click('[data-name="settings"]');
+  await setting(page, 'grid-spacing');
   await page.fill('#setting-grid-spacing', '1/4in');
   await page.keyboard.press('Tab');
   await settle(page);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { launch, open, pictures, place, quiet, ready, settle, state } from './page.mjs';
+import { launch, open, pictures, place, quiet, ready, setting, settle, state, until, violations } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -25,6 +25,7 @@ test('tools in groups; a name and a key beside what is pointed at', async () => 
     [group.ariaLabel, ...[...group.querySelectorAll('button')].map((button) => button.dataset.name.slice(5))]));
   assert.deepEqual(groups.map(([name]) => name), ['Select', 'Draw', 'Shape and change', 'View']);
   assert.deepEqual(groups[0].slice(1), ['select']);
+  assert.equal(await page.locator('.rail button:visible').count(), 10, 'slots');
   assert.ok(groups[1].includes('sketch') && groups[2].includes('levels') && groups[3].includes('zoom'));
   // Every tool with an icon has one button there.
   const tools = await page.evaluate(() => batten.engine.tables().tools.map(({ command }) => command)
@@ -42,7 +43,7 @@ test('tools in groups; a name and a key beside what is pointed at', async () => 
   }));
   console.log(`the name is shown after ${Math.round(shown)} ms`);
   assert.equal(await page.textContent('.tip span'), 'Rectangle');
-  assert.equal(await page.textContent('.tip kbd'), 'Shift+M');
+  assert.equal(await page.textContent('.tip kbd'), 'R');
   assert.equal(await button.getAttribute('title'), '');
   const [tip, on] = [await box(page, '.tip'), await box(page, '[data-name=tool-rectangle]')];
   assert.ok(tip.left >= on.right && Math.abs((tip.top + tip.bottom - on.top - on.bottom) / 2) < 1);
@@ -65,6 +66,113 @@ test('tools in groups; a name and a key beside what is pointed at', async () => 
   await context.close();
 });
 
+const flyout = '#flyout:popover-open';
+const seen = (page) => page.$$eval('.rail button', (all) => all.filter((one) => one.checkVisibility()).map((one) => one.dataset.name.slice(5)));
+const shown = async (page) => {
+  await page.waitForSelector(flyout);
+  await quiet(page);
+  return page.$$eval(`${flyout} button`, (all) => all.map((one) => `${one.dataset.command.slice(5)}${one.ariaChecked === 'true' ? '*' : ''}`).join(' '));
+};
+const chosen = (page) => page.$eval('.rail [aria-pressed=true]', (one) => one.dataset.name);
+
+for (const [locale, options] of [['en', {}], ['ko-KR', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }]]) {
+  test(`a slot's flyout by mouse, pen, finger and keys, ${locale}`, async () => {
+    const { page, hand, context } = await open(browser, server.address, { locale, ...options });
+    await page.keyboard.press('Shift'); // a sign of a user
+    await until(page, () => batten.panel.flyout !== undefined);
+    await quiet(page);
+    const at = async (name) => {
+      const { left, top, width, height } = await box(page, `[data-name=tool-${name}]`);
+      return [left + width / 2, top + height / 2];
+    };
+    // The first press takes the tool, the second opens the others; a press beside them shuts them.
+    await page.click('[data-name=tool-rectangle]');
+    assert.equal(await page.locator(flyout).count(), 0);
+    await page.click('[data-name=tool-rectangle]');
+    assert.equal(await shown(page), 'rectangle* ellipse line polygon circle');
+    const [menu, rail] = [await box(page, flyout), await box(page, '.rail')];
+    assert.ok(menu.left >= rail.right || menu.bottom <= rail.top, 'beside the rail');
+    assert.ok(menu.right <= page.viewportSize().width && menu.top >= 0);
+    assert.deepEqual(await violations(page), []);
+    await pictures(page, `flyout-${locale}`);
+    await page.click('[data-command=tool-ellipse]');
+    await quiet(page);
+    assert.equal(await chosen(page), 'tool-ellipse');
+    assert.ok((await seen(page)).includes('ellipse') && !(await seen(page)).includes('rectangle'), 'the one used last is seen');
+    // A pen that is held, goes on to a tool and lets go.
+    const from = await at('smooth');
+    await page.evaluate(() => { globalThis.rests = true; });
+    await hand.stroke([from, from], { lift: false });
+    assert.equal(await shown(page), 'smooth eraser width');
+    const width = await box(page, '[data-command=tool-width]');
+    const to = [width.left + 30, width.top + 10];
+    await hand.drag(from, to);
+    await hand.lift(to);
+    await quiet(page);
+    assert.equal(await chosen(page), 'tool-width');
+    assert.equal(await page.locator(flyout).count(), 0);
+    // A finger that is held and lets go where it is: the flyout stays, the tool in hand too.
+    await hand.fingers([[await at('surface')]], { lift: false });
+    assert.equal(await shown(page), 'surface lift');
+    await hand.client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await quiet(page);
+    assert.equal(await chosen(page), 'tool-width');
+    await page.click('[data-command=tool-lift]');
+    await quiet(page);
+    assert.equal(await chosen(page), 'tool-lift');
+    // Keys: the tool in hand is the rail's stop; the arrow towards the drawing opens, Escape goes back, Enter takes.
+    await page.focus('#stage');
+    await page.keyboard.press('Shift+F6');
+    await settle(page);
+    assert.equal(await page.evaluate(() => document.activeElement.dataset.name), 'tool-lift');
+    const there = await page.getAttribute('#rail', 'aria-orientation') === 'horizontal' ? 'ArrowUp' : 'ArrowRight';
+    await page.keyboard.press(there);
+    assert.equal(await shown(page), 'surface lift*');
+    await page.keyboard.press('Escape');
+    assert.equal(await page.evaluate(() => document.activeElement.dataset.name), 'tool-lift');
+    await page.keyboard.press(there);
+    await shown(page);
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Enter');
+    await quiet(page);
+    assert.equal(await chosen(page), 'tool-surface');
+    await page.keyboard.press('l'); // by its key, from another slot
+    await quiet(page);
+    assert.ok((await seen(page)).includes('line'));
+    assert.equal((await state(page)).check, '');
+    await context.close();
+  });
+}
+
+test('the keys that people know, and those of before as a choice', async () => {
+  const { page, context } = await open(browser, server.address);
+  const tools = async (...keys) => {
+    const all = [];
+    for (const key of keys) {
+      await page.focus('#stage');
+      await page.keyboard.press(key);
+      await quiet(page);
+      all.push((await chosen(page)).slice(5));
+    }
+    return all.join(' ');
+  };
+  assert.equal(await tools('p', 'r', 'o', 'l', 'i', 'v'), 'tangents rectangle ellipse line eyedropper select');
+  await setting(page, 'key-map');
+  await page.selectOption('#setting-key-map', 'earlier');
+  await page.keyboard.press('Escape');
+  assert.equal(await tools('t', 'Shift+M', 'Shift+O', 'u', 'Shift+I', 'l', 'p'), 'tangents rectangle ellipse line eyedropper levels lift');
+  await page.reload();
+  await ready(page);
+  assert.equal(await tools('u', 'Shift+M'), 'line rectangle', 'kept');
+  await setting(page, 'key-map');
+  assert.equal(await page.inputValue('#setting-key-map'), 'earlier');
+  await page.selectOption('#setting-key-map', 'standard');
+  await page.keyboard.press('Escape');
+  assert.equal(await tools('r', 'l'), 'rectangle line');
+  assert.deepEqual(await page.evaluate(() => batten.settings.kept.keys), {});
+  await context.close();
+});
+
 test('controls of twice the size at 3840 x 2160, the drawing as it was', async () => {
   const { page, hand, context } = await open(browser, server.address, { viewport: { width: 3840, height: 2160 } });
   await page.waitForSelector('.dial');
@@ -75,7 +183,7 @@ test('controls of twice the size at 3840 x 2160, the drawing as it was', async (
     return one === '.bar' || one === '.foot' ? height : width;
   }));
   const once = await sizes();
-  await page.click('[data-name=settings]');
+  await setting(page, 'scale');
   await page.selectOption('#setting-scale', '200');
   await quiet(page);
   await pictures(page, 'scale-settings');

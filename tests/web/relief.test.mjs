@@ -46,7 +46,7 @@ test('scales on a jug', async (t) => {
   };
 
   await page.focus('#stage');
-  await page.keyboard.press('l');
+  await page.keyboard.press('t');
   await tap(480, 400);
   await page.waitForSelector('.levels:not([hidden])');
   assert.equal(await rows.count(), 2);
@@ -100,7 +100,7 @@ test('scales on a jug', async (t) => {
 
   // The jug's detail goes to the square.
   const square = await relief(page, SCALES);
-  await page.keyboard.press('l');
+  await page.keyboard.press('t');
   await tap(480, 400);
   await page.click('.levels summary');
   await page.getByRole('button', { name: strings['command.levels-copy'], exact: true }).click();

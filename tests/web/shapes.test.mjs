@@ -19,7 +19,7 @@ for (const [locale, colorScheme, pointerType] of [['en', 'light', 'mouse'], ['ko
     const begun = await state(page);
     const count = () => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))).objects.length);
     const first = await count();
-    for (const [key, name, x] of [['Shift+M', 'rectangle', 250], ['Shift+O', 'ellipse', 480], ['Shift+D', 'polygon', 800]]) {
+    for (const [key, name, x] of [['r', 'rectangle', 250], ['o', 'ellipse', 480], ['Shift+D', 'polygon', 800]]) {
       await page.locator('#stage').focus();
       await page.keyboard.press(key);
       await quiet(page);

@@ -120,7 +120,7 @@ test('what is meant is found by the word that one has, and what is typed too ear
   // A setting and a format open where they are.
   await page.fill('#menu .search', 'stabilizer');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => document.activeElement?.id === 'setting-stabiliser');
+  await page.waitForFunction(() => document.activeElement?.id === 'option-stabiliser');
   await page.keyboard.press('Escape');
   await sheet(page, 'Control+k');
   await page.keyboard.type('pdf');

@@ -183,7 +183,7 @@ test('a reader of the manual bends the crocodile of a paper, and sees a figure r
   await page.waitForFunction(() => batten.files.name === 'examples-papers-2016-7.batten');
   console.log(`from the manual's contents to the crocodile: ${Math.round(performance.now() - begun)} ms`);
   const before = (await state(page)).digest;
-  await page.keyboard.press('l');
+  await page.keyboard.press('t');
   const drawing = JSON.parse(fs.readFileSync(path.join(ROOT, 'examples/papers/2016-7.batten'), 'utf8'));
   const ask = (input, ...words) => JSON.parse(execFileSync(PROGRAM, words, { input: JSON.stringify(input), encoding: 'utf8' }));
   const outline = ask(ask(drawing.objects[0].curves[0], 'levels', '-').curves.at(-1), 'eval', '-', '--samples', '2000').points;

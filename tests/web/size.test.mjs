@@ -23,7 +23,7 @@ test('the first load is small', async (t) => {
   });
   const nameOf = (url) => new URL(url).pathname.replace(/^\/[0-9a-f]{16}/, '');
   const later = '/batten-later.wasm'; // requested before the page is ready: record first.txt anew, first_part.mjs
-  const beside = /^\/(sheets\/(options|inspector|objects|layers|numbers|page_size|style|swatches|scrub|thumbnail)\.js|styles\/(inspector|style|options)\.css|page\/(face|papers)\.js|fonts\/inter\.woff2|icons\/arrange\.svg)$/;
+  const beside = /^\/(sheets\/(options|flyout|menu|inspector|objects|layers|numbers|page_size|style|swatches|scrub|thumbnail)\.js|styles\/(inspector|style|options)\.css|page\/(face|papers)\.js|fonts\/inter\.woff2|icons\/arrange\.svg)$/;
   await page.addInitScript(() => new MutationObserver(() => performance.mark('ready'))
     .observe(document, { subtree: true, attributeFilter: ['data-ready'] }));
   await page.goto(program.address);

@@ -140,14 +140,14 @@ test('a line, a spline and the eraser on the tilted page', async (t) => {
     return now.digest;
   };
   await hand.stroke([[600, 400], [660, 300]], { pointerType: 'mouse', button: 'right' });
-  await page.keyboard.press('u');
+  await page.keyboard.press('l');
   await hand.hover([360, 640]);
   assert.match((await state(page)).hint, /^On the page/);
   hand.rest(1);
   await hand.stroke([[360, 640], [520, 600]], { during: () => shot('line') });
   let now = await changed(first.digest);
   await page.keyboard.press('Enter');
-  await page.keyboard.press('t');
+  await page.keyboard.press('p');
   for (const [from, to] of [[[360, 690], [400, 660]], [[520, 700], [540, 690]], [[640, 640], [680, 650]]]) {
     hand.rest(1);
     await hand.stroke([from, to], { during: () => shot('tangents-turning') });
@@ -262,7 +262,7 @@ test('a finger pulls a curve off the page by its second view, and draws lines; t
   const before = await pixels(page);
   const first = await state(page);
   await page.keyboard.press('Control+a');
-  await page.keyboard.press('p');
+  await page.keyboard.press('u');
   for (let i = 0; i < 3; i++) {
     await page.keyboard.press('Shift+Alt+ArrowUp');
   }
@@ -284,7 +284,7 @@ test('a finger pulls a curve off the page by its second view, and draws lines; t
   assert.equal(await pixels(page), before, 'its first view is what it was');
   await page.keyboard.press('7');
   await page.keyboard.press('Shift+Alt+ArrowDown');
-  await page.keyboard.press('u');
+  await page.keyboard.press('l');
   await quiet(page);
   hand.rest(2);
   await finger([[500, 560], [700, 600]]);

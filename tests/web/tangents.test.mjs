@@ -39,7 +39,7 @@ test('points, directions and tension with a pen', async () => {
   const strings = await page.evaluate(() => batten.panel.tables.strings);
   const shot = (name) => pictures(page, `tangents-${name}`);
   const count = await objects(page);
-  await page.keyboard.press('t');
+  await page.keyboard.press('p');
   await settle(page);
   assert.equal((await state(page)).hint, hintFor(strings['hint.place'], 'mouse'));
   for (const spot of SPOTS.slice(0, 4)) {
@@ -101,7 +101,7 @@ test('closing, moving, inserting, deleting, and a stroke that frees the curve', 
   const blank = await serve();
   const { page, hand, context } = await open(browser, blank.address);
   const strings = await page.evaluate(() => batten.panel.tables.strings);
-  await page.keyboard.press('t');
+  await page.keyboard.press('p');
   for (const spot of SPOTS.slice(0, 3)) {
     await tap(page, hand, spot);
   }
@@ -151,7 +151,7 @@ test('closing, moving, inserting, deleting, and a stroke that frees the curve', 
 test('the keyboard alone: choose, turn, read, convert', async () => {
   const blank = await serve();
   const { page, hand, context } = await open(browser, blank.address);
-  await page.keyboard.press('t');
+  await page.keyboard.press('p');
   for (const spot of SPOTS.slice(0, 3)) {
     await tap(page, hand, spot);
   }
@@ -175,7 +175,7 @@ test('the keyboard alone: choose, turn, read, convert', async () => {
 
 test('a spline beside a drawing: saved as SVG, it comes back as a spline', async () => {
   const { page, hand, context } = await open(browser, server.address);
-  await page.keyboard.press('t');
+  await page.keyboard.press('p');
   for (const [x, y] of [[60, 60], [160, 100], [260, 60]]) {
     await tap(page, hand, await place(page, x, y));
   }

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { bezier, expectFaults, inThemes, launch, open, place, quiet, ready, reveal, rulesIn, SCREENSHOTS, settle, violations } from './page.mjs';
+import { bezier, expectFaults, inThemes, launch, open, place, quiet, ready, reveal, rulesIn, SCREENSHOTS, setting, settle, violations } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -72,7 +72,7 @@ test('the language is chosen in the settings, at once, and stays chosen', async 
   const { page, context } = await open(browser, server.address);
   const said = () => page.evaluate(() => [document.documentElement.lang, document.querySelector('[data-name=settings]').ariaLabel]);
   assert.deepEqual(await said(), ['en', 'Settings']);
-  await page.click('[data-name=settings]');
+  await setting(page, 'language');
   await page.selectOption('#settings [data-property=language]', { label: '한국어' });
   await page.waitForFunction(() => document.documentElement.lang === 'ko');
   assert.deepEqual(await said(), ['ko', '설정']);
@@ -90,7 +90,7 @@ test('the language is chosen in the settings, at once, and stays chosen', async 
   await settle(page);
   assert.match(await page.textContent('[data-about=trap]'), /되살렸습니다/);
   assert.match(await page.textContent('#hint'), /[가-힣]/);
-  await page.click('[data-name=settings]');
+  await setting(page, 'language');
   await page.selectOption('#settings [data-property=language]', { label: 'English' });
   await page.waitForFunction(() => document.documentElement.lang === 'en');
   assert.deepEqual(await said(), ['en', 'Settings']);
@@ -177,7 +177,7 @@ for (const width of [1280, 820]) {
       await look(page, sheet);
       await page.keyboard.press('Escape');
     }
-    await page.click('[data-name=settings]');
+    await reveal(page, 'settings');
     await page.check('#settings [data-property=left-hand]');
     await settle(page);
     assert.deepEqual(await overlaps(page), [], 'left hand');

@@ -33,6 +33,7 @@ export function rove(bar) {
   const settle = () => {
     const there = buttons();
     const now = there.find((button) => button === document.activeElement) ??
+      there.find((button) => bar.id === 'rail' && button.ariaPressed === 'true') ??
       there.find((button) => button.tabIndex === 0 && bar.dataset.roving) ?? there[0];
     bar.dataset.roving = 'yes';
     for (const button of bar.querySelectorAll('button')) {
@@ -58,7 +59,7 @@ export function rove(bar) {
     event.stopPropagation();
   });
   // Buttons appear, disappear and become disabled.
-  new MutationObserver(settle).observe(bar, { subtree: true, childList: true, attributeFilter: ['disabled', 'hidden'] });
+  new MutationObserver(settle).observe(bar, { subtree: true, childList: true, attributeFilter: ['disabled', 'hidden', 'aria-pressed'] });
   settle();
 }
 

@@ -34,8 +34,11 @@ export async function settleIn(shell) {
       shell.dial = new Dial(shell);
       shell.wake();
       const { Options } = await want(import('../sheets/options.js'));
-      shell.panel.shows.push(await Options.make(shell.panel, dressed)); // what stands in the middle would change its width
+      shell.panel.options = await Options.make(shell.panel, dressed); // what stands in the middle would change its width
+      shell.panel.shows.push(shell.panel.options);
       shell.wake();
+      const { Flyout } = await want(import('../sheets/flyout.js'));
+      shell.panel.flyout = new Flyout(shell, shell.panel.rail);
       if (!shell.server.sole) { // else another page says what is drawn
         greet(shell);
       }

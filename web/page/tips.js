@@ -70,7 +70,7 @@ class Tips {
     const middle = [(on.left + on.right - width) / 2, (on.top + on.bottom - height) / 2];
     const below = on.bottom + AWAY + height < innerHeight ? on.bottom + AWAY : on.top - AWAY - height;
     const beside = on.left < innerWidth / 2 ? on.right + AWAY : on.left - AWAY - width;
-    const [left, top] = button.closest('.rail') ? [beside, middle[1]] : [middle[0], below];
+    const [left, top] = button.closest('[aria-orientation=vertical]') ? [beside, middle[1]] : [middle[0], below];
     const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
     this.box.style.setProperty('left', `${Math.max(EDGE, Math.min(left, innerWidth - width - EDGE)) / scale}px`);
     this.box.style.setProperty('top', `${top / scale}px`);

@@ -66,6 +66,9 @@ function speak(element) {
   }
   if (label) {
     element.setAttribute('aria-label', say(label));
+    if (element.hasAttribute('placeholder')) { // it says the same
+      element.setAttribute('placeholder', say(label));
+    }
   }
   if (help !== undefined) {
     const keys = shortcuts[shortcut ?? ''];

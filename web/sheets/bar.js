@@ -1,5 +1,5 @@
-// The bar and the rail, built from the engine's tables: tools with an icon are buttons of the rail, and a command has a
-// button when the sprite has a symbol of its name, which also says in which group.
+// The bar, built from the engine's tables: a command has a button when the sprite has a symbol of its name, which also says
+// in which group.
 
 import { tell } from '../page/words.js';
 
@@ -7,13 +7,12 @@ import { tell } from '../page/words.js';
 /** @typedef {import('../engine/types.js').Tables} Tables */
 
 const SHEETS = ['settings', 'menu'];
-const RAIL = ['select', 'draw', 'shape', 'view']; // groups of tools, from the top
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** A group of buttons. @param {HTMLElement} bar @param {string} name */
-function groupOf(bar, name) {
+export function groupOf(bar, name) {
   const group = tell(document.createElement('div'), { label: `shell.${name}` });
   group.className = 'group';
   group.setAttribute('role', 'group');
@@ -35,13 +34,6 @@ function sheetButton(buttons, sheet) {
  */
 export function fillBar(tables, buttons) {
   const bar = part('tools');
-  const rail = new Map(RAIL.map((name) => [name, groupOf(part('rail'), `rail-${name}`)]));
-  for (const tool of tables.tools) {
-    const group = document.getElementById(`icon-${tool.command}`)?.dataset.group;
-    if (group) { // the others are brief: chosen elsewhere
-      rail.get(group)?.append(buttons.command(tool.command, `tool.${tool.name}`));
-    }
-  }
   const groups = new Map();
   for (const row of tables.commands) {
     const group = document.getElementById(`icon-${row.name}`)?.dataset.group;

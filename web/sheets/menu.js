@@ -54,11 +54,16 @@ export class Menu {
     this.#fill(groups);
     this.box.showPopover();
     this.opener?.setAttribute('aria-expanded', 'true');
+    this.place(x, y);
+    this.#items()[0]?.focus();
+  }
+
+  /** Moves it, within the window. @param {number} x of the window @param {number} y */
+  place(x, y) {
     const { width, height } = this.box.getBoundingClientRect();
     const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
     this.box.style.setProperty('left', `${Math.max(EDGE, Math.min(x, innerWidth - width - EDGE)) / scale}px`);
     this.box.style.setProperty('top', `${Math.max(EDGE, Math.min(y, innerHeight - height - EDGE)) / scale}px`);
-    this.#items()[0]?.focus();
   }
 
   /** @param {(string | Act)[][]} groups */

@@ -1,5 +1,5 @@
-// What the tool in hand can be told, in the middle of the bar, and which paper the dark theme has, in the foot. Fetched
-// after the page has been painted; on a narrow window all of it is in the settings.
+// What the tool in hand can be told, in the middle of the bar; what has no room there is behind a button. And which paper the dark
+// theme has, in the foot. Fetched after the page has been painted.
 
 import { dress } from '../page/build.js';
 import { loadIcons } from '../page/icons.js';
@@ -17,6 +17,14 @@ const OF = {
   levels: ['level-sketch'],
   surface: ['line-reach', 'line-ruling', 'look'],
 };
+/** What is asked beside the selection while it is done: the first part of its name, and the command. @type {Record<string, string>} */
+const BESIDE = { array: 'array', offset: 'curve-offset' };
+
+/** The command with which a property is shown; undefined: it is in the settings. @param {string} property */
+export function homeOf(property) {
+  const tool = Object.keys(OF).find((name) => OF[name].includes(property));
+  return tool ? `tool-${tool}` : BESIDE[property.split('-')[0]];
+}
 
 /** The button of the paper, in the room that the foot keeps for it. @param {import('./panel.js').Panel} panel */
 function addPaper({ controls, buttons, theme }) {
@@ -41,7 +49,7 @@ export class Options {
   }
 
   /** @param {import('./panel.js').Panel} panel */
-  constructor({ tables, controls }) {
+  constructor({ tables, controls, buttons }) {
     this.tables = tables;
     this.controls = controls;
     this.tool = -1;
@@ -50,7 +58,15 @@ export class Options {
     this.box = document.createElement('div');
     this.box.className = 'options';
     this.box.setAttribute('role', 'group');
+    this.rest = tell(document.createElement('div'), { label: 'shell.options' });
+    Object.assign(this.rest, { className: 'sheet', id: 'options', popover: 'auto' });
+    this.rest.setAttribute('role', 'dialog');
+    this.rest.addEventListener('toggle', () => controls.refresh());
+    this.button = buttons.plain('options', 'shell.options');
+    this.button.setAttribute('popovertarget', 'options');
     document.getElementById('tools')?.before(this.box);
+    document.body.append(this.rest);
+    new ResizeObserver(() => this.#fold()).observe(this.box);
   }
 
   /** @param {number} tool */
@@ -62,14 +78,38 @@ export class Options {
     return made;
   }
 
+  /** Puts behind the button what does not fit before it. */
+  #fold() {
+    const all = this.#of(this.tool);
+    if (this.box.contains(document.activeElement) || this.rest.matches(':popover-open')) {
+      return; // not under the hand
+    }
+    this.box.replaceChildren(...all);
+    this.rest.replaceChildren();
+    for (let i = all.length - 1; i >= 0 && this.box.scrollWidth > this.box.clientWidth; i--) {
+      this.box.append(this.button);
+      this.rest.prepend(all[i]);
+    }
+  }
+
+  /** Lets the user change one. @param {string} property */
+  reveal(property) {
+    const field = /** @type {HTMLInputElement | null} */ (document.getElementById(`option-${property}`));
+    if (field && this.rest.contains(field)) {
+      this.rest.showPopover();
+    }
+    field?.focus();
+    field?.select?.();
+  }
+
   /** @param {import('../engine/types.js').Frame} frame */
   show(frame) {
     if (frame.tool !== this.tool) {
       this.tool = frame.tool;
-      const made = this.#of(frame.tool);
-      this.box.hidden = made.length === 0;
+      this.rest.hidePopover();
+      this.box.hidden = this.#of(frame.tool).length === 0;
       tell(this.box, { label: `tool.${this.tables.tools[frame.tool].name}` });
-      this.box.replaceChildren(...made);
+      this.#fold();
       this.controls.refresh();
     }
   }

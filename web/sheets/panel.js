@@ -7,6 +7,7 @@ import { Buttons } from './buttons.js';
 import { Controls, SHEET_OF } from './controls.js';
 import { Dock } from './dock.js';
 import { Foot } from './foot.js';
+import { Rail } from './rail.js';
 import { tell } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
@@ -15,10 +16,12 @@ import { tell } from '../page/words.js';
 
 /**
  * Fills a sheet: its heading and everything below it. The result's show() is called with every frame.
- * @typedef {{ fill: (panel: Panel, sheet: HTMLElement) => { show(frame: Frame): void } }} Filler
+ * reveal() brings one of its controls to sight.
+ * @typedef {{ show(frame: Frame): void, reveal?: (control: Element) => void }} Filled
+ * @typedef {{ fill: (panel: Panel, sheet: HTMLElement) => Filled }} Filler
  */
 
-/** @type {Record<string, () => Promise<Filler>>} */
+/** @type {Record<string, () => Promise<{ fill: (panel: Panel, sheet: HTMLElement) => Promise<Filled> }>>} */
 const SHEETS = {
   settings: () => import('./settings.js'),
 };
@@ -40,7 +43,7 @@ export class Panel {
     this.shown = '';
     this.levels = 0;
     this.readings = ''; // what the chips show, and where
-    /** The sheets opened so far. @type {Map<string, Promise<{ show(frame: Frame): void }>>} */
+    /** The sheets opened so far. @type {Map<string, Promise<Filled>>} */
     this.sheets = new Map();
     /** Parts to be given every frame. @type {{ show(frame: Frame): void }[]} */
     this.shows = [];
@@ -57,6 +60,15 @@ export class Panel {
     this.theme = undefined;
     /** @type {import('../stage/paint.js').Painter | undefined} */
     this.painter = undefined;
+    /** @type {import('../page/settings.js').Settings | undefined} */
+    this.settings = undefined;
+    /** @type {import('../page/words.js').Words | undefined} */
+    this.words = undefined;
+    /** @type {import('./options.js').Options | undefined} */
+    this.options = undefined;
+    /** @type {import('./flyout.js').Flyout | undefined} */
+    this.flyout = undefined;
+    this.rail = new Rail(this.tables, this.buttons);
     this.themeButton = fillBar(this.tables, this.buttons);
     this.dock = new Dock(this);
     this.foot = new Foot(engine, this.tables, this.buttons, this.controls);
@@ -66,10 +78,13 @@ export class Panel {
     }
   }
 
-  /** Colours: the painter's, and the buttons that choose them. @param {import('../stage/theme.js').Theme} theme @param {import('../stage/paint.js').Painter} painter */
-  follow(theme, painter) {
+  /** What the page has beside the engine: colours, the painter's and the buttons' that choose them, and bound keys. @param {import('../main.js').Shell} shell */
+  follow(shell) {
+    const { theme, painter } = shell;
     this.theme = theme;
     this.painter = painter;
+    this.settings = shell.settings;
+    this.words = shell.words;
     theme.onchange = () => {
       painter.retheme();
       this.controls.refresh();
@@ -80,8 +95,8 @@ export class Panel {
 
   /** Opens a sheet, filling it the first time. @param {string} name */
   #sheet(name) {
-    const sheet = this.sheets.get(name) ?? want(SHEETS[name]()).then(({ fill }) => {
-      const filled = fill(this, part(name));
+    const sheet = this.sheets.get(name) ?? want(SHEETS[name]()).then(async ({ fill }) => {
+      const filled = await fill(this, part(name));
       this.shows.push(filled);
       this.controls.refresh();
       this.wake();
@@ -117,16 +132,25 @@ export class Panel {
 
   /** Lets the user type a property's value. @param {string} property */
   async ask(property) {
+    const { homeOf } = await want(import('./options.js'));
+    const home = homeOf(property);
+    if (home) {
+      this.engine.command(home);
+      this.wake();
+      this.options?.reveal(property);
+      return;
+    }
     const group = this.tables.properties.find((row) => row.name === property)?.group ?? '';
     const section = SHEET_OF[group];
-    await (section ? this.dock.reveal(section) : this.#sheet('settings'));
+    const sheet = await (section ? this.dock.reveal(section) : this.#sheet('settings'));
     if (!section) {
       part('settings').showPopover();
     }
     const input = /** @type {HTMLInputElement} */ (part(`setting-${property}`));
+    sheet?.reveal?.(input);
     input.closest('details')?.setAttribute('open', '');
     input.focus();
-    input.select();
+    input.select?.();
   }
 
   /** Lets the user type a number of what is chosen; Enter returns to the drawing. @param {string} name */
@@ -171,9 +195,7 @@ export class Panel {
     this.shown = shown;
     this.buttons.able('undo', frame.canUndo);
     this.buttons.able('redo', frame.canRedo);
-    this.tables.tools.forEach((tool, index) => {
-      this.buttons.commands.get(tool.command)?.setAttribute('aria-pressed', String(index === frame.tool));
-    });
+    this.rail.show(frame.tool);
     this.#showMeaning(meaning);
     this.foot.show(frame, reach, values);
     this.controls.refresh();

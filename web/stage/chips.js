@@ -160,14 +160,14 @@ export class Chips {
     return chip;
   }
 
-  /** Whether the chips at a place of the stage would lie over the level strip. @param {number[]} place @param {DOMRect} size */
-  #coversLevels([x, y], { width, height }) {
+  /** Whether the chips at a place of the stage would lie over a strip, what is said or the dial. @param {number[]} place @param {DOMRect} size */
+  #covers([x, y], { width, height }) {
     const { left, top } = this.stage.getBoundingClientRect();
-    const strip = document.querySelector('.levels:not([hidden])')?.getBoundingClientRect();
-    return strip !== undefined && left + x < strip.right && left + x + width > strip.left && top + y < strip.bottom && top + y + height > strip.top;
+    return [...document.querySelectorAll(':is(.levels, .time, .notice, .first, .dial):not([hidden])')].map((one) => one.getBoundingClientRect()).some((box) =>
+      left + x < box.right && left + x + width > box.left && top + y < box.bottom && top + y + height > box.top);
   }
 
-  /** Places the chips beside the stroke's end, or around what is shown, inside the stage. */
+  /** Places the chips beside the stroke's end, at the foot of a narrow drawing, or around what is shown, inside the stage. */
   #place() {
     const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.stage;
     const within = (/** @type {number} */ x, /** @type {number} */ most) => Math.max(EDGE, Math.min(x, most - EDGE));
@@ -180,12 +180,15 @@ export class Chips {
     const places = [[x1 + AWAY, y1 + AWAY]];
     if (this.around) {
       places.push([x0, y1 + AWAY], [x1 + AWAY, y0], [x0, y0 - AWAY - height], [x0 - AWAY - width - SLACK, y0]);
-    } else if (this.#coversLevels(inside(places[0]), size)) {
+    } else if (this.#covers(inside(places[0]), size)) {
       places.push([x1 - AWAY - width, y1 + AWAY], [x1 + AWAY, y1 - AWAY - height], [x1 - AWAY - width, y1 - AWAY - height]);
     }
     const fits = (/** @type {number[]} */ [x, y]) => x === within(x, offsetWidth - width - SLACK) && y === within(y, offsetHeight - height) &&
-      !this.#coversLevels([x, y], size);
-    const [left, top] = inside(places.find(fits) ?? places[0]);
+      !this.#covers([x, y], size);
+    // Where they are as wide as the drawing nearly is: at its foot, under the thumb.
+    const foot = [(offsetWidth - width) / 2, offsetHeight - height - EDGE];
+    const isWide = 3 * width > 2 * offsetWidth && y1 + AWAY <= foot[1] && !this.#covers(foot, size);
+    const [left, top] = isWide ? foot : inside(places.find(fits) ?? places[0]);
     this.box.style.setProperty('left', `${(offsetLeft + left) / scale}px`);
     this.box.style.setProperty('top', `${(offsetTop + top) / scale}px`);
   }

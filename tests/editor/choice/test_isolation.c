@@ -16,7 +16,7 @@ static void isolated_is_all_there_is(void **state) {
     assert_int_equal(bat_editor_command(editor, "isolate"), BAT_STATE); /* nothing is meant */
     pen_event(&p, BAT_POINTER_DOWN, 500, 200);
     pen_event(&p, BAT_POINTER_UP, 500, 200);
-    assert_true(bat_editor_key(editor, "i", true, 0, p.time));
+    assert_true(bat_editor_key(editor, "I", true, BAT_SHIFT, p.time));
     const bat_frame *frame = bat_editor_frame(editor);
     assert_true(frame->still[1].opacity == 1 && frame->still[2].opacity < 0.5F);
     bat_editor_command(editor, "select-all");

@@ -158,7 +158,7 @@ static void what_happens_is_said_once(void **state) {
     assert_string_equal(bat_editor_said(editor), "Nothing selected");
     bat_editor_select(editor, 2, false);
     bat_editor_said(editor);
-    key(editor, "r", 0);
+    key(editor, "T", BAT_SHIFT);
     assert_string_equal(bat_editor_said(editor),
                         "line, curve, open, 11 points. Start of the range: 400, 600");
     key(editor, "ArrowRight", BAT_SHIFT);

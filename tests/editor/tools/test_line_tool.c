@@ -34,7 +34,7 @@ static void expect_corners(const bat_editor *editor, int corners, const double *
 
 static bat_editor *with_lines(void) {
     bat_editor *editor = pen_editor();
-    assert_true(bat_editor_key(editor, "u", true, 0, 0));
+    assert_true(bat_editor_key(editor, "l", true, 0, 0));
     bat_editor_set(editor, "snap", 0);
     return editor;
 }

@@ -69,7 +69,7 @@ static void ends_go_along_the_curve_and_not_past_each_other(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
     uint64_t first = digest(editor);
-    assert_true(keys(editor, "r", 0, 1));
+    assert_true(keys(editor, "T", BAT_SHIFT, 1));
     assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_CHOSEN));
     assert_float_equal(shown_length(editor), 200, 1e-9); /* the middle third */
     keys(editor, "ArrowLeft", 0, 5);
@@ -95,7 +95,7 @@ static void ends_go_along_the_curve_and_not_past_each_other(void **state) {
 static void an_end_stops_at_knots(void **state) {
     (void)state;
     bat_editor *editor = pen_editor(); /* knots 0 to 8; the spans within are 60 long */
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     keys(editor, ",", 0, 40);
     assert_float_equal(shown_length(editor), 400, 1e-3);
     keys(editor, "ArrowUp", 0, 1);
@@ -109,7 +109,7 @@ static void a_range_on_a_ring_is_at_most_all_of_it(void **state) {
     (void)state;
     bat_editor *editor = ring_editor();
     double whole = bat_curve_length(curve_at(editor, 0), 0, 12, 1e-9);
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     assert_float_equal(shown_length(editor), whole / 3, 0.05);
     keys(editor, "ArrowUp", 0, 1);
     keys(editor, "ArrowRight", BAT_SHIFT, 10);
@@ -135,7 +135,7 @@ static void tab_goes_through_the_curves_and_on(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
     assert_false(keys(editor, "Tab", 0, 1)); /* it belongs to the page */
-    keys(editor, "r", 0, 1);                 /* of two that are as near, the one in front */
+    keys(editor, "T", BAT_SHIFT, 1);         /* of two that are as near, the one in front */
     assert_float_equal(held_at(editor), 600, 1e-3);
     assert_true(keys(editor, "Tab", BAT_SHIFT, 1));
     assert_float_equal(held_at(editor), 200, 1e-3);
@@ -145,7 +145,7 @@ static void tab_goes_through_the_curves_and_on(void **state) {
     assert_true(isnan(held_at(editor)));
     keys(editor, "v", 0, 1);
     keys(editor, "Tab", 0, 1); /* selects the one behind, which the range then begins on */
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     assert_float_equal(held_at(editor), 200, 1e-3);
     bat_editor_free(editor);
 }
@@ -156,7 +156,7 @@ static void redraws_a_range(void **state) {
     bat_editor *editor = pen_editor();
     uint64_t first = digest(editor);
     bat_editor_select(editor, 1, false);
-    keys(editor, "r", 0, 1); /* x = 400 to 600 of the line y = 200 */
+    keys(editor, "T", BAT_SHIFT, 1); /* x = 400 to 600 of the line y = 200 */
     keys(editor, "Enter", 0, 1);
     assert_true(digest(editor) == first);
     keys(editor, "ArrowUp", BAT_SHIFT, 4); /* the middle one of five: to (500, 160) */
@@ -182,7 +182,7 @@ static void redraws_a_range(void **state) {
 static void unmoved_waypoints_leave_the_line(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     keys(editor, "Enter", 0, 2);
     for (int i = 0; i <= 100; i++) {
         assert_true(nearest(curve_at(editor, 0), 200 + 6 * i, 200) < 0.1);
@@ -196,7 +196,7 @@ static void redraws_over_the_seam(void **state) {
     (void)state;
     bat_editor *editor = ring_editor();
     uint64_t first = digest(editor);
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     keys(editor, "ArrowLeft", BAT_SHIFT, 12); /* from a third of 942 back over the seam: 314 + 480 long */
     assert_true(shown_length(editor) > 780);
     keys(editor, "Enter", 0, 1);
@@ -225,7 +225,7 @@ static void waypoints_are_added_and_taken_out(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
     uint64_t first = digest(editor);
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     keys(editor, "Enter", 0, 1);
     keys(editor, "Insert", 0, 3);
     keys(editor, "Tab", 0, 9);
@@ -322,7 +322,7 @@ static void rubs_out_a_range(void **state) {
         bat_editor *editor = pen_editor();
         uint64_t first = digest(editor);
         bat_editor_select(editor, 1, false);
-        keys(editor, "r", 0, 1);
+        keys(editor, "T", BAT_SHIFT, 1);
         if (tool) keys(editor, "e", 0, 1); /* the range stays while the tool changes */
         assert_true(!tool || pen_live(bat_editor_frame(editor), BAT_ROLE_ERASED));
         keys(editor, tool ? "Enter" : "Delete", 0, 1);
@@ -340,7 +340,7 @@ static void rubs_out_a_range(void **state) {
     }
     bat_editor *editor = ring_editor();
     uint64_t first = digest(editor);
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     keys(editor, "ArrowLeft", BAT_SHIFT, 10);
     double left = bat_curve_length(curve_at(editor, 0), 0, 12, 1e-9) - shown_length(editor);
     keys(editor, "Delete", 0, 1);
@@ -377,7 +377,7 @@ static void smooths_a_range(void **state) {
         bat_editor_set(editor, "tolerance", 5);
         uint64_t first = digest(editor);
         double before = trembling(curve_at(editor, 0), 11, 17);
-        keys(editor, "r", 0, 1);
+        keys(editor, "T", BAT_SHIFT, 1);
         if (!calm) keys(editor, "s", 0, 1);
         keys(editor, calm ? "g" : "Enter", 0, 1);
         assert_true(digest(editor) != first);
@@ -436,20 +436,20 @@ static void the_pen_takes_over(void **state) {
     bat_editor *editor = pen_editor();
     uint64_t first = digest(editor);
     pen p = pen_for(editor);
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     keys(editor, "Enter", 0, 1);
     pen_line(&p, 300, 400, 500, 380, 20);
     bat_editor_frame(editor);
     check(editor);
     assert_int_equal(count(editor), 3);
     assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_CHOSEN));
-    keys(editor, "r", 0, 1); /* on the new curve: the pen is near */
+    keys(editor, "T", BAT_SHIFT, 1); /* on the new curve: the pen is near */
     keys(editor, "Enter", 0, 1);
     keys(editor, "z", BAT_CTRL, 2);
     assert_true(digest(editor) == first);
     bat_editor_frame(editor);
     check(editor);
-    keys(editor, "r", 0, 1);
+    keys(editor, "T", BAT_SHIFT, 1);
     bat_editor_key(editor, "+", true, 0, 0);
     bat_editor_frame(editor);
     check(editor);
@@ -461,7 +461,7 @@ static void the_pen_takes_over(void **state) {
     bat_editor_open(editor, empty, "");
     bat_editor_frame(editor);
     check(editor);
-    assert_false(keys(editor, "r", 0, 1));
+    assert_false(keys(editor, "T", BAT_SHIFT, 1));
     bat_editor_free(editor);
 }
 
@@ -471,7 +471,7 @@ static void wild_keys(void **state) {
     static const struct {
         const char *key;
         uint32_t modifiers;
-    } all[] = {{"r", 0},
+    } all[] = {{"T", BAT_SHIFT},
                {"Enter", 0},
                {"Enter", 0},
                {"ArrowLeft", BAT_SHIFT},
@@ -485,7 +485,7 @@ static void wild_keys(void **state) {
                {"n", 0},
                {"s", 0},
                {"e", 0},
-               {"t", 0},
+               {"p", 0},
                {"v", 0},
                {"a", 0},
                {"g", 0},

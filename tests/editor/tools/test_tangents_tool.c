@@ -533,7 +533,7 @@ static void wild_sessions(void **state) {
         while (bytes.at < bytes.size) {
             if (session_byte(&bytes) < 60) {
                 static const char *const wild[] = {"Tab", "ArrowUp", "Backspace", "Insert",
-                                                   "t",   "d",       "Enter"};
+                                                   "p",   "d",       "Enter"};
                 uint8_t which = session_byte(&bytes);
                 bat_editor_key(editor, wild[which % 7], true, which & 1u, time);
             }
