@@ -8,11 +8,11 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(root / "bindings"))
-from generate import CLASSES, PYTHON, Headers, rows  # noqa: E402
+from generate import CLASSES, Headers, rows  # noqa: E402
 
 headers = Headers(root)
 faults, seen, names, whole = [], {}, {}, set()
-for name, called, words in rows(root / "bindings/calls.txt"):
+for name, called, words, _ in rows(root / "bindings/calls.txt"):
     if name.endswith(".h"):
         whole.add(name)
         continue
@@ -21,7 +21,7 @@ for name, called, words in rows(root / "bindings/calls.txt"):
         faults.append(f"{name}: why has it no counterpart?")
     for one in called.split(",") if called else []:
         names.setdefault(one, []).append(name)
-        if one.split(".")[0] not in {"b", *CLASSES.values(), *PYTHON.values()}:
+        if one.split(".")[0] not in {"b", *CLASSES.values()}:
             faults.append(f"{one}: of what class?")
 faults += [f"{name}: of {' and '.join(of)}" for name, of in names.items() if len(of) > 1]
 faults += [f"{name}: twice, without two names" for name, called in seen.items() if len(called) > 1 and None in called]

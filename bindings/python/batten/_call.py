@@ -15,7 +15,6 @@ from ._values import FLAT, address, array_of, converted, encoded, filled, set_fi
 
 LIBRARY = {}  # the functions of the library, by name
 RESULTS = {}  # the tuples that calls with several results give, by name
-CHECKED = {"bat_width_eval": "bat_width_check", "bat_width_is_even": "bat_width_check", "bat_function_eval": "bat_function_check"}
 CURVED = ("Curve", "Finder", "Chain", "Shape", "LiveShape", "LiveSketch")  # classes that have a dimension
 REMADE = ("Finder", "Chain", "SurfaceFinder", "Sweep", "Reference", "Binding", "Tracks", "LineDrawing")  # pickled as the call that made them
 FAST = {float, int, np.float64}
@@ -360,7 +359,7 @@ class Call:
         called = False
         try:
             arguments = {id(w): self.argument(w) for w in order}
-            if guard := CHECKED.get(plan.c):
+            if guard := TABLE["rules"]["checked"].get(plan.c):
                 check(getattr(lib, guard)(arguments[id(plan.words[0])]), None, f" ({plan.words[0].name})")
             called, returned = True, plan.function(*[arguments[id(w)] for w in plan.words])
         finally:
