@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """calls.txt has every public function once: with a name that no other has, or with the reason why it has none; every name in it
-is there. Usage: check_calls.py ROOT
+is there; and the header for C++ is what the table makes of it. Usage: check_calls.py ROOT
 """
 import pathlib
 import re
@@ -8,6 +8,7 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(root / "bindings"))
+import cpp  # noqa: E402
 from generate import CLASSES, Headers, rows  # noqa: E402
 
 headers = Headers(root)
@@ -33,6 +34,8 @@ for name in headers.calls:
 text = "\n".join(path.read_text("utf-8") for path in sorted((root / "include/batten").glob("*.h")))
 public = set(re.findall(r"BAT_API[^;]*?\b(bat_\w+)\(", re.sub(r"/\*.*?\*/", " ", text, flags=re.S)))
 faults += [f"{name}: generate.py does not see it" for name in sorted(public - set(headers.calls))]
+if cpp.text(root) != (root / "include/batten/batten.hpp").read_text("utf-8"):
+    faults.append("include/batten/batten.hpp: bindings/cpp.py makes another; run it")
 print(*faults, sep="\n")
 print(f"{len(public)} public functions, {len(names)} names, {len(faults)} faults")
 sys.exit(bool(faults) or len(public) < 400 or len(names) < 100)
