@@ -10,7 +10,7 @@ import { FLAT } from './structs.js';
 
 const LITERALS = { false: false, true: true, inf: Infinity };
 const NOTHING = 0xffffffff; // of an index
-const MOST = 1 << 28; // of what one result may hold
+const MOST = 1 << 26; // numbers of one result: half a GB
 
 /** One call: its arguments by name, and the results that it is to bring. */
 export class Call {
@@ -122,12 +122,12 @@ export class Call {
   /** The address of an object; of one that the call keeps, that of a copy. @param {unknown} value @param {Argument} arg @param {string} name @returns {number} */
   #handle(value, { bare, name: own, kept }, name) {
     const { library } = this;
-    const at = library.handleOf(value, library.tables.classes[bare], name);
+    const at = library.handleOf_(value, library.tables.classes[bare], name);
     if ((own === 'b' || own === 'onto') && this.self?.dim && value.dim && value.dim !== this.dimension && this.name !== 'isEqual') {
       throw wrong(name, `one of dimension ${this.dimension}`, `one of ${value.dim}`, 'dimension');
     }
     if (kept) {
-      this.copies.push(library.copied(bare, at));
+      this.copies.push(library.copied_(bare, at));
     }
     return kept ? this.copies.at(-1).at_ : at;
   }
@@ -206,7 +206,7 @@ export class Call {
   /** One argument, as C takes it. @param {Argument} arg @returns {number | bigint} */
   #argument(arg) {
     switch (arg.kind) {
-      case 'self': return this.self ? this.library.handleOf(this.self, this.self.kind_, 'this') : 0;
+      case 'self': return this.self ? this.library.handleOf_(this.self, this.self.kind_, 'this') : 0;
       case 'dim': return converted(this.library.tables, 'int', this.dimension, 'dimension');
       case 'null': return 0;
       case 'follows': return this.#whole(evaluate(arg.formula, this.#look), arg.formula);
@@ -274,7 +274,7 @@ export class Call {
       [...plan.parsed].sort((a, b) => last(a) - last(b)).forEach((arg) => args.set(arg, this.#argument(arg)));
       const guard = library.tables.rules.checked[plan.c];
       if (guard) {
-        library.check(memory.exports[guard](args.get(plan.parsed[0])));
+        library.check_(memory.exports[guard](args.get(plan.parsed[0])));
       }
     } catch (error) {
       this.copies.forEach((one) => one.free());
@@ -301,7 +301,9 @@ export class Call {
       return this.#assemble();
     }
     const best = status === 'tolerance' && this.results.some(({ isHandle, at }) => isHandle && memory.view.getUint32(at, true)) ? this.#assemble() : undefined;
-    throw new BattenError(status, `${this.name}: ${this.#said(memory.text(memory.exports.bat_status_message(returned)))}`, best);
+    const given = [...this.values, ...Object.entries(this.options)].filter(([name, value]) => name !== 'room' && value !== undefined);
+    const written = [...new Map(given.map(([name, value]) => [camel(name), shown(value)]))].map((one) => one.join(': ')).join(', ');
+    throw new BattenError(status, `${this.#said(memory.text(memory.exports.bat_status_message(returned)))} (${this.name}(${written}))`, best);
   }
 
   /** What the call told of its failure: by a problem, or by the index of what is wrong. @param {string} message @returns {string} */
@@ -327,7 +329,7 @@ export class Call {
       return value ? memory.text(value) : null;
     }
     if (bare in library.tables.classes) {
-      return value ? library.copied(bare, value, this.dimension) : null;
+      return value ? library.copied_(bare, value, this.dimension) : null;
     }
     if (plan.returns.endsWith('*')) {
       return value ? this.structs.read(bare, value) : null;
@@ -342,14 +344,14 @@ export class Call {
     const { structs, classes } = library.tables;
     if (isHandle && !handed) {
       const address = memory.view.getUint32(at, true);
-      return address && library.make(classes[bare], address, this.values.get('dimension') ?? this.dimension);
+      return address && library.make_(classes[bare], address, this.values.get('dimension') ?? this.dimension);
     }
     if (handed) {
       const from = memory.view.getUint32(at, true);
       const many = evaluate(/** @type {string} */ (formula), this.#look);
       const bytes = bare === 'char' && new Uint8Array(memory.buffer, from, many);
       const found = bytes ? (name === 'text' ? new TextDecoder().decode(bytes) : bytes.slice())
-        : isHandle ? Array.from({ length: many }, (_, i) => library.make(classes[bare], memory.view.getUint32(from + 4 * i, true), this.dimension))
+        : isHandle ? Array.from({ length: many }, (_, i) => library.make_(classes[bare], memory.view.getUint32(from + 4 * i, true), this.dimension))
           : from ? this.structs.many(bare, from, many) : [];
       memory.exports.bat_free(from);
       return found;

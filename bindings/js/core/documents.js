@@ -105,7 +105,7 @@ function readArrays(library, struct, text) {
     const bytes = bytesOf(text, 'text', true);
     const [item, block, problem] = [tables.structs[struct].size, 4, tables.structs.bat_problem.size].map((size) => memory.borrow(size));
     const status = memory.exports[`${struct}_read`](memory.placeBytes(bytes), bytes.length, item, block, problem);
-    library.check(status, said(library, problem));
+    library.check_(status, said(library, problem));
     const { dimension, ...found } = arraysOf(library, struct, item);
     memory.exports.bat_free(memory.view.getUint32(block, true));
     const rows = (numbers) => Array.from({ length: numbers.length / dimension }, (_, i) => numbers.subarray(i * dimension, (i + 1) * dimension));
@@ -143,7 +143,7 @@ export const reading = {
     const bytes = bytesOf(text, 'text', true);
     const written = textOf(bytes);
     const place = (words) => memory.placeList([...words.map((one) => memory.placeBytes(bytesOf(one, 'text', true))), 0]);
-    const tell = (name, make) => memory.during(() => this.check(memory.exports[`bat_svg_reader_${name}`](...make())));
+    const tell = (name, make) => memory.during(() => this.check_(memory.exports[`bat_svg_reader_${name}`](...make())));
     return memory.during(() => {
       const cell = memory.borrow(4);
       tell('create', () => [structs.one('bat_svg_options', options, 'options'), cell]);
@@ -164,8 +164,8 @@ export const reading = {
       }
       const [report, problem] = ['bat_svg_report', 'bat_problem'].map((struct) => memory.borrow(tables.structs[struct].size));
       const status = memory.exports.bat_svg_reader_finish(reader, cell, report, problem);
-      this.check(status, said(this, problem));
-      const found = this.make('Document', memory.view.getUint32(cell, true));
+      this.check_(status, said(this, problem));
+      const found = this.make_('Document', memory.view.getUint32(cell, true));
       found.report = Object.freeze(structs.read('bat_svg_report', report));
       return found;
     });

@@ -2,6 +2,7 @@
 import { Call } from './call.js';
 import core from './core.js';
 import { BattenError, shown, wrong } from './error.js';
+import { listOf, numbersOf } from './given.js';
 import { Memory, Numbers } from './memory.js';
 import { PathText, trace } from './path.js';
 import { prepare } from './plan.js';
@@ -70,7 +71,7 @@ export class Curve extends Handle {
   frames(n, options = {}) {
     const chain = this.frameChain(options);
     try {
-      const u = typeof n === 'number' ? this.spread(n) : Float64Array.from(n);
+      const u = typeof n === 'number' ? this.spread(n) : Float64Array.from(listOf(numbersOf(n, 1, 'n')));
       return { u, ...chain.many(u) };
     } finally {
       chain.free();
@@ -85,11 +86,17 @@ export class Curve extends Handle {
 
   /** @template {import('./library.js').PathLike} P @param {P} path a Path2D, a canvas' context, or whatever has moveTo, bezierCurveTo and closePath @returns {P} */
   trace(path, { tolerance = 0.01 } = {}) {
+    if (typeof path?.moveTo !== 'function' || typeof path.bezierCurveTo !== 'function' || typeof path.closePath !== 'function') {
+      throw wrong('path', 'what has moveTo, bezierCurveTo and closePath', shown(path));
+    }
     return trace(this.toCubics({ tolerance }), this.dimension, this.closed, path);
   }
 
   /** The curve as a path for a canvas. @param {{ tolerance?: number }} options */
   toPath2D(options = {}) {
+    if (!globalThis.Path2D) {
+      throw new BattenError('unsupported', 'toPath2D: there is no Path2D here; trace(path) takes whatever has its methods');
+    }
     return this.trace(new globalThis.Path2D(), options);
   }
 
@@ -107,9 +114,8 @@ export class Chain extends Handle {
   /** Frames at many parameters. @param {ArrayLike<number>} u */
   many(u) {
     const { memory } = this.library;
-    const count = u.length;
     return memory.during(() => {
-      const from = this.library.structs.row('double', u, 'u')[0];
+      const [from, count] = this.library.structs.row('double', u, 'u');
       const names = ['point', 't', 's', 'r'];
       const arrays = memory.borrow(16);
       const places = names.map((_, i) => {
@@ -117,7 +123,7 @@ export class Chain extends Handle {
         memory.view.setUint32(arrays + 4 * i, place, true);
         return place;
       });
-      this.library.check(memory.exports.bat_frame_chain_many(this.at_, count, from, arrays));
+      this.library.check_(memory.exports.bat_frame_chain_many(this.at_, count, from, arrays));
       return Object.fromEntries(names.map((name, i) => [name, memory.doubles(places[i], 3 * count)]));
     });
   }
@@ -175,14 +181,14 @@ export class Batten {
   }
 
   /** The object at an address. @param {string} kind its class @param {number} at @param {number} [dim] of what it was made of */
-  make(kind, at, dim) {
+  make_(kind, at, dim) {
     const { exports } = this.memory;
     const curve = kind === 'Curve' ? at : kind === 'Shape' ? exports.bat_shape_curve(at, 0) : 0; // which knows it better
     return new tables.kinds[kind](this, at, curve ? exports.bat_curve_dimension(curve) : CURVED.includes(kind) ? dim : undefined);
   }
 
   /** The address of an object of a class, which must be alive and of this library. */
-  handleOf(value, kind, name) {
+  handleOf_(value, kind, name) {
     if (!(value instanceof tables.kinds[kind])) {
       throw wrong(name, `${/^[AEIO]/.test(kind) ? 'an' : 'a'} ${kind}`, shown(value));
     }
@@ -193,23 +199,23 @@ export class Batten {
   }
 
   /** An object of its own for one that something else owns: a copy, or a user more. */
-  copied(type, at, dim) {
+  copied_(type, at, dim) {
     const { memory } = this;
     const kind = tables.classes[type];
     const retain = memory.exports[`${type}_retain`];
     if (retain) {
       retain(at);
-      return this.make(kind, at, dim);
+      return this.make_(kind, at, dim);
     }
     return memory.during(() => {
       const cell = memory.borrow(4);
-      this.check(memory.exports[`${type}_copy`](at, cell));
-      return this.make(kind, memory.view.getUint32(cell, true), dim);
+      this.check_(memory.exports[`${type}_copy`](at, cell));
+      return this.make_(kind, memory.view.getUint32(cell, true), dim);
     });
   }
 
   /** Throws unless a status is ok. @param {number} status @param {string} [told] what the call said of it */
-  check(status, told = '') {
+  check_(status, told = '') {
     if (status !== 0) {
       throw new BattenError(Object.keys(tables.enums.bat_status)[status], told || this.memory.text(this.memory.exports.bat_status_message(status)));
     }

@@ -167,7 +167,7 @@ export class Motion extends Handle {
   /** The take that its skeleton is of: a copy. */
   take() {
     const { memory } = this.library;
-    const own = this.library.make('Take', memory.exports.bat_motion_take(this.at_));
+    const own = this.library.make_('Take', memory.exports.bat_motion_take(this.at_));
     try {
       return this.library.take(own.joints, own.values, own.frameTime);
     } finally {

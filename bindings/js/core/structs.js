@@ -160,10 +160,10 @@ export class Structs {
       if (!Array.isArray(value)) {
         throw wrong(name, 'an array', shown(value));
       }
-      point(memory.placeList(value.map((one, i) => library.handleOf(one, classes[kind], `${name}[${i}]`))));
+      point(memory.placeList(value.map((one, i) => library.handleOf_(one, classes[kind], `${name}[${i}]`))));
       count(value.length);
     } else if (stars && kind in classes) {
-      point(library.handleOf(value, classes[kind], name));
+      point(library.handleOf_(value, classes[kind], name));
     } else if (stars && kind === 'char') {
       point(memory.placeBytes(bytesOf(value, name, false)));
     } else if (stars && kind in structs) {
@@ -241,13 +241,13 @@ export class Structs {
       return to ? memory.text(to) : null;
     }
     if (kind in classes && count === undefined) {
-      return type.split('*').length > 2 ? undefined : to ? library.copied(kind, to) : null;
+      return type.split('*').length > 2 ? undefined : to ? library.copied_(kind, to) : null;
     }
     if (count === undefined) {
       return kind in structs ? (to ? this.read(kind, to) : null) : undefined;
     }
     if (kind in classes) {
-      return Array.from({ length: to ? count : 0 }, (_, i) => library.copied(kind, memory.view.getUint32(to + 4 * i, true)));
+      return Array.from({ length: to ? count : 0 }, (_, i) => library.copied_(kind, memory.view.getUint32(to + 4 * i, true)));
     }
     return to || !count ? this.many(kind, to, to ? count : 0) : null;
   }
