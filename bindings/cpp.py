@@ -309,6 +309,9 @@ class Function:
         struct, lines = None, list(self.before)
         status = returns == "bat_status"
         checking = f"detail::check(status{', ' + self.told if self.told else ''});"
+        if explained := generate.RULES["explained"].get(self.call["c"]):
+            lines.append("bat_problem problem{};")
+            checking = f"if (status != BAT_OK) detail::check({explained}({', '.join([*self.passed[:-1], '&problem'])}), problem);"
         if self.room:
             counted = any(word == ">count" for word, _ in self.words)
             type_of = next(t for w, t in self.words if w[0] == "%")

@@ -25,11 +25,14 @@ ALSO_CORE = ["bat_free", "bat_version", "bat_status_message", "bat_meeting_free"
 ALSO = [*FREES.values(), *ALSO_CORE, *(c + "_retain" for c in SHARED), "bat_surface_row", "bat_tessellation_mesh", "bat_tracks_points",
         "bat_line_drawing_at", "bat_motion_take", "bat_picture_bytes", "bat_object_corners", "bat_object_guide", "bat_object_sources",
         "bat_object_spline", "bat_stroke_read", "bat_spline_read", "bat_style_defaults", "bat_svg_reader_create", "bat_svg_reader_start",
-        "bat_svg_reader_text", "bat_svg_reader_end", "bat_svg_reader_source", "bat_svg_reader_finish", "bat_svg_reader_free"]
+        "bat_svg_reader_text", "bat_svg_reader_end", "bat_svg_reader_source", "bat_svg_reader_finish", "bat_svg_reader_free",
+        "bat_curve_check", "bat_surface_check"]
 READ = ["bat_frame_arrays", "bat_mesh", "bat_seen_line", "bat_svg_options", "bat_svg_report", "bat_problem"]  # structs of these
 # What both packages know of arguments, beside their types.
 RULES = {
     "checked": {"bat_width_eval": "bat_width_check", "bat_width_is_even": "bat_width_check", "bat_function_eval": "bat_function_check"},
+    # Which call takes the same arguments, and a problem in place of the result, and says what is wrong.
+    "explained": {"bat_curve_create": "bat_curve_check", "bat_surface_create": "bat_surface_check"},
     "each": {"bat_rotation_curve.points": 4},  # numbers of a record of an array with a count
     "defaults": {"bat_nib": {"cap": "round", "join": "round", "miter_limit": 4.0}, "bat_recipe": {"scale": 1.0, "angle": 360.0}, "bat_wire": {"scale": 1.0},
                  "bat_gradient": {"matrix": [1, 0, 0, 1, 0, 0]}, "bat_viewpoint": {"up": [0, 0, 1], "size": [1000, 1000]}},

@@ -3320,9 +3320,10 @@ inline bool Document::is_kept() const {
 [[nodiscard]] inline Curve curve(Numbers points, Numbers knots, int dimension = 2, int degree = 3, bool closed = false) {
     detail::inside("degree", degree, 1, 7);
     bat_curve *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_curve_create(dimension, degree, closed, detail::many("points", points.size(), static_cast<std::size_t>(dimension)), points.data(), static_cast<int>(knots.size()), knots.data(), &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    if (status != BAT_OK) detail::check(bat_curve_check(dimension, degree, closed, detail::many("points", points.size(), static_cast<std::size_t>(dimension)), points.data(), static_cast<int>(knots.size()), knots.data(), &problem), problem);
     return made;
 }
 
@@ -3470,9 +3471,10 @@ inline void check_widths(const bat_width_profile &profile) {
     detail::many("points", points.size(), 3);
     detail::exactly("knot_count", knot_count.size(), 2);
     bat_surface *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_surface_create(degree.data(), closed.data(), count.data(), points.data(), knot_count.data(), u_knots.data(), v_knots.data(), &out_);
     Surface made = Surface(out_);
-    detail::check(status);
+    if (status != BAT_OK) detail::check(bat_surface_check(degree.data(), closed.data(), count.data(), points.data(), knot_count.data(), u_knots.data(), v_knots.data(), &problem), problem);
     return made;
 }
 

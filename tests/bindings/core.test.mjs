@@ -141,6 +141,7 @@ test('every call refuses what is not meant', () => {
   refuses('count', () => curve.blossom(0, [1]));
   refuses('count', () => b.sketch({ points: sine(20), pressure: [1] }));
   refuses('knots', () => b.curve([[0, 0], [1, 1]], [1, 0, 0, 1], { degree: 1 }));
+  assert.throws(() => b.curve([[0, 0], [1, 1]], [1, 0, 0, 1], { degree: 1 }), /^BattenError: knots\[1\]: expected at least 1, found 0 \(curve\(/);
 });
 
 test('what is freed is gone; objects of another instance are refused', async () => {

@@ -303,13 +303,18 @@ export class Call {
     const best = status === 'tolerance' && this.results.some(({ isHandle, at }) => isHandle && memory.view.getUint32(at, true)) ? this.#assemble() : undefined;
     const given = [...this.values, ...Object.entries(this.options)].filter(([name, value]) => name !== 'room' && value !== undefined);
     const written = [...new Map(given.map(([name, value]) => [camel(name), shown(value)]))].map((one) => one.join(': ')).join(', ');
+    const explains = memory.exports[library.tables.rules.explained[plan.c]];
+    if (explains) {
+      this.told = memory.borrow(memory.sizeOf('bat_problem'));
+      explains(...plan.parsed.slice(0, -1).map((arg) => args.get(arg)), this.told);
+    }
     throw new BattenError(status, `${this.#said(memory.text(memory.exports.bat_status_message(returned)))} (${this.name}(${written}))`, best);
   }
 
   /** What the call told of its failure: by a problem, or by the index of what is wrong. @param {string} message @returns {string} */
   #said(message) {
     const { memory, told } = this;
-    const { bare } = this.plan.parsed.find(({ kind }) => kind === 'told') ?? {};
+    const bare = told ? this.plan.parsed.find(({ kind }) => kind === 'told')?.bare ?? 'bat_problem' : undefined;
     if (bare === 'bat_problem') {
       const { place, message: why } = this.structs.read(bare, told);
       return [place, why].filter(Boolean).join(': ') || message;

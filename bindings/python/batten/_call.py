@@ -381,6 +381,11 @@ class Call:
             best = self.assemble()
         if returned:
             given = ", ".join(f"{name}={shown(value)}" for name, value in {**self.values, **self.options}.items() if value is not None and name != "room")
+            if explained := TABLE["rules"]["explained"].get(plan.c):
+                self.told.append(STRUCTS["bat_problem"]())
+                function = getattr(lib, explained)
+                function.argtypes = plan.function.argtypes
+                function(*[arguments[id(w)] for w in plan.words[:-1]], ctypes.byref(self.told[-1]))
             check(returned, best, f" ({plan.name.lstrip('_')}({given}))", said(self.told, lib.bat_status_message(returned).decode()))
         return self.assemble()
 
