@@ -1,27 +1,45 @@
 #!/usr/bin/env python3
 """Reads calls.txt and the public headers, and writes what the packages are made from.
 
-Usage: generate.py ROOT OUT [python]. In OUT: calls.json (the calls, structs and enums; offsets for wasm32), exports.txt (the C
-functions), layout.c (asserts that a compiler for wasm32 lays structs out as calls.json says), docs.json (what the headers
-say of each function, struct and member). With "python" the calls that are in Python only are there, too.
+Usage: generate.py ROOT OUT. In OUT: calls.json (the calls, structs and enums; offsets for wasm32) and its two parts, core.json
+(what the small npm modules have) and more.json; exports.txt (the C functions), layout.c (asserts that a compiler for wasm32 lays
+structs out as calls.json says), docs.json (what the headers say of each function, struct and member).
 """
 import json
 import pathlib
 import re
 import sys
 
-CLASSES = {"bat_curve": "Curve", "bat_finder": "Finder", "bat_frame_chain": "Chain", "bat_shape": "Shape",
-           "bat_shape_live": "LiveShape", "bat_sketch_live": "LiveSketch"}
-PYTHON = {"bat_surface": "Surface", "bat_surface_finder": "SurfaceFinder", "bat_tessellation": "Tessellation", "bat_relief": "Relief",
-          "bat_sweep": "Sweep", "bat_polymesh": "Mesh", "bat_reference": "Reference", "bat_binding": "Binding", "bat_tracks": "Tracks",
-          "bat_line_drawing": "LineDrawing", "bat_camera": "Camera", "bat_take": "Take", "bat_motion": "Motion",
-          "bat_picture": "Picture", "bat_object": "Object", "bat_document": "Document"}  # classes that are in Python only
+CORE = {"bat_curve": "Curve", "bat_finder": "Finder", "bat_frame_chain": "Chain", "bat_shape": "Shape",
+        "bat_shape_live": "LiveShape", "bat_sketch_live": "LiveSketch"}  # the classes of the small npm modules
+CLASSES = CORE | {
+    "bat_surface": "Surface", "bat_surface_finder": "SurfaceFinder", "bat_tessellation": "Tessellation", "bat_relief": "Relief",
+    "bat_sweep": "Sweep", "bat_polymesh": "Mesh", "bat_reference": "Reference", "bat_binding": "Binding", "bat_tracks": "Tracks",
+    "bat_line_drawing": "LineDrawing", "bat_camera": "Camera", "bat_take": "Take", "bat_motion": "Motion",
+    "bat_picture": "Picture", "bat_object": "Object", "bat_document": "Document"}
+SHARED = ("bat_object", "bat_picture")  # whose users are counted
 SCALARS = {"double": 8, "int": 4, "size_t": 4, "bool": 1, "char": 1, "float": 4, "uint32_t": 4, "uint64_t": 8, "bat_id": 8}  # sizes on wasm32, which are the alignments too
-FREES = {"Curve": "bat_curve_free", "Finder": "bat_finder_free", "Chain": "bat_frame_chain_free", "Shape": "bat_shape_free",
-         "LiveShape": "bat_shape_live_cancel", "LiveSketch": "bat_sketch_live_cancel"}
-PYTHON_FREES = {name: f"{c}_{'release' if name in ('Object', 'Picture') else 'free'}" for c, name in PYTHON.items()}
+FREES = {name: f"{c}_{'cancel' if c.endswith('_live') else 'release' if c in SHARED else 'free'}" for c, name in CLASSES.items()}
 # Called by hand-written parts of the packages.
-ALSO = [*FREES.values(), "bat_free", "bat_version", "bat_status_message", "bat_meeting_free", "bat_frame_chain_many"]
+ALSO_CORE = ["bat_free", "bat_version", "bat_status_message", "bat_meeting_free", "bat_frame_chain_many"]
+ALSO = [*FREES.values(), *ALSO_CORE, *(c + "_retain" for c in SHARED), "bat_surface_row", "bat_tessellation_mesh", "bat_tracks_points",
+        "bat_line_drawing_at", "bat_motion_take", "bat_picture_bytes", "bat_object_corners", "bat_object_guide", "bat_object_sources",
+        "bat_object_spline", "bat_stroke_read", "bat_spline_read", "bat_style_defaults", "bat_svg_reader_create", "bat_svg_reader_start",
+        "bat_svg_reader_text", "bat_svg_reader_end", "bat_svg_reader_source", "bat_svg_reader_finish", "bat_svg_reader_free",
+        "bat_curve_check", "bat_surface_check"]
+READ = ["bat_frame_arrays", "bat_mesh", "bat_seen_line", "bat_svg_options", "bat_svg_report", "bat_problem"]  # structs of these
+# What both packages know of arguments, beside their types.
+RULES = {
+    "checked": {"bat_width_eval": "bat_width_check", "bat_width_is_even": "bat_width_check", "bat_function_eval": "bat_function_check"},
+    # Which call takes the same arguments, and a problem in place of the result, and says what is wrong.
+    "explained": {"bat_curve_create": "bat_curve_check", "bat_surface_create": "bat_surface_check"},
+    "each": {"bat_rotation_curve.points": 4},  # numbers of a record of an array with a count
+    "defaults": {"bat_nib": {"cap": "round", "join": "round", "miter_limit": 4.0}, "bat_recipe": {"scale": 1.0, "angle": 360.0}, "bat_wire": {"scale": 1.0},
+                 "bat_gradient": {"matrix": [1, 0, 0, 1, 0, 0]}, "bat_viewpoint": {"up": [0, 0, 1], "size": [1000, 1000]}},
+    # Whole numbers that have no use beyond, by name.
+    "within": {"dimension": [2, 3], "degree": [1, 7], "order": [0, 7], "per_span": [1, 4096], "substeps": [0, 4096], "steps": [0, 4096], "times": [1, 8],
+               "solves_max": [0, 4096], "pins": [0, 1 << 20], "Surface.order": [0, 2], "id": [0, 0x7fffffff], "uint32_t": [0, 0xffffffff],
+               "uint64_t": [0, 1 << 53]}}
 TITLES = {"bat_frame3": "Frame", "bat_mesh": "TriangleGrid"}  # of structs in the packages; the others are called as in C: Near, FitReport
 
 
@@ -158,20 +176,20 @@ def members(name, said, body):
     return found
 
 
-def rows(path, python=True):
-    """(C name or header, names or None, words or reason) of calls.txt; without Python what stands before its part."""
+def rows(path):
+    """(C name or header, names or None, words or reason, whether the small npm modules may have it) of calls.txt."""
+    core = True
     for line in path.read_text("utf-8").splitlines():
-        if line.startswith("# In Python only") and not python:
-            return
+        core = core and not line.startswith("# Not in the small npm modules")
         if line.strip() and not line.startswith("#"):
             name, called, *words = line.split()
-            yield name, None if called == "-" else called, " ".join(words) if called == "-" else words
+            yield name, None if called == "-" else called, " ".join(words) if called == "-" else words, core
 
 
 def used(headers, type_, found):
     """Adds the structs and enums that a type needs."""
     bare = re.sub(r"\bconst\b|\*", "", type_).strip()
-    if bare in headers.structs and bare not in found and bare not in CLASSES | PYTHON:
+    if bare in headers.structs and bare not in found and bare not in CLASSES:
         title = re.sub(r"_(\w)", lambda letter: letter[1].upper(), bare.removeprefix("bat"))
         found[bare] = {**headers.layout(bare), "title": TITLES.get(bare, title)}
         for inner, _, _ in headers.fields(bare):
@@ -184,40 +202,49 @@ def write(path, text):
         path.write_text(text)
 
 
+def table(headers, calls, classes, read):
+    """The calls, and the structs, enums and classes that they need."""
+    structs = {}
+    for name in [type_ for call in calls for type_ in [*(type_ for _, type_ in call["args"]), call["returns"]]] + read:
+        used(headers, name, structs)
+    for struct in structs.values():
+        counting(struct["fields"])
+    return {"calls": calls, "structs": structs, "inits": {name: name + "_init" for name in structs if name + "_init" in headers.calls},
+            "enums": {name: headers.enums[name] for name in headers.enums
+                      if name == "bat_status" or any(name == field["type"] for s in structs.values() for field in s["fields"])
+                      or any(name == type_ for call in calls for _, type_ in [*call["args"], (None, call["returns"])])},
+            "classes": classes, "frees": {name: FREES[name] for name in classes.values()}}
+
+
 def main():
-    root, out, python = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3:] == ["python"]
-    classes, frees = (CLASSES | PYTHON, FREES | PYTHON_FREES) if python else (CLASSES, FREES)
+    root, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     headers = Headers(root)
-    calls, structs = [], {}
-    for name, called, words in rows(root / "bindings/calls.txt", python):
+    calls, first = [], set()
+    for name, called, words, core in rows(root / "bindings/calls.txt"):
         if called is None:
             continue
         returns, parameters = headers.calls[name]
         given = [word for word in words if not word.startswith("<")]
         if len(given) != len(parameters):
             sys.exit(f"calls.txt: {name} has {len(parameters)} arguments, not {len(given)}")
-        for type_, _ in [*parameters, (returns, "")]:
-            used(headers, type_, structs)
         calls.append({"c": name, "names": called.split(","), "returns": returns,
                       "returned": next((word[2:-1] for word in words if word.startswith("<")), None),
                       "args": [[word, type_] for word, (type_, _) in zip(given, parameters)]})
-    for name in ["bat_frame_arrays", *(["bat_mesh", "bat_seen_line", "bat_svg_options", "bat_svg_report"] if python else [])]:
-        used(headers, name, structs)
-    for struct in structs.values() if python else []:
-        counting(struct["fields"])
-    inits = {name: name + "_init" for name in structs if name + "_init" in headers.calls}
-    enums = {name: headers.enums[name] for name in headers.enums
-             if name == "bat_status" or any(name == field["type"] for s in structs.values() for field in s["fields"])
-             or any(name == type_ for call in calls for _, type_ in [*call["args"], (None, call["returns"])])}
+        first |= {name} if core else set()
+    whole = table(headers, calls, CLASSES, READ) | {"rules": RULES}
+    core = table(headers, [call for call in calls if call["c"] in first], CORE, READ[:1]) | {"rules": RULES}
+    more = {part: {name: of for name, of in whole[part].items() if name not in core[part]} for part in ("structs", "inits", "enums", "classes", "frees")}
     out.mkdir(parents=True, exist_ok=True)
-    write(out / "calls.json", json.dumps({"calls": calls, "structs": structs, "enums": enums, "inits": inits,
-                                          "classes": classes, "frees": frees}, indent=None) + "\n")
+    for name, one in (("calls", whole), ("core", core), ("more", more | {"calls": [call for call in calls if call["c"] not in first]})):
+        write(out / f"{name}.json", json.dumps(one, indent=None, separators=(",", ":")) + "\n")
+    structs = whole["structs"]
     docs = {call["c"]: f"{headers.docs[call['c']]}\nIn C: {call['c']}, <batten/{headers.header[call['c']]}>".strip() for call in calls}
     for name in structs:
         docs |= members(name, *headers.members[name])
         docs[name] = f"{docs[name]}\nIn C: {name}, <batten/{headers.header[name]}>".strip()
     write(out / "docs.json", json.dumps(docs, indent=0, ensure_ascii=False) + "\n")
-    exports = sorted({call["c"] for call in calls} | set(ALSO) | set(inits.values()))
+    ends = {name + end for name in structs for end in ("_free", "_clear")} | {name + "_copy" for name in CLASSES}
+    exports = sorted({call["c"] for call in calls} | set(ALSO) | set(whole["inits"].values()) | ends & set(headers.calls))
     write(out / "exports.txt", "\n".join(exports) + "\n")
     lines = ["#include <batten/batten.h>", ""]
     for name, layout in structs.items():

@@ -1,6 +1,7 @@
 /* Any bytes as a SURFACE. A surface that can be read gives finite points within its box, iso-curves that lie
  * on it, and the same surface when written and read again. */
 #include <batten/bezier.h>
+#include <batten/check.h>
 #include <batten/format.h>
 #include <batten/sweep.h>
 
@@ -177,10 +178,23 @@ static void check_create(const uint8_t *data, size_t size) {
     if (size < sizeof numbers) return;
     memcpy(numbers, data, sizeof numbers);
     bat_surface *s = NULL;
-    if (bat_surface_create((const int[2]){2, 2}, (const bool[2]){false, false}, (const size_t[2]){3, 3},
-                           numbers, (const int[2]){6, 6}, numbers + 27, numbers + 33, &s) == BAT_OK)
-        check(s);
+    const bat_status status = bat_surface_create((const int[2]){2, 2}, (const bool[2]){false, false},
+                                                 (const size_t[2]){3, 3}, numbers, (const int[2]){6, 6},
+                                                 numbers + 27, numbers + 33, &s);
+    if (status == BAT_OK) check(s);
     bat_surface_free(s);
+    bat_problem problem = {"", ""};
+    if (bat_surface_check((const int[2]){2, 2}, (const bool[2]){false, false}, (const size_t[2]){3, 3},
+                          numbers, (const int[2]){6, 6}, numbers + 27, numbers + 33, &problem) != status ||
+        (status != BAT_OK) != (problem.message[0] != 0))
+        abort();
+    bat_curve *c = NULL;
+    const bat_status curve = bat_curve_create(3, 2, size & 1, 9, numbers, 12 - 2 * (int)(size & 1),
+                                              numbers + 27, &c);
+    bat_curve_free(c);
+    if (bat_curve_check(3, 2, size & 1, 9, numbers, 12 - 2 * (int)(size & 1), numbers + 27, &problem) !=
+        curve)
+        abort();
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

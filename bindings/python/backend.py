@@ -81,7 +81,7 @@ def library(folder):
 
 def made(folder):
     """What is generated from the headers: the table of calls, the types."""
-    subprocess.run([sys.executable, "-B", ROOT / "bindings/generate.py", ROOT, folder, "python"], check=True)
+    subprocess.run([sys.executable, "-B", ROOT / "bindings/generate.py", ROOT, folder], check=True)
     spec = importlib.util.spec_from_file_location("stubs", HERE / "stubs.py")
     stubs = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(stubs)

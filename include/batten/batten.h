@@ -23,6 +23,7 @@
 #include <batten/tangents.h>
 #include <batten/levels.h>
 #include <batten/surface.h>
+#include <batten/check.h>
 #include <batten/relief.h>
 #include <batten/mesh.h>
 #include <batten/compare.h>

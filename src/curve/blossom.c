@@ -51,7 +51,7 @@ BAT_INLINE void level(const double *t, int p, int r, double x, int size, double 
 BAT_INLINE void bezier(const double *t, int p, int size, double *d, double *out) {
     for (int j = p;; j--) { /* p - j levels at the start are done; j at the end follow */
         double own[(BAT_DEGREE_MAX + 1) * BAT_DIMENSION_MAX];
-        for (int c = 0; c < (j + 1) * size; c++) own[c] = d[c];
+        memcpy(own, d, (size_t)((j + 1) * size) * sizeof *own);
         for (int r = p - j + 1; r <= p; r++) level(t, p, r, t[1], size, own);
         for (int c = 0; c < size; c++) out[j * size + c] = own[c];
         if (j == 0) return;

@@ -37,15 +37,14 @@ static uint64_t digest_guide(uint64_t digest, const void *own) {
 
 /* A guide stays vertical or horizontal even when the matrix rotates. */
 static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
-    double at;
-    int axis = bat_object_guide(object, &at);
-    return bat_object_with_guide(object, at * m[3 * axis] + m[4 + axis], out);
+    const guide *g = bat_object_own(object, &bat_kind_of_guide);
+    return bat_object_with_guide(object, g->at * m[3 * g->axis] + m[4 + g->axis], out);
 }
 
 static void write(const bat_object *object, bat_text *text) {
-    double at;
-    bat_text_string(text, bat_object_guide(object, &at) ? ",\"y\":" : ",\"x\":");
-    bat_text_number(text, at);
+    const guide *g = bat_object_own(object, &bat_kind_of_guide);
+    bat_text_string(text, g->axis ? ",\"y\":" : ",\"x\":");
+    bat_text_number(text, g->at);
 }
 
 static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char *name, bat_object **out) {

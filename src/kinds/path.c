@@ -231,7 +231,7 @@ static bat_status read_makings(const bat_fields *f, uint32_t list, making *makin
  * even on failure, is removed from `makings`. */
 static bat_status make_path(bat_id id, const char *name, const bat_style *style, int count, making *makings,
                             bat_object **out) {
-    bat_curve **curves = malloc((size_t)count * sizeof *curves);
+    bat_curve **curves = calloc((size_t)count, sizeof *curves);
     bat_object *object = NULL;
     if (!curves) return BAT_MEMORY;
     for (int i = 0; i < count; i++) curves[i] = makings[i].curve;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """calls.txt has every public function once: with a name that no other has, or with the reason why it has none; every name in it
-is there. Usage: check_calls.py ROOT
+is there; and the header for C++ is what the table makes of it. Usage: check_calls.py ROOT
 """
 import pathlib
 import re
@@ -8,11 +8,12 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(root / "bindings"))
-from generate import CLASSES, PYTHON, Headers, rows  # noqa: E402
+import cpp  # noqa: E402
+from generate import CLASSES, Headers, rows  # noqa: E402
 
 headers = Headers(root)
 faults, seen, names, whole = [], {}, {}, set()
-for name, called, words in rows(root / "bindings/calls.txt"):
+for name, called, words, _ in rows(root / "bindings/calls.txt"):
     if name.endswith(".h"):
         whole.add(name)
         continue
@@ -21,7 +22,7 @@ for name, called, words in rows(root / "bindings/calls.txt"):
         faults.append(f"{name}: why has it no counterpart?")
     for one in called.split(",") if called else []:
         names.setdefault(one, []).append(name)
-        if one.split(".")[0] not in {"b", *CLASSES.values(), *PYTHON.values()}:
+        if one.split(".")[0] not in {"b", *CLASSES.values()}:
             faults.append(f"{one}: of what class?")
 faults += [f"{name}: of {' and '.join(of)}" for name, of in names.items() if len(of) > 1]
 faults += [f"{name}: twice, without two names" for name, called in seen.items() if len(called) > 1 and None in called]
@@ -33,6 +34,8 @@ for name in headers.calls:
 text = "\n".join(path.read_text("utf-8") for path in sorted((root / "include/batten").glob("*.h")))
 public = set(re.findall(r"BAT_API[^;]*?\b(bat_\w+)\(", re.sub(r"/\*.*?\*/", " ", text, flags=re.S)))
 faults += [f"{name}: generate.py does not see it" for name in sorted(public - set(headers.calls))]
+if cpp.text(root) != (root / "include/batten/batten.hpp").read_text("utf-8"):
+    faults.append("include/batten/batten.hpp: bindings/cpp.py makes another; run it")
 print(*faults, sep="\n")
 print(f"{len(public)} public functions, {len(names)} names, {len(faults)} faults")
 sys.exit(bool(faults) or len(public) < 400 or len(names) < 100)

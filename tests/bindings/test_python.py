@@ -365,6 +365,8 @@ class Whole(unittest.TestCase):
                 read(text)
         with self.assertRaisesRegex(batten.BattenError, r"wires\[0\].radius.constant: expected a finite number, found nan"):
             batten.bind([{"reference": self.sections[0], "radius": np.nan}], [[0, 0, 0]])
+        with self.assertRaisesRegex(batten.BattenError, r"^knots\[1\]: expected at least 1, found 0"):
+            batten.curve([[0, 0], [1, 1]], [1, 0, 0, 1], degree=1)
         with self.assertRaisesRegex(batten.BattenError, "sources: expected an Object, found a Curve"):
             batten.made_object({"kind": "loft"}, self.sections)
 

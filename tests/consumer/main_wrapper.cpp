@@ -20,7 +20,7 @@ void expect(bool holds, const char *what) {
 template <class Call> bat_status refused(Call call) {
     try {
         call();
-    } catch (const bat::error &e) {
+    } catch (const bat::Error &e) {
         return e.status();
     }
     return BAT_OK;
@@ -39,53 +39,55 @@ std::vector<double> circle(double radius, int count) {
 void curves() {
     const std::vector<double> control{0, 0, 1, 0, 1, 1},
         knots{0, 0, 0, 1, 1, 1}; // a parabola: (2u - u^2, u^2)
-    const bat::curve parabola(2, 2, false, control, knots);
+    const bat::Curve parabola = bat::curve(control, knots, 2, 2);
     const auto at = parabola.at(0.25, 1);
     expect(at.size() == 4 && at[0] == 0.4375 && at[1] == 0.0625 && at[2] == 1.5 && at[3] == 0.5,
            "position and derivative");
-    expect(parabola == bat::curve::clamped(2, 2, control), "uniform knots are these");
-    expect(parabola == bat::curve::read(parabola.write()), "written and read");
-    const bat::curve finer = parabola.insert(0.5);
+    expect(parabola == bat::clamped(control, 2, 2), "uniform knots are these");
+    expect(parabola == bat::read_curve(parabola.write()), "written and read");
+    const bat::Curve finer = parabola.insert_knot(0.5);
     expect(finer.count() == 4 && finer.at(0.3) == parabola.at(0.3), "a knot more, the same curve");
-    expect(finer.simplify(1e-9).count() == 3, "and without it again");
+    expect(finer.simplify(1e-9).out.count() == 3, "and without it again");
     const auto [left, right] = parabola.split(0.5);
     expect(left.at(0.5) == right.at(0.5) && left.domain()[1] == 0.5, "split");
-    const bat_near near = parabola.nearest(std::vector<double>{1, 1});
+    const bat_near near = parabola.nearest({1, 1});
     expect(near.distance == 0 && near.u == 1, "the closest point of an end");
-    expect(parabola.cubics().size() == 8, "one cubic");
-    const std::vector<double> turned{0, -1, 0, 1, 0, 0};
-    expect(parabola.transform(turned).control()[2] == 0, "a quarter turn");
-    const auto frames = parabola.frames(3);
+    expect(parabola.to_cubics().size() == 8, "one cubic");
+    expect(parabola.transform({0, -1, 0, 1, 0, 0}).points()[2] == 0, "a quarter turn");
+    const auto frames = parabola.frames_at(parabola.spread(3)).frames;
     expect(frames.size() == 3 && frames[1].t[0] * frames[1].s[0] + frames[1].t[1] * frames[1].s[1] == 0,
            "frames");
-    const bat::curve ring = bat::curve::through(circle(5, 64), 2, true);
+    const bat::Curve ring = bat::interpolate(circle(5, 64), 2, true);
     expect(ring.closed() && std::fabs(ring.length() - 31.41592653589793) < 1e-4, "length of a circle");
-    const bat::curve spline = bat::spline(std::vector<double>{0, 0, 2, 0}, std::vector<double>{0, 1, 0, -1});
+    const std::vector<double> places{0, 0, 2, 0}, directions{0, 1, 0, -1};
+    const bat::Curve spline = bat::spline({2, false, 2, places.data(), directions.data(), nullptr}).out;
     const auto start = spline.at(spline.domain()[0], 1);
     expect(start[2] == 0 && start[3] > 0, "directions are kept");
 }
 
 void hands() {
     const auto points = circle(10, 100);
-    const auto fitted = bat::fit(points, 0.05);
+    bat_fit_options options = bat_fit_defaults();
+    options.tolerance = 0.05;
+    const auto fitted = bat::fit(points, &options);
     expect(fitted.within && fitted.report.max_error <= 0.05, "a fit within its tolerance");
-    bat::live pen;
-    for (int i = 0; i <= 60; i++) pen.add(4 * i, 40 * std::sin(i / 15.0));
-    expect(pen.preview().count() >= 4, "a preview");
+    bat::LiveSketch pen = bat::live();
+    for (int i = 0; i <= 60; i++) pen.add_many(bat::Stroke{{4.0 * i, 40 * std::sin(i / 15.0)}});
+    expect(pen.preview().out.count() >= 4, "a preview");
     std::vector<double> drawn;
     for (int i = 0; i <= 60; i++) drawn.insert(drawn.end(), {4.0 * i, 40 * std::sin(i / 15.0)});
     const auto live = pen.commit();
-    const auto once = bat::sketch(bat::stroke{drawn});
-    expect(live.curve == once.curve, "live and in one call: the same curve");
-    bat::shape shape = bat::shape::decompose(once.curve, 1);
-    const double middle = (once.curve.domain()[0] + once.curve.domain()[1]) / 2;
-    const auto before = bat_curve_dimension(bat_shape_curve(shape.get(), 0));
-    shape.drag(0, middle, std::vector<double>{0, 5});
-    expect(before == 2 && shape.levels() == 1 && shape.flatten().count() == once.curve.count(), "levels");
+    const auto once = bat::sketch(bat::Stroke{drawn});
+    expect(live.out == once.out, "live and in one call: the same curve");
+    bat::Shape shape = once.out.levels(1);
+    const double middle = (once.out.domain()[0] + once.out.domain()[1]) / 2;
+    shape.drag(0, middle, {0, 5});
+    expect(shape.levels() == 1 && shape.flatten().count() == once.out.count(), "levels");
+    expect(shape.details(1).size() == 3 * shape.nodes(1).size(), "details");
 }
 
 void drawings() {
-    bat::editor editor;
+    bat::Editor editor;
     std::vector<std::string> names;
 #define NAME(id, name, keys) names.emplace_back(name);
     BAT_EACH_COMMAND(NAME)
@@ -103,31 +105,31 @@ void drawings() {
         expect(status == BAT_OK || status == BAT_STATE, name.c_str()); // some are of a picture alone
     }
     expect(refused([&] { editor.command("no-such-command"); }) == BAT_UNSUPPORTED, "no such command");
-    const bat::document empty;
-    expect(empty.svg().find("<svg") != std::string::npos && bat::document::read(empty.write()).count() == 0,
+    const bat::Document empty = bat::document();
+    expect(empty.to_svg().find("<svg") != std::string::npos && bat::read_document(empty.write()).count() == 0,
            "a document");
     expect(editor.frame() != nullptr, "a frame");
 }
 
 void refusals() {
     const std::vector<double> control{0, 0, 1, 1}, odd{0, 0, 1}, knots{0, 0, 1, 1};
-    const bat::curve line(2, 1, false, control, knots);
-    expect(refused([&] { (void)bat::curve(2, 1, false, odd, knots); }) == BAT_DIMENSION, "half a point");
-    expect(refused([&] { (void)bat::curve(2, 1, false, control, odd); }) == BAT_KNOTS, "too few knots");
+    const bat::Curve line = bat::curve(control, knots, 2, 1);
+    expect(refused([&] { (void)bat::curve(odd, knots, 2, 1); }) == BAT_COUNT, "half a point");
+    expect(refused([&] { (void)bat::curve(control, odd, 2, 1); }) == BAT_KNOTS, "too few knots");
     expect(refused([&] { (void)line.split(2); }) == BAT_PARAMETER, "a cut outside");
-    expect(refused([&] { (void)bat::fit(std::vector<double>{}, 1); }) == BAT_ARGUMENT, "no points");
-    expect(refused([&] { (void)bat::curve::read("{"); }) == BAT_SYNTAX, "no curve");
+    expect(refused([&] { (void)bat::fit({}); }) == BAT_ARGUMENT, "no points");
+    expect(refused([&] { (void)bat::read_curve("{"); }) == BAT_SYNTAX, "no curve");
     expect(refused([&] { (void)line.at(0.5, -1); }) == BAT_ARGUMENT, "a negative order");
-    expect(refused([&] { bat::shape(line).drag(3, 0.5, odd); }) == BAT_ARGUMENT, "no such level");
-    bat::live pen;
-    expect(refused([&] { (void)pen.commit(); }) != BAT_OK && refused([&] { pen.add(1, 2); }) == BAT_ARGUMENT,
+    expect(refused([&] { line.shape().drag(3, 0.5, {0, 1}); }) == BAT_ARGUMENT, "no such level");
+    bat::LiveSketch pen = bat::live();
+    expect(refused([&] { (void)pen.commit(); }) != BAT_OK && refused([&] { pen.add_many(bat::Stroke{{1, 2}}); }) == BAT_ARGUMENT,
            "a session that has ended");
 }
 } // namespace
 
 int main() {
-    static_assert(std::is_nothrow_move_constructible_v<bat::curve> &&
-                  !std::is_copy_constructible_v<bat::curve>);
+    static_assert(std::is_nothrow_move_constructible_v<bat::Curve> &&
+                  !std::is_copy_constructible_v<bat::Curve>);
     curves(), hands(), drawings(), refusals();
     return faults == 0 ? 0 : 1;
 }

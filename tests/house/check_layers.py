@@ -36,7 +36,7 @@ ROOM_OF_HEADER = {
     "nearest": "curve", "fit": "curve", "frames": "curve/frames", "function": "curve",
     "relate": "relate", "blend": "relate", "region": "relate/region", "width": "relate", "interpolate": "points",
     "sketch": "hands/sketch", "tangents": "hands/tangents", "levels": "hands/levels",
-    "surface": "form/surface", "relief": "form/relief", "mesh": "form/mesh", "compare": "form/compare", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "recipe": "form/recipe", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
+    "surface": "form/surface", "check": "form/surface", "relief": "form/relief", "mesh": "form/mesh", "compare": "form/compare", "wires": "form/wire", "view": "form/view", "sweep": "form/sweep", "recipe": "form/recipe", "camera": "form/camera", "motion": "form/motion", "trace": "form/trace", "sight": "form/sight",
     "document": "document", "paint": "document",
     "format": "document", "format_space": "document",
     "input": "editor/tables", "frame": "editor/tables", "panels": "editor/tables", "editor": "editor/tables",

@@ -1,82 +1,37 @@
 // Calls of C as calls.txt describes them: arguments are placed in memory, the function is called, results are read.
-import { BattenError, STATUSES } from './error.js';
-import { dimensionOf, evaluate, isNumbers, numbersOf } from './given.js';
-import { camel, countOf, intOf, Numbers, numberOf, valueOf } from './memory.js';
+import { BattenError, shown, STATUSES, wrong } from './error.js';
+import { bytesOf, converted, dimensionOf, evaluate, isNumbers, numbersOf, rowOf } from './given.js';
+import { bareOf, camel, Numbers, wordOf } from './memory.js';
+import { FLAT } from './structs.js';
 
-/** A call as calls.txt describes it. @typedef {{ c: string, names: string[], args: [string, string][], returns: string, returned?: string }} Description */
-/** An argument of C: what kind it is of, its type with and without pointers, and what its word says of it.
- * @typedef {{ word: string, type: string, bare: string, kind: string, name: string, formula?: string, missing?: string, least?: string, optional?: boolean,
- *   whole?: boolean, handed?: boolean, back?: boolean, ends?: boolean }} Argument */
-/** @typedef {Description & { parsed: Argument[], positional: Argument[], options: Set<string>, writes: Argument | null }} Plan */
+/** @typedef {import('./plan.js').Argument} Argument */
+/** @typedef {import('./plan.js').Plan} Plan */
 /** A result: where it is, and how many. @typedef {Argument & { at: number, count: number, isHandle: boolean, into: Numbers | null }} Result */
 
-/** A type of C without const and pointers. @param {string} type */
-const bareOf = (type) => type.replace(/const|[ *]/g, '');
 const LITERALS = { false: false, true: true, inf: Infinity };
-
-/** A word of calls.txt, taken apart. */
-function parse([word, type]) {
-  const found = { word, type, bare: bareOf(type) };
-  const is = (kind, more) => ({ ...found, kind, ...more });
-  if (/^@/.test(word)) {
-    return is('self', { ends: word === '@!' });
-  }
-  if (word === 'dim' || word === 'null') {
-    return is(word);
-  }
-  let match;
-  if ((match = /^=(.+)/.exec(word))) {
-    return is('follows', { formula: match[1] });
-  }
-  if ((match = /^[#%](\w+)/.exec(word))) {
-    return is(word[0] === '#' ? 'count' : 'room', { name: match[1] });
-  }
-  if ((match = /^\((\w+)\)|^\{(>?)(\w+)\}/.exec(word))) {
-    return is(match[1] ? 'struct' : 'options', { name: match[1] ?? match[3], back: Boolean(match[2]) });
-  }
-  if ((match = /^>(\w+)(\*?)(?:\[(.*)\])?/.exec(word))) {
-    return is('result', { name: match[1], handed: Boolean(match[2]), formula: match[3] });
-  }
-  if ((match = /^(\w+)\[(=?)(.*)\](\??)/.exec(word))) {
-    return is('array', { name: match[1], whole: Boolean(match[2]), formula: match[3], optional: Boolean(match[4]) });
-  }
-  match = /** @type {RegExpExecArray} */ (/^(\w+)(?:=(.+)|:(\d))?/.exec(word));
-  return is('scalar', { name: match[1], missing: match[2], least: match[3] });
-}
-
-/** What a call of calls.txt needs, found once. @param {Description} call @param {Record<string, import('./memory.js').Struct>} structs @returns {Plan} */
-export function prepare(call, structs) {
-  const args = call.args.map(parse);
-  const has = (arg) => ['scalar', 'array', 'struct'].includes(arg.kind);
-  const isOptional = (arg) => arg.optional || arg.missing !== undefined;
-  const options = new Set(args.filter((arg) => has(arg) && isOptional(arg)).map((arg) => camel(arg.name)));
-  for (const { kind, bare } of args) {
-    if (kind === 'options' || kind === 'struct') {
-      structs[bare].fields.forEach(({ name }) => options.add(camel(name)));
-    }
-  }
-  options.add('dimension');
-  const written = args.filter(({ kind, bare, formula, handed }) => kind === 'result' && bare === 'double' && formula !== undefined && !handed);
-  if (written.length === 1) {
-    options.add('into');
-  }
-  return { ...call, writes: written.length === 1 ? written[0] : null, parsed: args, options, positional: args.filter((arg) => has(arg) && !isOptional(arg)) };
-}
+const NOTHING = 0xffffffff; // of an index
+const MOST = 1 << 26; // numbers of one result: half a GB
 
 /** One call: its arguments by name, and the results that it is to bring. */
 export class Call {
   /** @param {import('./library.js').Batten} library @param {Plan} plan @param {import('./library.js').Curve | null} self or an object of another class
    * @param {unknown[]} given what the caller gives */
   constructor(library, plan, self, given) {
-    Object.assign(this, { library, plan, self, memory: library.memory });
+    Object.assign(this, { library, plan, self, memory: library.memory, structs: library.structs });
     this.values = new Map();
     this.results = [];
+    this.copies = []; // which the call keeps
+    this.told = 0;
     plan.positional.forEach((arg, i) => this.values.set(arg.name, given[i]));
     this.options = given[plan.positional.length] ?? {};
-    for (const name of Object.keys(this.options)) {
-      if (!plan.options.has(name)) {
-        throw new BattenError('argument', `${camel(plan.names[0].split('.')[1])} has no option ${name}`);
-      }
+    this.name = camel(plan.names[0].split('.')[1].replace(/^_|\(\)$/g, ''));
+    if (given.length > plan.positional.length + 1 || typeof this.options !== 'object') {
+      const names = [...plan.positional.map((arg) => camel(arg.name)), 'options'];
+      throw wrong(this.name, `(${names.join(', ')})`, given.length > names.length ? `${given.length} arguments` : `${shown(this.options)} as options`);
+    }
+    const other = Object.keys(this.options).find((name) => !plan.options.has(name));
+    if (other !== undefined) {
+      throw new BattenError('argument', `${this.name} has no option ${other}, but ${[...plan.options].join(', ')}`);
     }
     for (const arg of plan.parsed) {
       if ((arg.missing !== undefined || arg.optional) && !this.values.has(arg.name)) {
@@ -88,7 +43,7 @@ export class Call {
 
   /** The dimension: of the object, as an option says, or as the points show it. @returns {number} */
   #dimension() {
-    const arrays = this.plan.parsed.filter(({ kind, formula, name }) => (kind === 'array' && /dim/.test(formula)) || (kind === 'struct' && name !== 'regions'));
+    const arrays = this.plan.parsed.filter(({ kind, formula, bare }) => (kind === 'array' && /dim/.test(formula)) || (kind === 'struct' && FLAT.includes(bare)));
     const [first] = arrays.map(({ name }) => this.values.get(name));
     const points = isNumbers(first) ? first : first?.points;
     const vector = arrays[0]?.whole && arrays[0].formula === 'dim' ? points?.length : undefined;
@@ -104,203 +59,191 @@ export class Call {
       return this.#records(name.slice(1));
     }
     if (name === 'level_count') {
-      return this.self.curve(this.values.get('level')).count;
+      return this.self.countOf_(this.values.get('level'));
     }
-    return this.values.get(name) ?? this.self[camel(name)];
+    const value = this.values.get(name) ?? this.self[camel(name)];
+    return typeof value === 'function' ? value.call(this.self, this.values.get('direction')) : value;
   };
 
   /** How many records an argument has: points, or what its formula says. @param {string} name @returns {number} */
   #records(name) {
     const value = this.values.get(name);
-    const arg = this.plan.parsed.find((one) => one.name === name && (one.kind === 'array' || one.kind === 'struct'));
+    const arg = this.plan.parsed.find((one) => one.name === name && ['array', 'struct', 'text'].includes(one.kind));
     if (value === undefined || value === null) {
       if (arg.optional) {
         return 0;
       }
-      throw new BattenError('argument', `${name} is missing`);
+      throw wrong(camel(name), 'a value', shown(value));
     }
-    if (arg.kind === 'struct') {
-      return arg.name === 'regions' ? value.length : numbersOf(isNumbers(value) ? value : value.points, this.dimension, name).length / this.dimension;
+    if (arg.kind === 'text') {
+      return bytesOf(value, name, true).length;
     }
-    const numbers = numbersOf(value, this.dimension, name);
-    return numbers.length / (arg.whole ? 1 : evaluate(arg.formula, this.#look));
+    if (FLAT.includes(arg.bare)) {
+      return numbersOf(isNumbers(value) ? value : value.points, this.dimension, camel(name)).length / this.dimension;
+    }
+    if (arg.kind === 'struct' || arg.bare in this.library.tables.classes) {
+      if (!Array.isArray(value)) {
+        throw wrong(camel(name), 'an array', shown(value));
+      }
+      return value.length;
+    }
+    const each = arg.whole ? 1 : evaluate(arg.formula, this.#look);
+    return (arg.bare === 'double' ? numbersOf(value, this.#each(arg), camel(name)).length : rowOf(value, camel(name)).length) / each;
   }
 
-  /** A number, truth, word or handle, as C takes it. @param {Argument} arg @returns {number} */
-  #scalar({ name, missing, least, type, bare }) {
-    let value = this.values.get(name);
-    if (value === undefined && missing !== undefined) {
+  /** How many numbers a point of an array has. @param {Argument} arg @returns {number} */
+  #each({ formula, whole }) {
+    return !/dim/.test(formula) && !whole && formula !== '1' ? evaluate(formula, this.#look) : this.dimension;
+  }
+
+  /** A number, truth, word or handle, as C takes it. @param {Argument} arg @returns {number | bigint} */
+  #scalar(arg) {
+    const { missing, least, bare } = arg;
+    const name = camel(arg.name);
+    let value = this.values.get(arg.name);
+    if ((value === undefined || value === null) && missing !== undefined) {
       const ends = { start: 0, end: 1 };
       value = missing in ends ? this.self.domain[ends[missing]] : missing in LITERALS ? LITERALS[missing] : Number.isNaN(Number(missing)) ? missing : Number(missing);
-      this.values.set(name, value);
+      this.values.set(arg.name, value);
     }
-    if (bare in this.library.classes) {
-      return this.library.handleOf(value, this.library.classes[bare], name);
+    if (bare in this.library.tables.classes) {
+      return this.#handle(value, arg, name);
     }
-    if (least !== undefined && !(value >= Number(least) && value <= this.#levels())) {
-      throw new BattenError('argument', `there is no level ${value}`);
+    if (value === Infinity && missing === 'inf') {
+      return value;
     }
-    if (bare in this.memory.enums) {
-      return valueOf(this.memory.enums[bare], value, name);
+    const found = converted(this.library.tables, bare, value, name, `${this.plan.names[0].split('.')[0]}.${name}`);
+    if (least !== undefined && !(found >= Number(least) && found <= this.self.levels_)) {
+      throw wrong(name, `a level from ${least} to ${this.self.levels_}`, shown(value));
     }
-    return type === 'double' ? numberOf(value, name) : type === 'bool' ? Number(Boolean(value)) : type === 'size_t' ? countOf(value, name) : intOf(value, name);
+    return bare === 'bat_id' || bare === 'uint64_t' ? BigInt(found) : found;
   }
 
-  /** How many levels the shape has that this is, or is an edit of. @returns {number} */
-  #levels() {
-    return this.self.levels ?? this.memory.exports.bat_shape_levels(this.memory.exports.bat_shape_live_shape(this.self.at_));
+  /** The address of an object; of one that the call keeps, that of a copy. @param {unknown} value @param {Argument} arg @param {string} name @returns {number} */
+  #handle(value, { bare, name: own, kept }, name) {
+    const { library } = this;
+    const at = library.handleOf_(value, library.tables.classes[bare], name);
+    if ((own === 'b' || own === 'onto') && this.self?.dim && value.dim && value.dim !== this.dimension && this.name !== 'isEqual') {
+      throw wrong(name, `one of dimension ${this.dimension}`, `one of ${value.dim}`, 'dimension');
+    }
+    if (kept) {
+      this.copies.push(library.copied_(bare, at));
+    }
+    return kept ? this.copies.at(-1).at_ : at;
   }
 
-  /** Places numbers in memory. @param {Argument} arg @returns {number} their address; 0: none were given */
-  #array({ name, whole, formula, optional }) {
-    const value = this.values.get(name);
+  /** Places numbers or objects in memory. @param {Argument} arg @returns {number} their address; 0: none were given */
+  #array(arg) {
+    const { whole, formula, optional, bare, back } = arg;
+    const { memory, library } = this;
+    const name = camel(arg.name);
+    const value = this.values.get(arg.name);
     if (optional && (value === undefined || value === null)) {
       return 0;
     }
-    const numbers = numbersOf(value, this.dimension, name);
+    if (bare in library.tables.classes) {
+      const count = this.#records(arg.name);
+      if (whole && count !== evaluate(formula, this.#look)) {
+        throw wrong(name, `${evaluate(formula, this.#look)} of them`, `${count}`, 'count');
+      }
+      return memory.placeList(value.map((one, i) => this.#handle(one, arg, `${name}[${i}]`)));
+    }
+    const numbers = bare === 'double' ? numbersOf(value, this.#each(arg), name) : null;
     const size = evaluate(formula, this.#look);
-    if (whole ? numbers.length !== size : numbers.length % size !== 0) {
-      throw new BattenError('count', `${name} has ${numbers.length} numbers${whole ? `, not ${size}` : `, in points of ${size}`}`);
+    const length = numbers?.length ?? rowOf(value, name).length;
+    if (whole ? length !== size : length % size !== 0) {
+      throw wrong(name, whole ? `${size} numbers` : `points of ${size} numbers`, `${length} numbers`, 'count');
     }
-    return this.memory.place(numbers);
-  }
-
-  /** Writes a field and, before it, its count or the truth that it is there. */
-  #field(at, fields, field, value, dimension) {
-    const { memory } = this;
-    const i = fields.indexOf(field);
-    if (field.type.endsWith('*')) {
-      const numbers = numbersOf(value, dimension, field.name);
-      const ints = field.bare === 'int';
-      const place = ints ? memory.borrow(4 * numbers.length) : memory.place(numbers);
-      if (ints) {
-        Array.from(numbers, (one, k) => memory.writeOne('int', place + 4 * k, one, field.name));
-      }
-      memory.view.setUint32(at + field.at, place, true);
-      if (/_count$/.test(fields[i - 1]?.name)) {
-        memory.view.setUint32(at + fields[i - 1].at, numbers.length, true);
-      }
-    } else if (field.room) {
-      const numbers = numbersOf(value, field.room, field.name);
-      if (numbers.length > field.room) {
-        throw new BattenError('count', `${field.name} has ${numbers.length} numbers, not ${field.room}`);
-      }
-      Array.from(numbers, (one, k) => memory.writeOne(field.type, at + field.at + k * memory.sizeOf(field.type), one, field.name));
-      const there = fields.find(({ name }) => name === `has_${field.name}`);
-      if (there) {
-        memory.view.setUint8(at + there.at, 1);
-      }
-    } else {
-      memory.writeOne(field.type, at + field.at, value, camel(field.name));
+    if (!numbers) {
+      return this.structs.row(bare, value, name)[0];
     }
-  }
-
-  /** Places a struct of options: the defaults, and what was given. @param {Argument} arg @returns {number} its address */
-  #options({ bare }) {
-    const { memory } = this;
-    const { size, fields } = memory.structs[bare];
-    const at = memory.borrow(size);
-    memory.exports[`${bare}_init`](at, size);
-    for (const field of fields) {
-      const value = this.options[camel(field.name)];
-      if (field.name !== 'size' && value !== undefined) {
-        this.#field(at, fields, { ...field, bare: bareOf(field.type) }, value, this.dimension);
-      }
+    const at = back ? memory.place(numbers instanceof Numbers ? numbers.values.slice() : Array.from(numbers)) : memory.place(numbers);
+    if (back) {
+      this.results.push({ ...arg, at, count: numbers.length, isHandle: false, into: null });
     }
     return at;
   }
 
-  /** Places a stroke, a spline or regions. @param {Argument} arg @returns {number} its address */
-  #struct({ name, bare }) {
-    const { memory } = this;
+  /** Text and bytes. @param {Argument} arg @returns {number} its address; 0: none was given */
+  #text({ name, optional, many }) {
     const value = this.values.get(name);
-    if (name === 'regions') {
-      return this.#regions(value);
-    }
-    const given = isNumbers(value) ? { ...this.options, points: value } : { ...this.options, ...value };
-    const numbers = numbersOf(given.points, this.dimension, name);
-    const { size, fields } = memory.structs[bare];
-    const at = memory.borrow(size);
-    const count = numbers.length / this.dimension;
-    if (!Number.isInteger(count)) {
-      throw new BattenError('count', `${name} has ${numbers.length} numbers, in points of ${this.dimension}`);
-    }
-    const each = { points: this.dimension, tangents: this.dimension, tension: 2, pressure: 1, time: 1 };
-    const written = { ...given, points: numbers, dimension: this.dimension, count };
-    for (const field of fields) {
-      const one = written[camel(field.name)];
-      if (one !== undefined && one !== null) {
-        if (field.type.endsWith('*') && numbersOf(one, each[field.name], field.name).length !== count * each[field.name]) {
-          throw new BattenError('count', `there are not as many ${field.name} as points`);
-        }
-        this.#field(at, fields, { ...field, bare: bareOf(field.type) }, one, each[field.name]);
-      }
-    }
-    return at;
+    return optional && (value === undefined || value === null) ? 0 : this.memory.placeBytes(bytesOf(value, camel(name), many));
   }
 
-  /** Regions: each a curve, a list of curves, or {curves, evenOdd}. */
-  #regions(value) {
-    const { memory } = this;
-    const at = memory.borrow(12 * value.length);
-    value.forEach((region, i) => {
-      const curves = Array.isArray(region) ? region : region.curves ?? [region];
-      const list = memory.borrow(4 * curves.length);
-      curves.forEach((curve, k) => memory.view.setUint32(list + 4 * k, this.library.handleOf(curve, 'Curve', 'regions'), true));
-      memory.view.setUint32(at + 12 * i, curves.length, true);
-      memory.view.setUint32(at + 12 * i + 4, list, true);
-      memory.view.setUint8(at + 12 * i + 8, region.evenOdd ? 1 : 0);
-    });
-    return at;
+  /** Places a struct, or several. @param {Argument} arg @returns {number} its address */
+  #struct({ name, bare, optional, many }) {
+    const value = this.values.get(name);
+    if (FLAT.includes(bare)) {
+      return this.structs.flat(bare, isNumbers(value) ? { ...this.options, points: value } : { ...this.options, ...value }, this.dimension, camel(name));
+    }
+    if (many) {
+      return this.structs.list(bare, value, camel(name));
+    }
+    const isMissing = optional && (value === undefined || value === null);
+    return isMissing && bare !== 'bat_style' ? 0 : this.structs.one(bare, isMissing ? {} : value, camel(name));
   }
 
   /** Makes room for a result. @param {Argument} arg @returns {number} its address */
   #result(arg) {
     const { memory } = this;
     const { bare, formula, handed, name } = arg;
-    const isHandle = bare in this.library.classes;
-    const waits = /^room$/.test(formula ?? '') && this.values.get('room') === 0;
+    const isHandle = bare in this.library.tables.classes;
+    const waits = /\broom\b/.test(formula ?? '') && this.values.get('room') === 0;
     const count = handed || formula === undefined ? 1 : evaluate(formula, this.#look);
-    const size = handed || isHandle ? 4 : memory.sizeOf(bare) * countOf(count, name);
+    if (!(Number.isInteger(count) && count >= 0 && count <= MOST)) {
+      throw wrong(camel(name), `0 to ${MOST} of them`, shown(count), 'count');
+    }
+    const size = handed || isHandle ? 4 : memory.sizeOf(bare) * count;
     const into = this.plan.writes === arg && this.options.into instanceof Numbers ? this.options.into : null;
     if (into && into.length < count) {
-      throw new BattenError('count', `into has ${into.length} numbers, not ${count}`);
+      throw wrong('into', `${count} numbers`, `${into.length}`, 'count');
     }
     const at = waits ? 0 : into ? into.at : memory.borrow(size);
     this.results.push({ ...arg, at, count, isHandle, into });
     return at;
   }
 
-  /** One argument, as C takes it. @param {Argument} arg @returns {number} */
+  /** One argument, as C takes it. @param {Argument} arg @returns {number | bigint} */
   #argument(arg) {
     switch (arg.kind) {
-      case 'self': return this.self ? this.library.handleOf(this.self, this.self.kind, 'this') : 0;
-      case 'dim': return intOf(this.dimension, 'dimension');
+      case 'self': return this.self ? this.library.handleOf_(this.self, this.self.kind_, 'this') : 0;
+      case 'dim': return converted(this.library.tables, 'int', this.dimension, 'dimension');
       case 'null': return 0;
-      case 'follows': return this.#whole(evaluate(arg.formula, this.#look));
-      case 'count': return this.#whole(this.#records(arg.name));
+      case 'follows': return this.#whole(evaluate(arg.formula, this.#look), arg.formula);
+      case 'count': return this.#whole(this.#records(arg.name), arg.name);
       case 'room': return this.values.get('room');
       case 'scalar': return this.#scalar(arg);
       case 'array': return this.#array(arg);
+      case 'text': return this.#text(arg);
+      case 'told': return this.#tell(arg);
       case 'struct': return this.#struct(arg);
       case 'options': return this.#kept(arg);
       default: return this.#result(arg);
     }
   }
 
+  /** Room for what the call says of its failure. @param {Argument} arg @returns {number} */
+  #tell({ bare }) {
+    this.told = this.memory.borrow(this.memory.sizeOf(bare));
+    if (bare === 'size_t') {
+      this.memory.writeOne(bare, this.told, NOTHING);
+    }
+    return this.told;
+  }
+
   /** Options, which are read again after the call where they bring something back. @param {Argument} arg @returns {number} */
   #kept(arg) {
-    const at = this.#options(arg);
+    const at = this.structs.options(arg.bare, this.options, this.dimension);
     if (arg.back) {
       this.results.push({ ...arg, at, count: 1 });
     }
     return at;
   }
 
-  /** A count, which has to be whole. @param {number} count @returns {number} */
-  #whole(count) {
+  /** A count, which has to be whole. @param {number} count @param {string} name @returns {number} */
+  #whole(count, name) {
     if (!Number.isInteger(count)) {
-      throw new BattenError('count', 'the numbers do not make whole points');
+      throw wrong(camel(name.match(/[a-z]\w*/)?.[0] ?? name), 'whole points', `${count} of them`, 'count');
     }
     return count;
   }
@@ -308,8 +251,7 @@ export class Call {
   /** Makes the call: twice where the first says how much room the second needs. @returns {unknown} */
   run() {
     return this.memory.during(() => {
-      const room = this.plan.parsed.find(({ kind }) => kind === 'room');
-      if (room) {
+      if (this.plan.parsed.some(({ kind }) => kind === 'room')) {
         this.values.set('room', 0);
         this.counting = true;
         const returned = this.#once();
@@ -324,15 +266,32 @@ export class Call {
 
   /** Places the arguments, calls, and reads the results; throws when the status is not ok. @returns {unknown} */
   #once() {
-    const { plan, memory } = this;
-    const args = plan.parsed.filter((arg) => arg.kind !== 'result').reduce((map, arg) => map.set(arg, this.#argument(arg)), new Map());
-    plan.parsed.filter((arg) => arg.kind === 'result').forEach((arg) => args.set(arg, this.#argument(arg)));
-    const returned = memory.exports[plan.c](...plan.parsed.map((arg) => args.get(arg)));
+    const { plan, memory, library } = this;
+    const last = (arg) => (arg.kind === 'result' ? 1 : arg.kind === 'self' ? 2 : 0); // getters of what is given may end the object
+    const args = new Map();
+    let returned;
+    try {
+      [...plan.parsed].sort((a, b) => last(a) - last(b)).forEach((arg) => args.set(arg, this.#argument(arg)));
+      const guard = library.tables.rules.checked[plan.c];
+      if (guard) {
+        library.check_(memory.exports[guard](args.get(plan.parsed[0])));
+      }
+    } catch (error) {
+      this.copies.forEach((one) => one.free());
+      throw error;
+    }
+    returned = memory.exports[plan.c](...plan.parsed.map((arg) => args.get(arg)));
+    this.copies.forEach((one) => one.gone()); // whatever it returns, they are the call's
     if (plan.parsed[0]?.ends) {
       this.self.gone();
     }
     if (this.counting) {
       return returned;
+    }
+    for (const { name, at, bare, formula, handed, isHandle } of this.results) {
+      if (!isHandle && !handed && formula === undefined && (bare === 'int' || bare === 'size_t')) {
+        this.values.set(name, this.memory.readOne(bare, at));
+      }
     }
     if (plan.returns !== 'bat_status') {
       return plan.returns === 'void' || this.values.has('room') ? this.#assemble() : this.#returned(returned);
@@ -342,38 +301,63 @@ export class Call {
       return this.#assemble();
     }
     const best = status === 'tolerance' && this.results.some(({ isHandle, at }) => isHandle && memory.view.getUint32(at, true)) ? this.#assemble() : undefined;
-    throw new BattenError(status, memory.text(memory.exports.bat_status_message(returned)), best);
+    const given = [...this.values, ...Object.entries(this.options)].filter(([name, value]) => name !== 'room' && value !== undefined);
+    const written = [...new Map(given.map(([name, value]) => [camel(name), shown(value)]))].map((one) => one.join(': ')).join(', ');
+    const explains = memory.exports[library.tables.rules.explained[plan.c]];
+    if (explains) {
+      this.told = memory.borrow(memory.sizeOf('bat_problem'));
+      explains(...plan.parsed.slice(0, -1).map((arg) => args.get(arg)), this.told);
+    }
+    throw new BattenError(status, `${this.#said(memory.text(memory.exports.bat_status_message(returned)))} (${this.name}(${written}))`, best);
   }
 
-  /** What the function itself returned. @param {number} value @returns {unknown} */
+  /** What the call told of its failure: by a problem, or by the index of what is wrong. @param {string} message @returns {string} */
+  #said(message) {
+    const { memory, told } = this;
+    const bare = told ? this.plan.parsed.find(({ kind }) => kind === 'told')?.bare ?? 'bat_problem' : undefined;
+    if (bare === 'bat_problem') {
+      const { place, message: why } = this.structs.read(bare, told);
+      return [place, why].filter(Boolean).join(': ') || message;
+    }
+    const index = bare ? memory.readOne('size_t', told) : NOTHING;
+    return index === NOTHING ? message : `${message} (number ${index})`;
+  }
+
+  /** What the function itself returned. @param {number | bigint} value @returns {unknown} */
   #returned(value) {
     const { plan, memory, library } = this;
     const bare = bareOf(plan.returns);
     if (plan.returned) {
-      return memory.readMany(bare, value, evaluate(plan.returned, this.#look));
+      return this.structs.many(bare, value, evaluate(plan.returned, this.#look));
     }
-    if (bare in library.classes) {
-      return library.copied(bare, value, this.dimension);
+    if (bare === 'char') {
+      return value ? memory.text(value) : null;
+    }
+    if (bare in library.tables.classes) {
+      return value ? library.copied_(bare, value, this.dimension) : null;
     }
     if (plan.returns.endsWith('*')) {
-      return memory.readStruct(bare, value);
+      return value ? this.structs.read(bare, value) : null;
     }
-    return bare === 'bool' ? Boolean(value) : value;
+    return bare === 'bool' ? Boolean(value) : bare === 'bat_id' ? Number(value) : bare === 'uint64_t' ? BigInt.asUintN(64, value)
+      : bare in memory.enums ? wordOf(memory.enums[bare], value) : value;
   }
 
   /** Reads one result. @param {Result} result @returns {unknown} */
   #read({ at, bare, formula, handed, count, isHandle, into, name, kind }) {
     const { memory, library } = this;
+    const { structs, classes } = library.tables;
     if (isHandle && !handed) {
       const address = memory.view.getUint32(at, true);
-      return address && library.make(library.classes[bare], address, this.values.get('dimension') ?? this.dimension);
+      return address && library.make_(classes[bare], address, this.values.get('dimension') ?? this.dimension);
     }
     if (handed) {
       const from = memory.view.getUint32(at, true);
       const many = evaluate(/** @type {string} */ (formula), this.#look);
-      const found = isHandle
-        ? Array.from({ length: many }, (_, i) => library.make(library.classes[bare], memory.view.getUint32(from + 4 * i, true), this.dimension))
-        : from ? memory.readMany(bare, from, many) : [];
+      const bytes = bare === 'char' && new Uint8Array(memory.buffer, from, many);
+      const found = bytes ? (name === 'text' ? new TextDecoder().decode(bytes) : bytes.slice())
+        : isHandle ? Array.from({ length: many }, (_, i) => library.make_(classes[bare], memory.view.getUint32(from + 4 * i, true), this.dimension))
+          : from ? this.structs.many(bare, from, many) : [];
       memory.exports.bat_free(from);
       return found;
     }
@@ -381,14 +365,18 @@ export class Call {
       return into.values.subarray(0, count);
     }
     if (formula !== undefined) {
-      return memory.readMany(bare, at, count);
+      return this.structs.many(bare, at, count);
     }
-    const found = kind === 'options' || bare in memory.structs ? memory.readStruct(bare, at) : memory.readOne(bare, at);
-    if (bare === 'bat_meeting') {
-      memory.exports.bat_meeting_free(at);
+    if (kind !== 'options' && !(bare in structs)) {
+      return memory.readOne(bare, at);
+    }
+    const found = this.structs.read(bare, at);
+    const end = kind === 'result' && (memory.exports[`${bare}_free`] ?? memory.exports[`${bare}_clear`]);
+    if (end) {
+      end(at); // what the library has put into it
     }
     if (bare === 'bat_sketch_live_info') {
-      const { fields } = memory.structs[bare];
+      const { fields } = structs[bare];
       const [size, target] = ['target_count', 'target'].map((field) => memory.view.getUint32(at + fields.find((one) => one.name === field).at, true));
       found.target = memory.doubles(target, size * this.dimension);
     }
@@ -397,12 +385,8 @@ export class Call {
 
   /** The results as one value. */
   #assemble() {
-    for (const { name, at, bare, formula, handed, isHandle } of this.results) {
-      if (!isHandle && !handed && formula === undefined && (bare === 'int' || bare === 'size_t')) {
-        this.values.set(name, this.memory.readOne(bare, at));
-      }
-    }
-    const used = (name) => this.results.some(({ formula }) => formula?.match(/\w+/g)?.includes(name)) || (name === 'count' && this.values.has('room'));
+    const used = (name) => this.results.some(({ formula, kind }) => kind === 'result' && formula?.match(/\w+/g)?.includes(name)) || this.plan.returned?.match(/\w+/g)?.includes(name)
+      || (name === 'count' && this.values.has('room'));
     const found = this.results.filter(({ name }) => !used(name)).map((result) => ({ ...result, value: this.#read(result) }));
     const handles = found.filter(({ isHandle, handed }) => isHandle && !handed);
     const rest = found.filter((one) => !handles.includes(one));

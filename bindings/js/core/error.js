@@ -17,3 +17,17 @@ export class BattenError extends Error {
     this.best = best;
   }
 }
+
+/** A value that was not expected, in words. @param {unknown} value @returns {string} */
+export function shown(value) {
+  const many = /** @type {{ length?: unknown }} */ (value)?.length;
+  if (typeof value === 'object' && value !== null) {
+    const name = value.constructor?.name ?? 'Object';
+    return `${/^[AEIO]/.test(name) ? 'an' : 'a'} ${name}${typeof many === 'number' ? ` of ${many}` : ''}`;
+  }
+  const text = typeof value === 'string' ? JSON.stringify(value) : typeof value === 'function' ? 'a function' : String(value);
+  return text.length <= 40 ? text : `${text.slice(0, 40)}...`;
+}
+
+/** The error of an argument. @param {string} name @param {string} expected @param {string} found in words @param {string} [status] @returns {BattenError} */
+export const wrong = (name, expected, found, status = 'argument') => new BattenError(status, `${name}: expected ${expected}, found ${found}`);

@@ -1,6 +1,8 @@
-// What callers give, as numbers in a row: flat arrays, points as arrays or as objects with x and y.
-import { BattenError } from './error.js';
+// What callers give, as C takes it: numbers in a row from arrays of all kinds, text as bytes, numbers, truths and words.
+import { shown, wrong } from './error.js';
 import { Numbers } from './memory.js';
+
+const MOST = 0x7fffffff; // of whole numbers
 
 /** @param {unknown} value @returns {boolean} whether it is an array of any kind */
 const isRow = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
@@ -10,6 +12,9 @@ const isNested = (value) => Array.isArray(value) && value.length > 0 && typeof v
 /** @param {unknown} value @returns {boolean} whether it can be numbers in a row */
 export const isNumbers = (value) => value instanceof Numbers || isRow(value);
 
+/** @param {Numbers | ArrayLike<unknown>} value @returns {unknown[]} */
+export const listOf = (value) => Array.from(value instanceof Numbers ? value.values : value);
+
 /** The dimension that points show by themselves; undefined when they are flat. */
 export function dimensionOf(points) {
   const first = isNested(points) ? points.find((one) => one !== null) : undefined;
@@ -18,24 +23,87 @@ export function dimensionOf(points) {
 
 /** The coordinates of one point; zeros where there is none. @param {number[] | { x: number, y: number, z?: number } | null} point @param {number} dimension @param {string} name */
 function coordinates(point, dimension, name) {
-  const row = point === null ? new Array(dimension).fill(0) : isRow(point) ? point : [point.x, point.y, point.z].slice(0, dimension);
+  const row = point === null ? new Array(dimension).fill(0) : isRow(point) ? point : [point?.x, point?.y, point?.z].slice(0, dimension);
   if (row.length !== dimension) {
-    throw new BattenError('dimension', `${name} differ in dimension`);
+    throw wrong(name, `${dimension} coordinates`, `${row.length}`, 'dimension');
   }
-  return row;
+  return Array.from(row);
 }
 
 /** @returns {ArrayLike<number> | Numbers} */
 export function numbersOf(value, dimension, name) {
   if (!isNumbers(value)) {
-    throw new BattenError('argument', `${name} is not an array`);
+    throw wrong(name, 'an array of numbers', shown(value));
   }
-  const flat = isNested(value) ? value.flatMap((point) => Array.from(coordinates(point, dimension, name))) : value;
-  if (Array.isArray(flat) && flat.some((one) => typeof one !== 'number')) {
-    throw new BattenError('argument', `${name} holds something other than numbers`);
+  const flat = isNested(value) ? value.flatMap((point, i) => coordinates(point, dimension, `${name}[${i}]`)) : value;
+  for (let i = 0; i < flat.length && !(flat instanceof Numbers); i++) {
+    if (!Number.isFinite(flat[i])) {
+      const place = isNested(value) ? `${Math.floor(i / dimension)}][${i % dimension}` : i;
+      const isNumber = typeof flat[i] === 'number';
+      throw wrong(`${name}[${place}]`, isNumber ? 'a finite number' : 'a number', shown(flat[i]), isNumber ? 'number' : 'argument');
+    }
   }
   return flat;
 }
+
+/** What is in a row, or in rows, one after the other. @param {unknown} value @param {string} name @returns {unknown[]} */
+export function rowOf(value, name) {
+  if (!isNumbers(value)) {
+    throw wrong(name, 'an array', shown(value));
+  }
+  return listOf(value).flat();
+}
+
+/** Text as UTF-8; bytes as they are. @param {unknown} value @param {string} name @param {boolean} whole whether a NUL may be in it @returns {Uint8Array} */
+export function bytesOf(value, name, whole) {
+  const bytes = value instanceof ArrayBuffer ? new Uint8Array(value) : ArrayBuffer.isView(value)
+    ? new Uint8Array(value.buffer, value.byteOffset, value.byteLength) : typeof value === 'string' ? new TextEncoder().encode(value) : null;
+  if (!bytes) {
+    throw wrong(name, 'text or bytes', shown(value));
+  }
+  if (!whole && bytes.includes(0)) {
+    throw wrong(name, 'text without NUL', shown(value));
+  }
+  return bytes;
+}
+
+/** A number, truth or word, as C takes it.
+ * @param {{ enums: Record<string, Record<string, number>>, rules: { within: Record<string, number[]> } }} tables
+ * @param {string} type @param {unknown} value @param {string} name for errors @param {string} [key] what limits stand under, beside the name
+ * @returns {number} */
+export function converted({ enums, rules: { within } }, type, value, name, key) {
+  if (type in enums) {
+    if (typeof value !== 'string' || !Object.hasOwn(enums[type], value)) {
+      throw wrong(name, `one of ${Object.keys(enums[type]).join(', ')}`, shown(value));
+    }
+    return enums[type][value];
+  }
+  if (type === 'bool') {
+    if (typeof value !== 'boolean') {
+      throw wrong(name, 'true or false', shown(value));
+    }
+    return Number(value);
+  }
+  const number = typeof value === 'bigint' ? Number(value) : value;
+  if (typeof number !== 'number') {
+    throw wrong(name, 'a number', shown(value));
+  }
+  if (!Number.isFinite(number)) {
+    throw wrong(name, 'a finite number', shown(value), 'number');
+  }
+  if (type === 'double') {
+    return number;
+  }
+  const last = snake(name.slice(name.lastIndexOf('.') + 1));
+  const [low, high] = within[key] ?? within[last] ?? within[type] ?? [type === 'size_t' ? 0 : -MOST, MOST];
+  if (!Number.isInteger(number) || number < low || number > high) {
+    throw wrong(name, `a whole number from ${low} to ${high}`, shown(value), last === 'degree' || last === 'dimension' ? last : type === 'size_t' ? 'count' : 'argument');
+  }
+  return number;
+}
+
+/** maxError as C has it: max_error. @param {string} name @returns {string} */
+const snake = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
 /** The value of a formula of calls.txt, such as (order+1)*dim. @param {(name: string) => number} look */
 export function evaluate(formula, look) {

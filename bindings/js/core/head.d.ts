@@ -9,6 +9,8 @@ export interface Stroke { points: Points; pressure?: NumberList; time?: NumberLi
 export interface Spline { points: Points; tangents?: Points; tension?: NumberList; closed?: boolean }
 /** A region: a curve, the curves that bound it, or these with the rule that says what is inside. */
 export type Region = Curve | Curve[] | { curves: Curve[]; evenOdd?: boolean };
+/** What a model or a scene can be made of. */
+export type Solid = Curve | Surface | Mesh;
 /** target: the smoothed stroke with its transitions, target[strokeFirst] to target[strokeLast] being the stroke. */
 export interface LiveInfo { target: Float64Array; strokeFirst: number; strokeLast: number }
 /** Why a call failed, as a word. */
@@ -101,6 +103,123 @@ export class LiveSketch extends Handle {
   // LiveSketch: the calls of C
 }
 
+/** A tensor-product B-spline surface in space. */
+export class Surface extends Handle {
+  /** The control points, row by row: rows along u, columns along v, three numbers each. */
+  readonly points: Float64Array;
+  finder(): SurfaceFinder;
+  // Surface: the calls of C
+}
+
+/** Finds the nearest places of a surface, and where rays meet it. */
+export class SurfaceFinder extends Handle {
+  // SurfaceFinder: the calls of C
+}
+
+/** Triangles of a surface, which follow it when a part of it changes. */
+export class Tessellation extends Handle {
+  /** The triangles as they are. */
+  readonly grid: { rows: number; columns: number; points: Float64Array; normals: Float64Array; u: Float64Array; v: Float64Array; triangles: Int32Array };
+  // Tessellation: the calls of C
+}
+
+/** A surface with levels of detail over a base. */
+export class Relief extends Handle {
+  /** A level above: its knots in both directions (left out: those below), and what it adds. */
+  addLevel(options?: { uKnots?: NumberList; vKnots?: NumberList; details?: Points; source?: NumberList }): this;
+  // Relief: the calls of C
+}
+
+/** A profile that goes along a path. */
+export class Sweep extends Handle {
+  // Sweep: the calls of C
+}
+
+/** Polygons in space, or a cloud of points. */
+export class Mesh extends Handle {
+  /** The vertices of each face. */
+  readonly faces: Int32Array[];
+  // Mesh: the calls of C
+}
+
+/** What distances are measured to. */
+export class Reference extends Handle {
+  // Reference: the calls of C
+}
+
+/** Points that follow wires. */
+export class Binding extends Handle {
+  /** Where the points are when the wires are these curves. points: what to move instead of what was bound. */
+  apply(curves: readonly Curve[], options?: { points?: Points }): { points: Float64Array; report: WireReport };
+  // Binding: the calls of C
+}
+
+/** Curves that surfaces have in a view or with each other, as polylines. */
+export class Tracks extends Handle {
+  /** The points of a track. */
+  points(i: number): TrackPoint[];
+  // Tracks: the calls of C
+}
+
+/** What is seen of a scene, as lines. */
+export class LineDrawing extends Handle {
+  /** A line: what it is, and its points, four for each cubic. */
+  at(i: number): SeenLine & { points: Float64Array };
+  // LineDrawing: the calls of C
+}
+
+/** A camera move. */
+export class Camera extends Handle {
+  // Camera: the calls of C
+}
+
+/** Motion as it was recorded: a skeleton and its frames. */
+export class Take extends Handle {
+  /** How many joints there are, ends too. */
+  readonly jointCount: number;
+  // Take: the calls of C
+}
+
+/** A take with few knots, in levels. */
+export class Motion extends Handle {
+  /** The take that its skeleton is of: a copy. */
+  take(): Take;
+  /** How many joints there are, ends too. */
+  readonly jointCount: number;
+  // Motion: the calls of C
+}
+
+/** The bytes of a PNG, JPEG or WebP file. */
+export class Picture extends Handle {
+  /** The bytes of the file. */
+  readonly bytes: Uint8Array;
+  // Picture: the calls of C
+}
+
+/** An object of a document: a path, a spline, a group, a picture, a surface and so on. It never changes. */
+export class Object extends Handle {
+  /** Its curves. */
+  readonly curves: Curve[];
+  /** The corners of its picture, x and y; null: it has none. */
+  readonly corners: Float64Array | null;
+  /** Of a guide, its axis and where it is; else null. */
+  readonly guide: { axis: number; at: number } | null;
+  /** The ids of what it is made from. */
+  readonly sources: number[];
+  /** The spline that it is, as the calls take it; else null. */
+  readonly spline: (Spline & { dimension: number }) | null;
+  // Object: the calls of C
+}
+
+/** An ordered list of objects, back to front. */
+export class Document extends Handle {
+  /** All objects, back to front. */
+  readonly objects: Object[];
+  /** Puts an object in front of all others, under a new id, which is returned. */
+  add(object: Object): number;
+  // Document: the calls of C
+}
+
 /** The library: makes curves and what is made of curves. */
 export class Batten {
   private constructor();
@@ -108,6 +227,18 @@ export class Batten {
   readonly version: string;
   /** Numbers in the module's memory, for arguments and results (`into`) that are not copied. */
   array(length: number): Numbers;
+  /** A surface of rows of points, and knots in both directions. */
+  surface(points: readonly Points[], uKnots: NumberList, vKnots: NumberList, options?: { degree?: number | [number, number]; closed?: boolean | [boolean, boolean] }): Surface;
+  /** A mesh of vertices and faces, each an array of at least three of their numbers; a cloud of points without faces. */
+  mesh(vertices: Points, options?: { faces?: readonly NumberList[] }): Mesh;
+  /** A take of joints (name, parent, offset, channels, end) and, for each frame, a row with all their channels. */
+  take(joints: readonly BoneGiven[], values: NumberList | readonly NumberList[], frameTime: number): Take;
+  /** A stroke of JSON or CSV, as the calls take it. */
+  readStroke(text: string | Uint8Array): { points: Float64Array[]; pressure?: Float64Array; time?: Float64Array };
+  /** A spline of JSON, as the calls take it. */
+  readSpline(text: string | Uint8Array): { points: Float64Array[]; tangents?: Float64Array[]; tension?: Float64Array; closed: boolean };
+  /** An SVG file as a document, whose report says what was left out. Nothing is fetched. */
+  readSvg(text: string | Uint8Array, options?: SvgOptions): Document & { readonly report: Readonly<SvgReport> };
   // Batten: the calls of C
 }
 

@@ -1,11 +1,17 @@
-// The library's classes. Their methods come from calls.txt (calls.js); here are those that it cannot describe, and who owns what.
-import calls from './calls.js';
-import { Call, prepare } from './call.js';
-import { BattenError } from './error.js';
+// The library's classes. Their methods come from calls.txt (core.js); here are those that it cannot describe, and who owns what.
+import { Call } from './call.js';
+import core from './core.js';
+import { BattenError, shown, wrong } from './error.js';
+import { listOf, numbersOf } from './given.js';
 import { Memory, Numbers } from './memory.js';
 import { PathText, trace } from './path.js';
+import { prepare } from './plan.js';
+import { Structs } from './structs.js';
 
 export { BattenError, Numbers };
+
+/** What is known of the library: structs, enums, classes; kinds: the classes of JavaScript, by name. */
+export const tables = { structs: {}, inits: {}, enums: {}, classes: {}, frees: {}, kinds: {}, rules: core.rules };
 
 const dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
@@ -13,20 +19,21 @@ const dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 const lost = new FinalizationRegistry((/** @type {{ free: Function, at: number }} */ { free, at }) => free(at));
 
 /** An object in the module's memory, which is freed by free(), by `using`, or when nobody holds it any more. */
-class Handle {
+export class Handle {
   #at;
+  #owned = [];
 
   constructor(library, at, dim) {
     this.#at = at;
     Object.defineProperty(this, 'library', { value: library });
     Object.defineProperty(this, 'dim', { value: dim });
-    lost.register(this, { free: library.memory.exports[calls.frees[this.kind]], at }, this);
+    lost.register(this, { free: library.memory.exports[tables.frees[this.kind_]], at }, this);
   }
 
   /** Its address; throws when it has been freed. @returns {number} */
   get at_() {
     if (!this.#at) {
-      throw new BattenError('state', `this ${this.kind} has been freed`);
+      throw new BattenError('state', `this ${this.kind_} has been freed`);
     }
     return this.#at;
   }
@@ -37,11 +44,18 @@ class Handle {
     lost.unregister(this);
   }
 
+  /** Keeps copies of what it looks at. @template T @param {T} owned @returns {this} */
+  keep_(...owned) {
+    this.#owned.push(...owned);
+    return this;
+  }
+
   /** Gives its memory back at once. */
   free() {
     if (this.#at) {
-      this.library.memory.exports[calls.frees[this.kind]](this.#at);
+      this.library.memory.exports[tables.frees[this.kind_]](this.#at);
       this.gone();
+      this.#owned.forEach((one) => one.free());
     }
   }
 
@@ -53,16 +67,11 @@ class Handle {
 
 /** A B-spline curve. */
 export class Curve extends Handle {
-  /** The name of its class. */
-  get kind() {
-    return 'Curve';
-  }
-
   /** Frames at n places, or at parameters: arrays of three numbers each. @param {number | ArrayLike<number>} n */
   frames(n, options = {}) {
     const chain = this.frameChain(options);
     try {
-      const u = typeof n === 'number' ? this.spread(n) : Float64Array.from(n);
+      const u = typeof n === 'number' ? this.spread(n) : Float64Array.from(listOf(numbersOf(n, 1, 'n')));
       return { u, ...chain.many(u) };
     } finally {
       chain.free();
@@ -72,18 +81,22 @@ export class Curve extends Handle {
   /** A finder looks at the curve it is made of, so it keeps one of its own. */
   finder() {
     const own = this.copy();
-    const finder = own.finder_();
-    Object.defineProperty(finder, 'own', { value: own });
-    return finder;
+    return own.finder_().keep_(own);
   }
 
   /** @template {import('./library.js').PathLike} P @param {P} path a Path2D, a canvas' context, or whatever has moveTo, bezierCurveTo and closePath @returns {P} */
   trace(path, { tolerance = 0.01 } = {}) {
+    if (typeof path?.moveTo !== 'function' || typeof path.bezierCurveTo !== 'function' || typeof path.closePath !== 'function') {
+      throw wrong('path', 'what has moveTo, bezierCurveTo and closePath', shown(path));
+    }
     return trace(this.toCubics({ tolerance }), this.dimension, this.closed, path);
   }
 
   /** The curve as a path for a canvas. @param {{ tolerance?: number }} options */
   toPath2D(options = {}) {
+    if (!globalThis.Path2D) {
+      throw new BattenError('unsupported', 'toPath2D: there is no Path2D here; trace(path) takes whatever has its methods');
+    }
     return this.trace(new globalThis.Path2D(), options);
   }
 
@@ -94,32 +107,15 @@ export class Curve extends Handle {
 }
 
 /** Finds the nearest places of a curve. */
-export class Finder extends Handle {
-  /** The name of its class. */
-  get kind() {
-    return 'Finder';
-  }
-
-  /** Gives its memory back at once. */
-  free() {
-    super.free();
-    this.own?.free();
-  }
-}
+export class Finder extends Handle {}
 
 /** Rotation-minimising frames along a curve. */
 export class Chain extends Handle {
-  /** The name of its class. */
-  get kind() {
-    return 'Chain';
-  }
-
   /** Frames at many parameters. @param {ArrayLike<number>} u */
   many(u) {
     const { memory } = this.library;
-    const count = u.length;
     return memory.during(() => {
-      const from = memory.place(Float64Array.from(u));
+      const [from, count] = this.library.structs.row('double', u, 'u');
       const names = ['point', 't', 's', 'r'];
       const arrays = memory.borrow(16);
       const places = names.map((_, i) => {
@@ -127,7 +123,7 @@ export class Chain extends Handle {
         memory.view.setUint32(arrays + 4 * i, place, true);
         return place;
       });
-      this.library.check(memory.exports.bat_frame_chain_many(this.at_, count, from, arrays));
+      this.library.check_(memory.exports.bat_frame_chain_many(this.at_, count, from, arrays));
       return Object.fromEntries(names.map((name, i) => [name, memory.doubles(places[i], 3 * count)]));
     });
   }
@@ -135,42 +131,42 @@ export class Chain extends Handle {
 
 /** A curve with levels of detail. */
 export class Shape extends Handle {
-  /** The name of its class. */
-  get kind() {
-    return 'Shape';
+  /** How many levels there are. @returns {number} */
+  get levels_() {
+    return this.levels;
+  }
+
+  /** How many control points a level has. @param {number} level @returns {number} */
+  countOf_(level) {
+    return this.curve(level).count;
   }
 }
 
 /** An edit of a shape while the pen is down. */
 export class LiveShape extends Handle {
-  /** The name of its class. */
-  get kind() {
-    return 'LiveShape';
+  /** How many levels the shape has. @returns {number} */
+  get levels_() {
+    const { exports } = this.library.memory;
+    return exports.bat_shape_levels(exports.bat_shape_live_shape(this.at_));
   }
 }
 
 /** A stroke while the pen is down. */
 export class LiveSketch extends Handle {
-  /** The name of its class. */
-  get kind() {
-    return 'LiveSketch';
-  }
-
   /** Adds a sample: its coordinates. @param {...number} place */
   add(...place) {
     return this.addMany(place);
   }
 }
 
-const CLASSES = { Curve, Finder, Chain, Shape, LiveShape, LiveSketch };
-
 /** The library, loaded. */
 export class Batten {
-  /** @param {WebAssembly.Instance} instance */
-  constructor(instance) {
+  /** @param {WebAssembly.Instance} instance @param {typeof tables} known */
+  constructor(instance, known) {
     const exports = /** @type {Record<string, Function>} */ (instance.exports);
-    this.memory = new Memory(exports, calls.structs, calls.enums);
-    this.classes = calls.classes;
+    this.memory = new Memory(exports, known.structs, known.enums);
+    this.tables = known;
+    this.structs = new Structs(this);
     exports._initialize?.();
   }
 
@@ -184,45 +180,67 @@ export class Batten {
     return new Numbers(this.memory, length);
   }
 
-  /** The object at an address. @param {string} kind its class @param {number} at @param {number} dim */
-  make(kind, at, dim) {
-    return new CLASSES[kind](this, at, dim);
+  /** The object at an address. @param {string} kind its class @param {number} at @param {number} [dim] of what it was made of */
+  make_(kind, at, dim) {
+    const { exports } = this.memory;
+    const curve = kind === 'Curve' ? at : kind === 'Shape' ? exports.bat_shape_curve(at, 0) : 0; // which knows it better
+    return new tables.kinds[kind](this, at, curve ? exports.bat_curve_dimension(curve) : CURVED.includes(kind) ? dim : undefined);
   }
 
   /** The address of an object of a class, which must be alive and of this library. */
-  handleOf(value, kind, name) {
-    if (!(value instanceof CLASSES[kind]) || value.library !== this) {
-      throw new BattenError('argument', `${name} is no ${kind} of this library`);
+  handleOf_(value, kind, name) {
+    if (!(value instanceof tables.kinds[kind])) {
+      throw wrong(name, `${/^[AEIO]/.test(kind) ? 'an' : 'a'} ${kind}`, shown(value));
+    }
+    if (value.library !== this) {
+      throw wrong(name, `a ${kind} of this library`, 'one of another load()');
     }
     return value.at_;
   }
 
-  /** A copy of what another object owns. */
-  copied(type, at, dim) {
+  /** An object of its own for one that something else owns: a copy, or a user more. */
+  copied_(type, at, dim) {
     const { memory } = this;
+    const kind = tables.classes[type];
+    const retain = memory.exports[`${type}_retain`];
+    if (retain) {
+      retain(at);
+      return this.make_(kind, at, dim);
+    }
     return memory.during(() => {
       const cell = memory.borrow(4);
-      this.check(memory.exports[`${type}_copy`](at, cell));
-      return this.make(this.classes[type], memory.view.getUint32(cell, true), dim);
+      this.check_(memory.exports[`${type}_copy`](at, cell));
+      return this.make_(kind, memory.view.getUint32(cell, true), dim);
     });
   }
 
-  /** Throws unless a status is ok. @param {number} status */
-  check(status) {
+  /** Throws unless a status is ok. @param {number} status @param {string} [told] what the call said of it */
+  check_(status, told = '') {
     if (status !== 0) {
-      throw new BattenError(Object.keys(calls.enums.bat_status)[status], this.memory.text(this.memory.exports.bat_status_message(status)));
+      throw new BattenError(Object.keys(tables.enums.bat_status)[status], told || this.memory.text(this.memory.exports.bat_status_message(status)));
     }
   }
 }
 
-/** Puts the calls where their names say. */
-for (const call of calls.calls) {
-  const plan = prepare(call, calls.structs);
+/** Puts the calls of a part of the table where their names say; what is written by hand stays, and finds them behind a name with _. */
+export function install(part, kinds) {
+  ['structs', 'inits', 'enums', 'classes', 'frees'].forEach((name) => Object.assign(tables[name], part[name]));
+  Object.assign(tables.kinds, kinds);
+  for (const [name, kind] of Object.entries(kinds)) {
+    Object.defineProperty(kind.prototype, 'kind_', { value: name });
+  }
+  part.calls.forEach(attach);
+  return tables;
+}
+
+/** Puts a call where its names say. @param {import('./plan.js').Description} call */
+function attach(call) {
+  const plan = prepare(call, tables);
+  const plain = plan.parsed.every(({ kind: what }) => what === 'self' || what === 'result');
+  const makes = plan.parsed.some(({ kind: what, bare }) => what === 'result' && bare in tables.classes) || plan.returns.endsWith('*') && plan.returns.replace(/const|[ *]/g, '') in tables.classes;
   for (const called of call.names) {
     const [kind, name] = called.replace('()', '').split('.');
-    const target = kind === 'b' ? Batten.prototype : CLASSES[kind].prototype;
-    const plain = plan.parsed.every(({ kind: what }) => what === 'self' || what === 'result');
-    const makes = plan.parsed.some(({ kind: what, bare }) => what === 'result' && bare in calls.classes) || plan.returns.includes('bat_shape *');
+    const target = kind === 'b' ? Batten.prototype : tables.kinds[kind].prototype;
     const run = function run(...given) {
       const library = kind === 'b' ? this : this.library;
       if (!(call.c in library.memory.exports)) {
@@ -231,7 +249,11 @@ for (const call of calls.calls) {
       return new Call(library, plan, kind === 'b' ? null : this, given).run();
     };
     const isProperty = kind !== 'b' && plain && !makes && !called.endsWith('()') && call.c !== 'bat_shape_commit';
-    const placed = Object.hasOwn(target, name) ? `${name}_` : name; // written by hand, above
+    const placed = name[0] === '_' ? `${name.slice(1)}_` : Object.hasOwn(target, name) ? `${name}_` : name;
     Object.defineProperty(target, placed, isProperty ? { get: run, configurable: true } : { value: run, configurable: true, writable: true });
   }
 }
+
+const CORE = { Curve, Finder, Chain, Shape, LiveShape, LiveSketch };
+const CURVED = Object.keys(CORE);
+install(core, CORE);

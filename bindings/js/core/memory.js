@@ -1,13 +1,19 @@
 // The module's memory: places for arguments and results, which are given back after each call.
-import { BattenError } from './error.js';
+import { BattenError, shown, wrong } from './error.js';
 
-/** A member of a struct of C: `at` bytes from its begin; `room`: how many numbers it has, where it is an array.
- * @typedef {{ name: string, type: string, room: number, at: number }} Field */
+/** A member of a struct of C: `at` bytes from its begin; `room`: how many numbers it has, where it is an array; `counted`: the member that
+ * says how many; `counts`: whether it is such a member.
+ * @typedef {{ name: string, type: string, room: number, at: number, counted?: string, counts: boolean }} Field */
 /** @typedef {{ size: number, fields: Field[] }} Struct */
 /** The words of each enumeration, and their numbers. @typedef {Record<string, Record<string, number>>} Enums */
 /** What is read from memory. @typedef {number | boolean | string | undefined | Float64Array | object} Value */
 
-const SIZES = { double: 8, int: 4, size_t: 4, bool: 1 };
+const SIZES = { double: 8, int: 4, size_t: 4, bool: 1, char: 1, uint32_t: 4, uint64_t: 8, bat_id: 8 };
+/** Numbers that results have as an array of their own kind. */
+const ARRAYS = { double: Float64Array, int: Int32Array, size_t: Uint32Array };
+
+/** A type of C without const and pointers. @param {string} type */
+export const bareOf = (type) => type.replace(/const|[ *]/g, '');
 
 /** Frees the numbers that nobody holds any more. */
 const lost = new FinalizationRegistry((/** @type {{ exports: Record<string, Function>, at: number }} */ { exports, at }) => exports.free(at));
@@ -20,7 +26,7 @@ export class Numbers {
   /** @param {Memory} memory @param {number} length */
   constructor(memory, length) {
     if (!(Number.isInteger(length) && length > 0 && length <= 1 << 28)) {
-      throw new BattenError('count', 'an array has 1 to 2^28 numbers');
+      throw wrong('length', '1 to 2^28 numbers', shown(length), 'count');
     }
     this.#memory = memory;
     this.#at = memory.allocate(8 * length);
@@ -129,10 +135,24 @@ export class Memory {
     return new Float64Array(this.buffer, at, count).slice();
   }
 
+  /** Text or bytes as C has them, with a NUL behind. @param {Uint8Array} bytes @returns {number} */
+  placeBytes(bytes) {
+    const at = this.borrow(bytes.length + 1);
+    new Uint8Array(this.buffer, at, bytes.length).set(bytes);
+    return at;
+  }
+
+  /** A list of addresses as C has it. @param {number[]} list @returns {number} */
+  placeList(list) {
+    const at = this.borrow(4 * list.length);
+    list.forEach((one, i) => this.view.setUint32(at + 4 * i, one, true));
+    return at;
+  }
+
   /** A text of C. @param {number} at @returns {string} */
   text(at) {
     const bytes = new Uint8Array(this.buffer, at);
-    return String.fromCharCode(...bytes.subarray(0, bytes.indexOf(0)));
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 
   /** Bytes of a value of a type. @param {string} type @returns {number} */
@@ -140,104 +160,47 @@ export class Memory {
     return SIZES[type] ?? this.structs[type]?.size ?? 4;
   }
 
-  /** Reads a value. @param {string} type @param {number} at @returns {Value} */
+  /** Reads a number, truth or word. @param {string} type @param {number} at @returns {Value} */
   readOne(type, at) {
-    if (type === 'double') {
-      return this.view.getFloat64(at, true);
-    }
-    if (type === 'bool') {
-      return this.view.getUint8(at) !== 0;
-    }
-    if (type in this.structs) {
-      return this.readStruct(type, at);
-    }
-    const number = type === 'int' ? this.view.getInt32(at, true) : this.view.getUint32(at, true);
-    return type in this.enums ? wordOf(this.enums[type], number) : number;
-  }
-
-  /** Writes a value. @param {string} type @param {number} at @param {unknown} value @param {string} name for errors */
-  writeOne(type, at, value, name) {
-    if (type === 'double') {
-      this.view.setFloat64(at, numberOf(value, name), true);
-    } else if (type === 'bool') {
-      this.view.setUint8(at, value ? 1 : 0);
-    } else if (type === 'int') {
-      this.view.setInt32(at, intOf(value, name), true);
-    } else {
-      this.view.setUint32(at, type in this.enums ? valueOf(this.enums[type], value, name) : countOf(value, name), true);
-    }
-  }
-
-  /** Numbers or structs that follow each other. */
-  readMany(type, at, count) {
-    if (type === 'double') {
-      return this.doubles(at, count);
-    }
-    return Array.from({ length: count }, (_, i) => this.readOne(type, at + i * this.sizeOf(type)));
-  }
-
-  /** Pointers are left out, but for those with a count before them. */
-  readStruct(type, at) {
-    const found = {};
-    let count = 0;
-    for (const { name, type: of, room, at: offset } of this.structs[type].fields) {
-      if (of.endsWith('*')) {
-        const from = this.view.getUint32(at + offset, true);
-        const bare = of.replace(/const |[ *]/g, '');
-        if (from && this.structs[bare]) {
-          found[camel(name)] = this.readMany(bare, from, count);
-        }
-      } else if (room) {
-        found[camel(name)] = this.readMany(of, at + offset, room);
-      } else {
-        const value = this.readOne(of, at + offset);
-        if (of === 'size_t' && /(^|_)count$/.test(name)) {
-          count = value;
-        } else if (name !== 'size') {
-          found[camel(name)] = value;
-        }
+    switch (type) {
+      case 'double': return this.view.getFloat64(at, true);
+      case 'bool': return this.view.getUint8(at) !== 0;
+      case 'int': return this.view.getInt32(at, true);
+      case 'bat_id': return Number(this.view.getBigUint64(at, true));
+      case 'uint64_t': return this.view.getBigUint64(at, true);
+      default: {
+        const number = this.view.getUint32(at, true);
+        return type in this.enums ? wordOf(this.enums[type], number) : number;
       }
     }
-    return found;
+  }
+
+  /** Writes a number, truth or word. @param {string} type @param {number} at @param {number} value as C takes it */
+  writeOne(type, at, value) {
+    if (type === 'double') {
+      this.view.setFloat64(at, value, true);
+    } else if (type === 'bool') {
+      this.view.setUint8(at, value);
+    } else if (SIZES[type] === 8) {
+      this.view.setBigUint64(at, BigInt(value), true);
+    } else {
+      this.view.setUint32(at, value, true);
+    }
+  }
+
+  /** A copy of numbers that follow each other, in an array of their kind where there is one. */
+  readMany(type, at, count) {
+    if (type in ARRAYS) {
+      return new ARRAYS[type](this.buffer, at, count).slice();
+    }
+    return Array.from({ length: count }, (_, i) => this.readOne(type, at + i * this.sizeOf(type)));
   }
 }
 
 /** A name of C as one of JavaScript: max_error is maxError. @param {string} name @returns {string} */
 export const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 
-/** A value that has to be a number. @param {unknown} value @param {string} name for errors @returns {number} */
-export function numberOf(value, name) {
-  if (typeof value !== 'number') {
-    throw new BattenError('argument', `${name} is not a number`);
-  }
-  return value;
-}
-
-/** A value that has to be a whole number of 32 bits. @param {unknown} value @param {string} name for errors @returns {number} */
-export function intOf(value, name) {
-  if (!Number.isInteger(value) || Math.abs(value) > 0x7fffffff) {
-    throw new BattenError('argument', `${name} is not a whole number`);
-  }
-  return value;
-}
-
-/** A value that has to be a number of things. @param {unknown} value @param {string} name for errors @returns {number} */
-export function countOf(value, name) {
-  if (!Number.isInteger(value) || value < 0 || value > 1 << 28) {
-    throw new BattenError('count', `${name} is not a number of things`);
-  }
-  return value;
-}
-
-/** The number of a word. @param {Record<string, number>} words @param {unknown} value @param {string} name for errors @returns {number} */
-export function valueOf(words, value, name) {
-  if (!Object.hasOwn(words, value)) {
-    throw new BattenError('argument', `${name} is one of ${Object.keys(words).join(', ')}`);
-  }
-  return words[value];
-}
-
 /** The word of a number. @param {Record<string, number>} words @param {number} number @returns {string | undefined} */
-function wordOf(words, number) {
+export function wordOf(words, number) {
   return Object.keys(words).find((word) => words[word] === number);
 }

@@ -44,8 +44,9 @@ async function moduleOf(source) {
 /**
  * Makes the function load() of a module.
  * @param {string | null} inside the module that the package has: gzip in base64; null: callers have to give one
+ * @param {object} tables what the module can, which are to be in place
  */
-export function loader(inside) {
+export function loader(inside, tables) {
   /** @type {Promise<WebAssembly.Module> | null} */
   let own = null; // compiled once
   /** Loads the library. @param {{ wasm?: string | URL | BufferSource | WebAssembly.Module }} [options] @returns {Promise<Batten>} */
@@ -60,6 +61,6 @@ export function loader(inside) {
     if (wasm === undefined) {
       own ??= unpacked(inside).then((bytes) => WebAssembly.compile(bytes));
     }
-    return new Batten(await WebAssembly.instantiate(await (wasm === undefined ? own : moduleOf(wasm)), {}));
+    return new Batten(await WebAssembly.instantiate(await (wasm === undefined ? own : moduleOf(wasm)), {}), tables);
   };
 }

@@ -15,7 +15,6 @@ from ._values import FLAT, address, array_of, converted, encoded, filled, set_fi
 
 LIBRARY = {}  # the functions of the library, by name
 RESULTS = {}  # the tuples that calls with several results give, by name
-CHECKED = {"bat_width_eval": "bat_width_check", "bat_width_is_even": "bat_width_check", "bat_function_eval": "bat_function_check"}
 CURVED = ("Curve", "Finder", "Chain", "Shape", "LiveShape", "LiveSketch")  # classes that have a dimension
 REMADE = ("Finder", "Chain", "SurfaceFinder", "Sweep", "Reference", "Binding", "Tracks", "LineDrawing")  # pickled as the call that made them
 FAST = {float, int, np.float64}
@@ -360,7 +359,7 @@ class Call:
         called = False
         try:
             arguments = {id(w): self.argument(w) for w in order}
-            if guard := CHECKED.get(plan.c):
+            if guard := TABLE["rules"]["checked"].get(plan.c):
                 check(getattr(lib, guard)(arguments[id(plan.words[0])]), None, f" ({plan.words[0].name})")
             called, returned = True, plan.function(*[arguments[id(w)] for w in plan.words])
         finally:
@@ -382,6 +381,11 @@ class Call:
             best = self.assemble()
         if returned:
             given = ", ".join(f"{name}={shown(value)}" for name, value in {**self.values, **self.options}.items() if value is not None and name != "room")
+            if explained := TABLE["rules"]["explained"].get(plan.c):
+                self.told.append(STRUCTS["bat_problem"]())
+                function = getattr(lib, explained)
+                function.argtypes = plan.function.argtypes
+                function(*[arguments[id(w)] for w in plan.words[:-1]], ctypes.byref(self.told[-1]))
             check(returned, best, f" ({plan.name.lstrip('_')}({given}))", said(self.told, lib.bat_status_message(returned).decode()))
         return self.assemble()
 

@@ -7,12 +7,8 @@ import numpy as np
 from ._library import CLASSES, KINDS, STRUCTS, TABLE, Record, a, bare, doubles, integers, lib, shown, wrong
 
 FLAT = ("bat_stroke", "bat_spline")  # structs whose points may be given alone, and the rest by name
-EACH = {("bat_rotation_curve", "points"): 4}  # numbers of a record of an array with a count
-DEFAULTS = {"bat_nib": {"cap": "round", "join": "round", "miter_limit": 4.0}, "bat_recipe": {"scale": 1.0, "angle": 360.0}, "bat_wire": {"scale": 1.0},
-            "bat_gradient": {"matrix": [1, 0, 0, 1, 0, 0]}, "bat_viewpoint": {"up": [0, 0, 1], "size": [1000, 1000]}}
-WITHIN = {"dimension": (2, 3), "degree": (1, 7), "order": (0, 7), "per_span": (1, 4096), "substeps": (0, 4096), "steps": (0, 4096),
-          "times": (1, 8), "solves_max": (0, 4096), "pins": (0, 1 << 20), "Surface.order": (0, 2), "id": (0, 0x7fffffff),
-          "uint32_t": (0, 0xffffffff), "uint64_t": (0, 1 << 53)}  # whole numbers that have no use beyond, by name
+RULES = TABLE["rules"]
+WITHIN = RULES["within"]  # whole numbers that have no use beyond, by name
 
 
 def address(value, kind, name, kept):
@@ -131,7 +127,7 @@ def fill(item, struct, value, name, kept):
         ctypes.memmove(ctypes.byref(item), ctypes.byref(lib.bat_style_defaults()), ctypes.sizeof(item))
     elif struct in TABLE["inits"]:
         getattr(lib, TABLE["inits"][struct])(ctypes.byref(item), ctypes.c_size_t(ctypes.sizeof(item)))
-    given = {**DEFAULTS.get(struct, {}), **members(struct, value, name)}
+    given = {**RULES["defaults"].get(struct, {}), **members(struct, value, name)}
     for field in TABLE["structs"][struct]["fields"]:
         if given.get(field["name"]) is not None:
             set_field(item, struct, field, given[field["name"]], f"{name}.{field['name']}", kept)
@@ -159,7 +155,7 @@ def set_field(item, struct, field, value, name, kept, dim=3, size=None):
         if count:
             setattr(item, count, len(value))
     elif stars:
-        array, each = array_of(kind, value, name, size=size), size or EACH.get((struct, at), 1)
+        array, each = array_of(kind, value, name, size=size), size or RULES["each"].get(f"{struct}.{at}", 1)
         if array.size % each:
             raise wrong(name, f"records of {each} numbers", shown(array), "count")
         kept.append(array)

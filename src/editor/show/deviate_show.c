@@ -41,7 +41,7 @@ static void show_patches(const bat_context *c, const bat_deviating *d, int step,
         const bat_deviation_patch *patch = d->patches + i;
         double at[12], seen[2];
         if ((patch->corners == 2) != lines || (step >= 0 && step_of(d, patch) != step)) continue;
-        for (int k = 0; k < patch->corners; k++)
+        for (int k = 0; k < patch->corners && k < 4; k++)
             memcpy(at + 3 * k, d->samples[patch->corner[k]].at, 3 * sizeof *at);
         if (patch->corners > 1)
             bat_path_polygon(&overlay->path, 3, patch->corners, at, !lines);

@@ -120,7 +120,7 @@ static bool comes_back_turned(const bat_turner *turner) {
 
 static bat_status compare(const bat_wire_frames *frames, bat_turner *turner) {
     bat_frame3 *from = malloc(2 * turner->count * sizeof *from), *to = from ? from + turner->count : NULL;
-    vec *room = malloc(2 * turner->count * sizeof *room);
+    vec *room = calloc(2 * turner->count, sizeof *room);
     turner->signs = malloc(turner->count * sizeof *turner->signs);
     const bool there = from && room && turner->signs;
     if (there) {
