@@ -30,10 +30,18 @@ const shown = (page) => page.waitForFunction(() => {
   return all.length >= 5 && all.every(Boolean);
 });
 
+/** What is seen soon, for a picture is painted when it has been made. */
 async function expect(page, points) {
-  await quiet(page);
-  const found = await stillColours(page, points);
-  points.forEach(([x, y, colour], i) => assert.ok(colour.every((value, k) => Math.abs(value - found[i][k]) < 12), `at ${x},${y}: ${found[i]}`));
+  for (const begun = Date.now(); ;) {
+    await quiet(page);
+    const found = await stillColours(page, points);
+    const wrong = points.flatMap(([x, y, colour], i) =>
+      (colour.every((value, k) => Math.abs(value - found[i][k]) < 12) ? [] : [`at ${x},${y}: ${found[i]}`]));
+    if (!wrong.length || Date.now() - begun > 5000) {
+      assert.deepEqual(wrong, []);
+      return;
+    }
+  }
 }
 
 test('it is seen in its order, chosen, moved, deleted, and saved as the element that it was', async (t) => {

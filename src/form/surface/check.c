@@ -13,7 +13,7 @@ enum { PLACE = 96, ROOM = 160 };
 
 /* Fills the problem in: true. */
 static bool say(bat_problem *problem, const char *place, const char *expected, double found) {
-    char message[ROOM], number[BAT_NUMBER_ROOM] = "no number";
+    char message[2 * ROOM], number[BAT_NUMBER_ROOM] = "no number";
     if (!isnan(found)) bat_number_print(found, number);
     snprintf(message, sizeof message, "expected %s, found %s", expected, number);
     bat_problem_set(problem, BAT_OK, place, message);
@@ -22,7 +22,7 @@ static bool say(bat_problem *problem, const char *place, const char *expected, d
 
 static bool say_number(bat_problem *problem, const char *name, int index, const char *expected,
                        double found) {
-    char place[PLACE];
+    char place[PLACE + 16];
     snprintf(place, sizeof place, "%s[%d]", name, index);
     return say(problem, place, expected, found);
 }
