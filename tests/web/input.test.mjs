@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, beforeEach, afterEach, test } from 'node:test';
-import { bezier, inked, launch, open, place, settle, state } from './page.mjs';
+import { bezier, inked, launch, open, place, settle, state, texts } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -23,7 +23,7 @@ after(async () => {
 });
 beforeEach(async () => {
   ({ page, hand, context, client } = await open(browser, server.address, { hasTouch: true }));
-  strings = await page.evaluate(() => batten.panel.tables.strings);
+  strings = await texts(page);
 });
 afterEach(async () => {
   assert.equal((await state(page)).check, '');

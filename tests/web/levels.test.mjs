@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { hintFor, inThemes, launch, open, pictures, place, quiet, settle, state } from './page.mjs';
+import { hintFor, inThemes, launch, open, pictures, place, quiet, settle, state, texts } from './page.mjs';
 import { serve } from './server.mjs';
 
 /** A leaf of 72 cubics with scales along its rim, and a plain arch below it. */
@@ -44,7 +44,7 @@ test('an outline in levels, with a pen', async () => {
   const { page, hand, context } = await open(browser, server.address);
   const asked = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
-  const strings = await page.evaluate(() => batten.panel.tables.strings);
+  const strings = await texts(page);
   const shot = (name) => pictures(page, `levels-${name}`);
   const key = async (...names) => {
     for (const name of names) {

@@ -239,6 +239,12 @@ export async function ready(page) {
   await settle(page);
 }
 
+/** The table of texts, once those are there that come with the module's second part. */
+export async function texts(page) {
+  await page.waitForFunction(() => Object.values(batten.panel.tables.strings).every(Boolean));
+  return page.evaluate(() => batten.panel.tables.strings);
+}
+
 /** A drawing in space opens from three quarters: back to the page, as tests begin; space.test.mjs looks at how it opens. */
 export async function faceOn(page) {
   if (await page.evaluate(() => globalThis.batten && !batten.engine.partial && batten.engine.number('view') !== '')) {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { hintFor, launch, open, pictures, place, reveal, settle, state } from './page.mjs';
+import { hintFor, launch, open, pictures, place, reveal, settle, state, texts } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -22,7 +22,7 @@ const native = (page) => page.evaluate(() =>
 
 test('points, smooth brush and eraser with a pen', async () => {
   const { page, hand, context } = await open(browser, server.address);
-  const strings = await page.evaluate(() => batten.panel.tables.strings);
+  const strings = await texts(page);
   const shot = (name) => pictures(page, `points-${name}`);
   const first = (await state(page)).digest;
   const roof = await place(page, 600, 103.5);

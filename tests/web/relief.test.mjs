@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { launch, open, pictures, place, quiet, state } from './page.mjs';
+import { launch, open, pictures, place, quiet, state, texts } from './page.mjs';
 import { serve } from './server.mjs';
 
 const bytes = fs.readFileSync(path.join(path.dirname(fileURLToPath(import.meta.url)), '../../examples/space/relief.batten'));
@@ -25,7 +25,7 @@ test('scales on a jug', async (t) => {
   t.after(() => server.close());
   const { page, context, hand } = await open(browser, server.address);
   const shot = (name) => pictures(page, `relief-${name}`);
-  const strings = await page.evaluate(() => batten.panel.tables.strings);
+  const strings = await texts(page);
   const rows = page.locator('.level-row');
   const tap = async (x, y) => {
     hand.rest(2);

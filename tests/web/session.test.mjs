@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, downloaded, expectFaults, GONE, inked, launch, open, place, ready, SCREENSHOTS, settle, state } from './page.mjs';
+import { bezier, downloaded, expectFaults, GONE, inked, launch, open, place, ready, SCREENSHOTS, settle, state, texts } from './page.mjs';
 import { edit, EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -57,7 +57,7 @@ async function wholeSession(server) {
   assert.equal(await inked(page, 'overlay'), 0);
   await hand.hover(await place(page, 592, 103.5));
   assert.ok(await inked(page, 'overlay') > 500, 'the roof lights up');
-  const strings = await page.evaluate(() => batten.panel.tables.strings);
+  const strings = await texts(page);
   assert.equal((await state(page)).hint, strings['hint.redraw']);
 
   // The final fit is shown while the pen is down; the document is unchanged.

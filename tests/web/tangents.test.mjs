@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { after, before, test } from 'node:test';
-import { hintFor, launch, open, pictures, place, settle, state } from './page.mjs';
+import { hintFor, launch, open, pictures, place, settle, state, texts } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 let browser;
@@ -36,7 +36,7 @@ const SPOTS = [[300, 560], [470, 420], [640, 560], [820, 440], [1000, 540]];
 test('points, directions and tension with a pen', async () => {
   const blank = await serve();
   const { page, hand, context } = await open(browser, blank.address);
-  const strings = await page.evaluate(() => batten.panel.tables.strings);
+  const strings = await texts(page);
   const shot = (name) => pictures(page, `tangents-${name}`);
   const count = await objects(page);
   await page.keyboard.press('p');
@@ -100,7 +100,7 @@ test('points, directions and tension with a pen', async () => {
 test('closing, moving, inserting, deleting, and a stroke that frees the curve', async () => {
   const blank = await serve();
   const { page, hand, context } = await open(browser, blank.address);
-  const strings = await page.evaluate(() => batten.panel.tables.strings);
+  const strings = await texts(page);
   await page.keyboard.press('p');
   for (const spot of SPOTS.slice(0, 3)) {
     await tap(page, hand, spot);
