@@ -533,6 +533,7 @@ static bat_editor *crossing_sheets(int n) {
     bat_editor_frame(editor);
     return editor;
 }
+static bat_editor *turned_surface(int n) { return among(n, 2, two_lines, "surface-revolve"); }
 static bat_editor *made_surface(int n) { return among(n, 3, side_by_side, "surface-loft"); }
 
 /* A straight one, chosen, with n beside it. */
@@ -708,6 +709,7 @@ const growth_scene growth_scenes[] = {
     {"a profile and an axis, of n", with_axis},
     {"three side by side, of n", sections},
     {"a surface that follows three of n", made_surface},
+    {"a surface around an axis, of n", turned_surface},
     {"a mesh of n vertices and a curve", to_be_bound},
     {"a mesh of n vertices, bound to a wire", bound_mesh},
     {"a mesh of n vertices, bound to a wire, and a curve", bound_and_beside},
