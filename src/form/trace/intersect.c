@@ -29,8 +29,8 @@ static bat_status read_options(const bat_intersect_options *options, bat_meet *m
     }
     if (!(m->gap > 0)) m->gap = usual_gap * m->size;
     const double least = fmax(bat_surface_least_chord(m->side[0]), bat_surface_least_chord(m->side[1]));
-    if (m->chord > 0 && m->chord < least) return BAT_TOLERANCE;
-    if (!(m->chord > 0)) m->chord = fmax(usual_chord * m->size, least);
+    m->chord = bat_chord(m->chord, usual_chord * m->size, least);
+    if (!(m->chord > 0)) return BAT_TOLERANCE;
     if (!(m->leaf > 0)) m->leaf = usual_leaf;
     m->leaf = fmin(fmax(m->leaf, 1e-3), 1);
     return BAT_OK;

@@ -80,18 +80,6 @@ static bool try_step(const bat_meet *m, const bat_meet_place *from, double lengt
     return between(m, from, to, guess, &middle) && vec_norm(vec_sub(middle.at, guess)) <= off * m->size;
 }
 
-/* What rounding puts beyond an edge is on it: at a corner one edge's place is a little beyond the other. */
-static void put_on_edges(const bat_meet *m, double x[4]) {
-    for (int k = 0; k < 4; k++) {
-        const bat_curve *axis = &m->side[k / 2]->axis[k % 2];
-        const double low = axis->knots[axis->degree], high = axis->knots[axis->spread];
-        const double slack = 1e-12 * (high - low);
-        if (axis->closed) continue;
-        if (x[k] < low && x[k] >= low - slack) x[k] = low;
-        if (x[k] > high && x[k] <= high + slack) x[k] = high;
-    }
-}
-
 /* Where the step leaves the domain. */
 static bool leave(const bat_meet *m, const bat_meet_place *from, const bat_meet_place *to,
                   bat_meet_place *out) {
@@ -102,10 +90,7 @@ static bool leave(const bat_meet *m, const bat_meet_place *from, const bat_meet_
         if (bat_meet_inside(m, x, &which, &bound)) break;
         const double t = (bound - from->x[which]) / (to->x[which] - from->x[which]);
         for (int k = 0; k < 4; k++) x[k] = from->x[k] + t * (to->x[k] - from->x[k]);
-        x[which] = bound;
-        if (!bat_meet_across(m, from->at, (vec){0, 0, 0}, which, x)) return false;
-        x[which] = bound;
-        put_on_edges(m, x);
+        if (!bat_meet_on_edge(m, which, bound, x)) return false;
     }
     if (!bat_meet_inside(m, x, NULL, NULL) || !bat_meet_place_at(m, x, out)) return false;
     if (vec_dot(out->way, from->way) < 0) out->way = vec_scale(out->way, -1);

@@ -19,13 +19,18 @@ void bat_meet_jet(const bat_meet *m, int side, const double x[4], int order, dou
     bat_surface_eval_spans(s, span, at[0], at[1], order, out);
 }
 
+/* A parameter in its domain, or the edge beyond which it is. */
+static double bounded(const bat_meet *m, int k, double x) {
+    const bat_curve *axis = &m->side[k / 2]->axis[k % 2];
+    return axis->closed ? x : fmin(fmax(x, axis->knots[axis->degree]), axis->knots[axis->spread]);
+}
+
 bool bat_meet_inside(const bat_meet *m, const double x[4], int *which, double *bound) {
     for (int k = 0; k < 4; k++) {
-        const bat_curve *axis = &m->side[k / 2]->axis[k % 2];
-        const double low = axis->knots[axis->degree], high = axis->knots[axis->spread];
-        if (axis->closed || (x[k] >= low && x[k] <= high)) continue;
+        const double edge = bounded(m, k, x[k]);
+        if (edge == x[k]) continue;
         if (which) *which = k;
-        if (bound) *bound = x[k] < low ? low : high;
+        if (bound) *bound = edge;
         return false;
     }
     return true;
@@ -134,6 +139,18 @@ bool bat_meet_across(const bat_meet *m, vec at, vec way, int fixed, double x[4])
     vec d[4], here;
     if (!(vec_norm(difference(m, y, d, &here)) < 1e-10 * m->size)) return false;
     memcpy(x, y, sizeof y);
+    return true;
+}
+
+bool bat_meet_on_edge(const bat_meet *m, int which, double bound, double x[4]) {
+    x[which] = bound;
+    if (!bat_meet_across(m, (vec){0, 0, 0}, (vec){0, 0, 0}, which, x)) return false;
+    x[which] = bound;
+    for (int k = 0; k < 4; k++) {
+        const bat_curve *axis = &m->side[k / 2]->axis[k % 2];
+        const double edge = bounded(m, k, x[k]);
+        if (fabs(x[k] - edge) <= 1e-12 * (axis->knots[axis->spread] - axis->knots[axis->degree])) x[k] = edge;
+    }
     return true;
 }
 

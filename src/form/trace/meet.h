@@ -48,6 +48,8 @@ bool bat_meet_solve(int n, double rows[4][5], double *out);
 bool bat_meet_least(const bat_meet *m, double x[4]);
 /* To the intersection in the plane through `at` across `way`, or, when way is zero, to that with x[fixed] as it is. */
 bool bat_meet_across(const bat_meet *m, vec at, vec way, int fixed, double x[4]);
+/* To the intersection on an edge of a domain; what rounding puts beyond another edge is on that, too, as at a corner. */
+bool bat_meet_on_edge(const bat_meet *m, int which, double bound, double x[4]);
 /* Fills in what follows from the parameters; false: there is no tangent. */
 bool bat_meet_place_at(const bat_meet *m, const double x[4], bat_meet_place *out);
 

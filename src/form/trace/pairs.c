@@ -108,11 +108,8 @@ static bat_status seed(search *s, const pair *p) {
     bat_meet_place place;
     middle_of(s, p, x);
     if (!bat_meet_least(s->m, x)) return BAT_OK;
-    for (int i = 0; i < 2 && !bat_meet_inside(s->m, x, &which, &bound); i++) {
-        x[which] = bound;
-        if (!bat_meet_across(s->m, (vec){0, 0, 0}, (vec){0, 0, 0}, which, x)) return BAT_OK;
-        x[which] = bound;
-    }
+    for (int i = 0; i < 2 && !bat_meet_inside(s->m, x, &which, &bound); i++)
+        if (!bat_meet_on_edge(s->m, which, bound, x)) return BAT_OK;
     if (!bat_meet_inside(s->m, x, NULL, NULL)) return BAT_OK;
     if (!bat_meet_place_at(s->m, x, &place) || place.sine <= 1e-3) return BAT_OK;
     /* what has gone further than the cells are wide is another pair's */

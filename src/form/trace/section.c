@@ -39,9 +39,9 @@ bat_status bat_surface_section(const bat_surface *surface, const double origin[3
         return BAT_NUMBER;
     const plane p = {surface, vec_load(origin, 3), vec_unit(vec_load(normal, 3))};
     if (!(vec_norm(p.normal) > 0) || tolerance < 0) return BAT_ARGUMENT;
-    const double least = bat_surface_least_chord(surface);
-    if (tolerance > 0 && tolerance < least) return BAT_TOLERANCE;
-    const bat_contour contour = {surface, &p, of_span, place,
-                                 tolerance > 0 ? tolerance : fmax(usual * bat_surface_size(surface), least)};
+    const double chord = bat_chord(tolerance, usual * bat_surface_size(surface),
+                                   bat_surface_least_chord(surface));
+    if (!(chord > 0)) return BAT_TOLERANCE;
+    const bat_contour contour = {surface, &p, of_span, place, chord};
     return bat_contour_trace(&contour, out);
 }

@@ -18,6 +18,13 @@ struct bat_tracks {
     bool given_up;
 };
 
+/* How near chords are to be: as given, or else the usual; never nearer than the least, below which rounding hides it. 0: what is given is
+ * below. */
+static inline double bat_chord(double given, double usual, double least) {
+    if (given > 0) return given < least ? 0 : given;
+    return usual > least ? usual : least;
+}
+
 bat_status bat_track_add(bat_track *track, const bat_track_point *point);
 /* Begins a track; NULL: no memory. It stays where it is until the next one is begun. */
 bat_track *bat_tracks_begin(bat_tracks *tracks);
