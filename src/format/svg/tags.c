@@ -152,6 +152,13 @@ size_t bat_svg_tag_name(const char *tag, size_t size) {
     return at - 1;
 }
 
+const char *bat_svg_tag_local(const char *tag, size_t size, size_t *length) {
+    const size_t whole = bat_svg_tag_name(tag, size);
+    const char *colon = memchr(tag + 1, ':', whole), *name = colon ? colon + 1 : tag + 1;
+    *length = whole - (size_t)(name - (tag + 1));
+    return name;
+}
+
 bool bat_svg_next_piece(const char *tag, size_t size, size_t *at, bat_svg_piece *piece) {
     bat_svg_piece found = {.lead = *at};
     size_t i = *at;

@@ -50,6 +50,8 @@ typedef struct bat_svg_piece {
 bool bat_svg_next_piece(const char *tag, size_t size, size_t *at, bat_svg_piece *piece);
 /* Length of the tag's name, which begins at tag + 1. */
 size_t bat_svg_tag_name(const char *tag, size_t size);
+/* Its name without a prefix; *length: of that. */
+const char *bat_svg_tag_local(const char *tag, size_t size, size_t *length);
 
 /* Reads the text as a parser would and feeds it to a reader. BAT_UNSUPPORTED: an entity that it does not know. */
 bat_status bat_svg_feed(const char *text, size_t size, bat_svg_reader *reader);

@@ -129,10 +129,8 @@ bool bat_svg_patch_shape(bat_svg_retag *r, const bat_object *object, const bat_s
     double m[6];
     bat_svg_cubics cubics;
     bat_svg_piece piece;
-    const char *tag = r->tag + 1;
-    size_t size = bat_svg_tag_name(r->tag, r->size);
-    const char *colon = memchr(tag, ':', size);
-    if (colon) size -= (size_t)(colon + 1 - tag), tag = colon + 1;
+    size_t size;
+    const char *tag = bat_svg_tag_local(r->tag, r->size, &size);
     if (size >= sizeof name || bat_object_curve_count(object) != 1 || !bat_svg_inverse(entry->inner, m) ||
         bat_svg_retag_has(r, "pathLength", &piece))
         return false;

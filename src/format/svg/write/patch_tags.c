@@ -64,13 +64,9 @@ static bool has_rule(const bat_svg_plan *plan, const char *name, size_t size) {
 
 /* Whether rules for its name, or for paths, say how it looks: as a path it has to say so itself. */
 static bool is_ruled(const bat_svg_plan *plan, uint32_t element) {
-    const char *name = plan->text + plan->tags.list[element].open + 1;
-    size_t size = bat_svg_tag_name(name - 1, plan->tags.list[element].body - plan->tags.list[element].open);
-    const char *colon = memchr(name, ':', size);
-    if (colon) {
-        size -= (size_t)(colon + 1 - name);
-        name = colon + 1;
-    }
+    const bat_svg_tag *tag = &plan->tags.list[element];
+    size_t size;
+    const char *name = bat_svg_tag_local(plan->text + tag->open, tag->body - tag->open, &size);
     return plan->sheets && (has_rule(plan, "path", 4) || has_rule(plan, name, size));
 }
 
@@ -88,9 +84,9 @@ static bool says_all(const bat_svg_plan *plan, const bat_object *object, const b
 /* Its markers change, or a path would get some that the element has not, or the other way round. */
 static bool says_markers(const bat_svg_plan *plan, const bat_object *object, const bat_sourced *entry,
                          bool apart) {
-    const bool may = says_all(plan, object, entry, apart) ||
-                     (is_renamed(plan, object, entry) && !bat_object_markers(object));
-    return bat_svg_remarked(object, entry) || (may && strstr(plan->text, "marker") != NULL);
+    return bat_svg_remarked(object, entry) ||
+           (plan->marked && ((is_renamed(plan, object, entry) && !bat_object_markers(object)) ||
+                             says_all(plan, object, entry, apart)));
 }
 
 static bool differs(const bat_object *object, const bat_sourced *entry, bat_paint_part part) {

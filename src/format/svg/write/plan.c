@@ -348,6 +348,7 @@ bat_status bat_svg_plan_make(const bat_document *document, bat_svg_plan *out) {
             bat_source_at(plan.source, k)->element >= plan.tags.count)
             status = BAT_SYNTAX;
     plan.sheets = strstr(plan.text, "<style") != NULL || strstr(plan.text, ":style") != NULL;
+    plan.marked = strstr(plan.text, "marker") != NULL;
     find_types(&plan);
     find_pixels(&plan);
     if (status == BAT_OK)

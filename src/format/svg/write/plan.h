@@ -29,6 +29,7 @@ typedef struct bat_svg_plan {
     const char *types; /* the document type, NULL: none */
     size_t types_size;
     bool sheets;  /* there are style sheets */
+    bool marked;  /* it speaks of markers somewhere */
     double pixel; /* how long one will be in the document's units: of strokes that do not scale */
     double grown; /* how much longer that is than it was in the file */
     bat_svg_tags tags;
