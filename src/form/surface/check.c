@@ -84,9 +84,15 @@ static bool is_wrong_point(bat_problem *problem, size_t rows, size_t columns, in
     return false;
 }
 
+/* Whether a status is about the numbers, which can be looked at. */
+static bool is_of_numbers(bat_status status) {
+    return status != BAT_OK && status != BAT_ARGUMENT && status != BAT_MEMORY;
+}
+
 /* The status, and its words where nothing else has been said. */
 static bat_status finish(bat_problem *problem, bat_status status, bool is_said) {
-    return is_said ? status : bat_problem_set(problem, status, "", bat_status_message(status));
+    return status == BAT_OK || is_said ? status
+                                       : bat_problem_set(problem, status, "", bat_status_message(status));
 }
 
 bat_status bat_curve_check(int dimension, int degree, bool closed, size_t count, const double *points,
@@ -95,13 +101,12 @@ bat_status bat_curve_check(int dimension, int degree, bool closed, size_t count,
     const bat_status status = bat_curve_create(dimension, degree, closed, count, points, knot_count, knots,
                                                &made);
     bat_curve_free(made);
-    if (status == BAT_OK || status == BAT_ARGUMENT || status == BAT_MEMORY)
-        return status == BAT_OK ? status : finish(problem, status, false);
-    return finish(problem, status,
-                  is_outside(problem, "degree", 1, BAT_DEGREE_MAX, degree) ||
-                      is_outside(problem, "dimension", 2, BAT_DIMENSION_MAX, dimension) ||
-                      is_wrong_axis(problem, "knots", "count", degree, closed, count, knot_count, knots) ||
-                      is_wrong_point(problem, 1, count, dimension, points));
+    const bool said = is_of_numbers(status) &&
+                      (is_outside(problem, "degree", 1, BAT_DEGREE_MAX, degree) ||
+                       is_outside(problem, "dimension", 2, BAT_DIMENSION_MAX, dimension) ||
+                       is_wrong_axis(problem, "knots", "count", degree, closed, count, knot_count, knots) ||
+                       is_wrong_point(problem, 1, count, dimension, points));
+    return finish(problem, status, said);
 }
 
 bat_status bat_surface_check(const int degree[2], const bool closed[2], const size_t count[2],
@@ -111,15 +116,14 @@ bat_status bat_surface_check(const int degree[2], const bool closed[2], const si
     const bat_status status = bat_surface_create(degree, closed, count, points, knot_count, u_knots, v_knots,
                                                  &made);
     bat_surface_free(made);
-    if (status == BAT_OK || status == BAT_ARGUMENT || status == BAT_MEMORY)
-        return status == BAT_OK ? status : finish(problem, status, false);
-    bool said = is_outside(problem, "degree[0]", 1, BAT_DEGREE_MAX, degree[0]) ||
-                is_outside(problem, "degree[1]", 1, BAT_DEGREE_MAX, degree[1]);
-    said = said ||
-           is_wrong_axis(problem, "u_knots", "count[0]", degree[0], closed[0], count[0], knot_count[0],
-                         u_knots) ||
-           is_wrong_axis(problem, "v_knots", "count[1]", degree[1], closed[1], count[1], knot_count[1],
-                         v_knots) ||
-           (count[0] <= BAT_POINTS_MAX / count[1] && is_wrong_point(problem, count[0], count[1], 3, points));
+    const bool said = is_of_numbers(status) &&
+                      (is_outside(problem, "degree[0]", 1, BAT_DEGREE_MAX, degree[0]) ||
+                       is_outside(problem, "degree[1]", 1, BAT_DEGREE_MAX, degree[1]) ||
+                       is_wrong_axis(problem, "u_knots", "count[0]", degree[0], closed[0], count[0],
+                                     knot_count[0], u_knots) ||
+                       is_wrong_axis(problem, "v_knots", "count[1]", degree[1], closed[1], count[1],
+                                     knot_count[1], v_knots) ||
+                       (count[0] <= BAT_POINTS_MAX / count[1] &&
+                        is_wrong_point(problem, count[0], count[1], 3, points)));
     return finish(problem, status, said);
 }
