@@ -340,8 +340,7 @@ export class Files {
   async download(native = isNative(this.name), again = () => void this.download(native)) {
     try {
       const { name } = this;
-      const light = this.engine.journal.length <= LIGHT; // then it is there before the next event
-      this.deliver(light ? this.engine.save(native) : await this.#written(native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG, name);
+      this.deliver(await this.#written(native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG, name);
       this.notices.over('uncopied');
       return true;
     } catch (error) {
