@@ -55,9 +55,9 @@ BAT_API bat_status bat_surface_section(const bat_surface *surface, const double 
 typedef struct bat_intersect_options {
     size_t size;      /* of this struct, as base.h says */
     double tolerance; /* surfaces this close touch; a loop less deep is a contact; 0: 1e-4 of the size */
-    double
-        chord; /* greatest distance of the polylines' chords; 0: 1e-6 of the size; below 1e-12 of the greatest
-                       * coordinate: BAT_TOLERANCE, and no tracks */
+    /* greatest distance of the polylines' chords; 0: 1e-6 of the size; below 1e-12 of the greatest coordinate: BAT_TOLERANCE,
+     * and no tracks */
+    double chord;
     double leaf; /* parts of this size, relative to the surface's, are searched one by one; 0: .03 */
 } bat_intersect_options;
 

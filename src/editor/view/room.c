@@ -8,8 +8,8 @@
 
 static const double DETENT = 5;  /* degrees beyond a pole that hold a drag there */
 static const double POLE = 1e-6; /* sine of the angle below which what is upright is seen from its end */
-static const double ROUNDED =
-    0.03; /* degrees that rounding the angles of the page to hundredths may turn a view */
+/* Degrees that rounding the angles of the page to hundredths may turn a view. */
+static const double ROUNDED = 0.03;
 static const double DEGREE = 180 / BAT_PI;
 
 /* x, y and z of the room of a wall, on its page. */

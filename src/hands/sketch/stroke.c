@@ -15,8 +15,8 @@ enum { SAMPLES_MAX = 6000, CORNERS_MAX = 1500, SMOOTH_MAX = 16384 };
 enum { LIVE_LOOSE = 256, LIVE_OVERLAP = 96, LIVE_NOISE = 256, LIVE_SAMPLES = 1500 };
 static const double loose = 0.25; /* px that shown samples move by at most */
 static const double sparse = 4;   /* px between samples, from which on they are few */
-static const double bend_share =
-    0.08; /* of the grain: where an end goes on, it bends as twice so much of it does */
+/* Of the grain: where an end goes on, it bends as twice so much of it does. */
+static const double bend_share = 0.08;
 static const double dot_length = 8, noise_cap = 1.5, noise_floor = 0.05;
 /* A drawing of this grain (px) has the whole tolerance; a smaller one has its share of it, at least this. */
 static const double full_grain = 50, least_share = 0.3, most_grain = 200;
