@@ -126,6 +126,20 @@ static bool are_linked(const track t[2], const bat_touching *x, const bat_touchi
     return runs_along(&t[0], &there, gap) && runs_along(&t[1], &back, gap);
 }
 
+static vec direction_at(const course *c, double u, double *speed) {
+    const int size = bat_curve_dimension(c->curve);
+    double x[2 * BAT_DIMENSION_MAX];
+    bat_curve_eval(c->curve, u, 1, x);
+    *speed = vec_norm(vec_load(x + size, size));
+    return vec_unit(vec_load(x + size, size));
+}
+
+/* The sine of the angle by which a turns to the left of b where they meet. */
+static vec across_at(const track t[2], const bat_crossing *at) {
+    double speed;
+    return vec_cross(direction_at(&t[1].own, at->v, &speed), direction_at(&t[0].own, at->u, &speed));
+}
+
 /* ---- groups ---- */
 
 static size_t root_of(const bat_touching *all, size_t i) {
@@ -145,6 +159,7 @@ static void unite(bat_touching *all, size_t i, size_t j) {
     if (is_better(from, into))
         into->at = from->at, into->exact = from->exact, into->distance = from->distance;
     into->alone = false;
+    into->counted = into->counted && from->counted, into->turn += from->turn;
     if (from->ends[0].u < into->ends[0].u) into->ends[0] = from->ends[0];
     if (from->ends[1].u > into->ends[1].u) into->ends[1] = from->ends[1];
 }
@@ -160,7 +175,8 @@ static size_t group(const track t[2], bat_touching *all, size_t count, double ga
     qsort(all, count, sizeof *all, by_place); /* no ties but of equals */
     bat_touching *places = all;
     for (size_t i = 0; i < count; i++) {
-        all[i].group = i, all[i].alone = true;
+        const double turn = across_at(t, &all[i].at).z;
+        all[i].group = i, all[i].alone = true, all[i].turn = (turn > 0) - (turn < 0);
         all[i].ends[0] = all[i].ends[1] = all[i].at;
     }
     const size_t turns = t[0].own.round ? LOOKS : 0;
@@ -207,14 +223,6 @@ static parting part_from(const track *t, double u, double v, int direction, doub
     return OWN_END;
 }
 
-static vec direction_at(const course *c, double u, double *speed) {
-    const int size = bat_curve_dimension(c->curve);
-    double x[2 * BAT_DIMENSION_MAX];
-    bat_curve_eval(c->curve, u, 1, x);
-    *speed = vec_norm(vec_load(x + size, size));
-    return vec_unit(vec_load(x + size, size));
-}
-
 /* Whether a curve is all but straight as far as `reach` from u, and does not end there. */
 static bool is_straight(const course *c, double u, double reach) {
     double speed, other;
@@ -230,10 +238,8 @@ static bool is_straight(const course *c, double u, double reach) {
 
 /* A single place where the directions are plainly not parallel, nor anywhere near. */
 static bool is_plain(const track t[2], const bat_touching *c, double gap, double *turn) {
-    double speed;
     if (!c->exact || !c->alone) return false;
-    const vec across = vec_cross(direction_at(&t[1].own, c->at.v, &speed),
-                                 direction_at(&t[0].own, c->at.u, &speed));
+    const vec across = across_at(t, &c->at);
     *turn = across.z;
     return vec_norm(across) > PLAIN && is_straight(&t[0].own, c->at.u, gap / PLAIN) &&
            is_straight(&t[1].own, c->at.v, gap / PLAIN);
@@ -269,7 +275,11 @@ static void give_kind(const track t[2], bat_touching *c, const double clear[2][2
     const bat_contact_kind other = kind_along(
         &t[1], (const double[2][2]){{e[first].v, e[first].u}, {e[1 - first].v, e[1 - first].u}}, clear[1],
         plane, gap, &sign[1]);
-    c->at.kind = along > other ? along : other; /* crosses, touches, ends, overlaps */
+    c->at.kind = along > other ? along : other;                     /* crosses, touches, ends, overlaps */
+    if (plane && c->counted && c->at.kind <= BAT_CONTACT_TOUCHES) { /* on a hairpin sides are hard to tell */
+        sign[0] = (c->turn > 0) - (c->turn < 0);
+        c->at.kind = c->turn ? BAT_CONTACT_CROSSES : BAT_CONTACT_TOUCHES;
+    }
     if (c->at.kind == BAT_CONTACT_CROSSES) c->at.sign = sign[0];
     if (!plane && c->at.kind == BAT_CONTACT_TOUCHES && c->exact) c->at.kind = BAT_CONTACT_CROSSES;
 }

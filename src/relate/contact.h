@@ -5,10 +5,12 @@
 #include <batten/relate.h>
 
 typedef struct bat_touching {
-    bat_crossing at;      /* the best place of it */
-    double distance;      /* of the curves there */
-    bool exact;           /* they cross there, not in parallel, as far as rounding tells */
-    bool alone;           /* no other place was found to belong to it; set by bat_contacts_settle */
+    bat_crossing at; /* the best place of it */
+    double distance; /* of the curves there */
+    bool exact;      /* they cross there, not in parallel, as far as rounding tells */
+    bool counted;    /* it is one exact crossing, no more; of a contact: all of its places are */
+    int turn; /* how often a goes to the left of b, less to the right, at its places; set by bat_contacts_settle */
+    bool alone;           /* no other place was found to belong to it; set there */
     size_t group;         /* the first place of the same contact; set there */
     bat_crossing ends[2]; /* the first and the last of its places along a; set there */
 } bat_touching;

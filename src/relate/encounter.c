@@ -332,8 +332,9 @@ static bool trivial(const bat_encounter *m, const bat_candidate *x) {
     return bat_encounter_at(m->a, low, domain[0], m->gap) && bat_encounter_at(m->a, high, domain[1], m->gap);
 }
 
+/* Only what is all but one place: which places are one contact is decided where they are looked at (contact.h). */
 static bool same(const bat_encounter *m, const bat_candidate *x, const bat_candidate *y) {
-    return touch(m->a, x->u, y->u, m->gap) && touch(m->b, x->v, y->v, m->gap);
+    return touch(m->a, x->u, y->u, m->gap / 64) && touch(m->b, x->v, y->v, m->gap / 64);
 }
 
 static bool same_crossing(const bat_encounter *m, const bat_crossing *x, const bat_crossing *y) {
@@ -414,6 +415,7 @@ bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
         if (within(m, m->candidates + i) || trivial(m, m->candidates + i)) continue;
         bat_crossing at = m->candidates[i].at;
         const bat_candidate *from = m->candidates + i;
+        const bool one = from->exact && from->u[0] == from->u[1] && from->v[0] == from->v[1];
         const double distance = from->exact ? from->distance : nearest_of(m, from, &at);
         if (!(distance <= m->gap)) continue;
         const bool a_seam = home(m->a, m->gap, &at.u), b_seam = home(m->b, m->gap, &at.v);
@@ -424,7 +426,9 @@ bat_status bat_encounter_settle(bat_encounter *m, bat_meeting *out) {
         bool known = false;
         for (size_t j = 0; j < count && !known && (a_seam || b_seam); j++)
             known = same_crossing(m, &all[j].at, &at);
-        if (!known) all[count++] = (bat_touching){.at = at, .distance = distance, .exact = from->exact};
+        if (!known)
+            all[count++] = (bat_touching){
+                .at = at, .distance = distance, .exact = from->exact, .counted = one};
     }
     return hand_over(m, count, all, out);
 }

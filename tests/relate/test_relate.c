@@ -565,6 +565,32 @@ static void curves_run_over_themselves(void **state) {
 
 /* ---- what is refused ---- */
 
+/* A parabola whose two sides are half a tolerance apart where they cross a line, its tip `beyond` tolerances behind it. */
+static void hairpins_cross_twice(void **state) {
+    (void)state;
+    static const double beyond[] = {0.5, 0.9, 1.2, 2, 4, 7, 20};
+    for (double size = 1e-6; size < 1e7; size *= 1e6)
+        for (size_t i = 0; i < sizeof beyond / sizeof *beyond; i++) {
+            const double tolerance = 1e-8 * size, tip = beyond[i] * tolerance;
+            const double half = 0.25 * tolerance / sqrt(tip / size);
+            bat_curve *pin = NULL, *line = NULL;
+            bat_meeting met;
+            const double x[] = {-half, tip - size, 0, tip + size, half, tip - size};
+            assert_int_equal(bat_curve_create_clamped(2, 2, 3, x, &pin), BAT_OK);
+            assert_int_equal(bat_curve_create_clamped(2, 1, 2, (double[]){-size, 0, size, 0}, &line), BAT_OK);
+            assert_int_equal(bat_curve_intersect(pin, line, tolerance, &met), BAT_OK);
+            assert_int_equal(met.count, beyond[i] < 1 ? 1 : 2);
+            for (size_t k = 0; k < met.count; k++) {
+                const bool crosses = met.count == 2;
+                assert_int_equal(met.crossings[k].kind, crosses ? BAT_CONTACT_CROSSES : BAT_CONTACT_TOUCHES);
+                assert_int_equal(met.crossings[k].sign, crosses ? (k ? -1 : 1) : 0);
+            }
+            bat_meeting_free(&met);
+            bat_curve_free(pin);
+            bat_curve_free(line);
+        }
+}
+
 static void bad_arguments(void **state) {
     (void)state;
     bat_curve *plane = line(0, 0, 1, 1), *space;
@@ -618,6 +644,7 @@ int main(void) {
         cmocka_unit_test(loops_have_closed_forms),
         cmocka_unit_test(curves_run_over_themselves),
         cmocka_unit_test(own_crossings_are_those_of_fine_polylines),
+        cmocka_unit_test(hairpins_cross_twice),
         cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
