@@ -15,6 +15,7 @@
 #include <batten/nearest.h>
 #include "curve/fit.h"
 #include "support/random_curve.h"
+#include "support/rounds.h"
 
 enum { COUNT = 2000, TABLE = 20000 };
 
@@ -147,13 +148,13 @@ static void lengths_give_the_curve_back(void **state) {
     for (int degree = 2; degree <= 4; degree++)
         for (enum places places = EVEN; places <= DENSER; places++)
             for (int spans = 5; spans <= 20; spans += 15) {
-                judge(97, places, degree, spans, degree == 3 ? 12 : 4, share, more);
+                judge(97, places, degree, spans, ROUNDS_OF(degree == 3 ? 12 : 4), share, more);
                 for (int k = 0; k < 3; k++) assert_true(degree == 4 ? share[k] <= 1200 : more[k] == 0);
             }
     for (enum places places = EVEN; places <= DENSER; places++) {
-        judge(5, places, 3, 97, 6, share, more);
+        judge(5, places, 3, 97, ROUNDS_OF(6), share, more);
         for (int k = 0; k < 3; k++) assert_true(share[k] <= 1020);
-        judge(5, places, 2, 97, 4, share, more);
+        judge(5, places, 2, 97, ROUNDS_OF(4), share, more);
         for (int k = 0; k < 3; k++) assert_true(share[k] <= 1010);
     }
 }

@@ -1,4 +1,4 @@
-/* Long work: a pen-up does no more after thousands of operations than after the first hundred, together with its share of the
+/* Long work: a pen-up does no more after a thousand operations than after the first hundred, together with its share of the
  * compactions of the journal, which a host asks for whenever it has grown by a half. The journal stays within four times what
  * it is when compacted. */
 #include "growth.h"
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { LINES = 40, PERIOD = 200, OPERATIONS = 2000, WARM = PERIOD, GROWS = 1 << 18 };
+enum { LINES = 40, PERIOD = 200, OPERATIONS = 1200, WARM = PERIOD, GROWS = 1 << 18 };
 
 static const double MOST = 1.2;
 

@@ -95,7 +95,7 @@ async function spoilt(change, given) {
   return { context, files: files.filter(([, bytes]) => bytes.length > 1) };
 }
 
-for (const share of [0.02, 0.3, 0.5, 0.7, 0.97]) {
+for (const share of [0.02, 0.5, 0.97]) { // store.test.mjs changes each byte
   test(`a byte at ${100 * share} % is changed: the other steps are there, it is said, and the file stays as it is`, async () => {
     const { context, files: [[name, bytes]] } = await spoilt((all, where) => {
       all[Math.floor(where * all.length)] ^= 0x15;
@@ -121,7 +121,7 @@ for (const share of [0.02, 0.3, 0.5, 0.7, 0.97]) {
   });
 }
 
-for (const share of [0.4, 0.8, 0.995]) {
+for (const share of [0.4, 0.995]) {
   test(`what is kept is cut at ${100 * share} %: what comes before is there, and it is said`, async () => {
     const { context } = await spoilt((all, where) => all.slice(0, Math.floor(where * all.length)), share);
     const next = await another(context);

@@ -10,11 +10,12 @@
 #include "base/real.h"
 #include "editor/edit/breadth_levels.h"
 #include "support/random_curve.h"
+#include "support/rounds.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { CASES = 60 };
+enum { CASES = ROUNDS_OF(60) };
 
 /* Shares between 2 and 6, so that nothing is clamped; even or uneven stops. */
 static bat_breadths some(random_source *r, int count, bool closed, bool even) {

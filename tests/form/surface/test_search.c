@@ -10,6 +10,7 @@
 #include "form/surface/finder.h"
 #include "base/vec.h"
 #include "support/random_surface.h"
+#include "support/rounds.h"
 #include "support/solids.h"
 
 static const double clamped[] = {0, 0, 0, 1, 1, 1}, two_spans[] = {0, 0, 0, 0.5, 1, 1, 1};
@@ -137,7 +138,7 @@ static void a_ray_in_the_surface_ends(void **state) {
 
 /* ---- Hits counted by boxes alone ---- */
 
-enum { FINE = 40, PLACES = 4096 };
+enum { FINE = 40, PLACES = 4096, SURFACES = ROUNDS_OF(30) };
 
 static bool box_has_zero(const double *net, int points) {
     for (int c = 0; c < 3; c++) {
@@ -225,7 +226,7 @@ static void hits_are_those_of_subdivision(void **state) {
     random_source r = {12};
     int total = 0, differ = 0;
     double widest;
-    for (int number = 0; number < 30; number++) {
+    for (int number = 0; number < SURFACES; number++) {
         bat_surface *s = any_surface(&r, number);
         for (int ray = 0; ray < 20; ray++) {
             double from[3], way[3];
@@ -250,7 +251,7 @@ static void hits_beside_silhouettes_are_those_of_subdivision(void **state) {
     (void)state;
     random_source r = {33};
     int total = 0, differ = 0, vague = 0, rays = 0;
-    for (int number = 0; number < 30; number++) {
+    for (int number = 0; number < SURFACES; number++) {
         bat_surface *s = any_surface(&r, number);
         const double pixel = bat_surface_size(s) / 1000;
         for (int ray = 0; ray < 12; ray++) {
@@ -282,7 +283,7 @@ static void hits_beside_silhouettes_are_those_of_subdivision(void **state) {
 static void finders(void **state) {
     (void)state;
     random_source r = {19};
-    for (int number = 0; number < 30; number++) {
+    for (int number = 0; number < SURFACES; number++) {
         bat_surface *s = random_surface(&r, (const int[2]){1 + number % 4, 3},
                                         (const int[2]){number % 3, number / 3 % 3},
                                         (const int[2]){number, 2 * number});
@@ -385,7 +386,7 @@ static void nothing_is_nearer(void **state) {
     enum { SIDE = 40 };
     static double u[SIDE], v[SIDE], points[SIDE * SIDE * 3];
     random_source r = {4};
-    for (int number = 0; number < 42; number++) {
+    for (int number = 0; number < ROUNDS_OF(42); number++) {
         /* simple knots: no creases, where the gap need not be square to the surface */
         double knots[2][16], net[8 * 8 * 3];
         const int degree[2] = {2 + number % 6, 2 + number / 6 % 6};
