@@ -10,6 +10,7 @@
 #include "editor/tables/tables.h"
 #include "hands/levels/shape.h"
 #include "text/text.h"
+#include "editor/edit/stroke_blend.h"
 #include "editor/edit/stroke_record.h"
 #include "editor/edit/curves_of.h"
 #include <stdlib.h>
@@ -56,6 +57,7 @@ static bat_status one_curve(const bat_document *document, const bat_edit *edit, 
     if (!other || other == target) return BAT_ARGUMENT;
     return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
 }
+    if (edit->kind == BAT_EDIT_BLEND && other) return bat_edit_blend(target, other, &stroke, out);
 
 size_t bat_edit_pressed(const bat_edit *edit, const bat_curve *curve, bat_width_stop *stops) {
     bat_pressing pressing;
@@ -141,7 +143,9 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_edit_result
     bat_edit_write(edit, &line);
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK)
-        status = edit->kind == BAT_EDIT_NEW ? insert(c, edit, result) : bat_edit_put(c, edit, result);
+        status = edit->kind == BAT_EDIT_NEW     ? insert(c, edit, result)
+                 : edit->kind == BAT_EDIT_BLEND ? insert_beside(c, edit, result)
+                                                : bat_edit_put(c, edit, result);
     bat_edit_result_clear(result);
     if (status == BAT_OK && edit->kind == BAT_EDIT_NEW) status = bat_dash_new(c, edit->object, edit->dashes);
     if (status == BAT_OK && edit->kind == BAT_EDIT_NEW) status = press(c, edit);
@@ -158,4 +162,18 @@ bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_edit_result
     bat_text_free(&line);
     if (status == BAT_OK && edit->kind == BAT_EDIT_REDRAW) bat_settings_follow(c->settings, BAT_FIRST_DRAW);
     return status;
+/* A new object of it in front of the edit's, in the same style. */
+static bat_status insert_beside(bat_context *c, const bat_edit *edit, bat_edit_result *result) {
+    bat_document *document = c->session->document;
+    const int index = bat_document_find(document, edit->object);
+    bat_object *made = NULL, *placed = NULL;
+    bat_curve *curve = result->curve[0];
+    result->curve[0] = NULL;
+    bat_status status = bat_object_with_curves(bat_document_at(document, index), 1, &curve, &made);
+    if (status == BAT_OK) status = bat_object_with_id(made, bat_document_new_id(document), &placed);
+    if (status == BAT_OK) status = bat_transaction_insert(c, index + 1, placed);
+    bat_object_release(made), bat_object_release(placed);
+    return status;
+}
+
 }

@@ -20,6 +20,7 @@ static const struct {
     [BAT_EDIT_EXTEND] = {"sketch-extend", BAT_STRING_STEP_EXTEND},
     [BAT_EDIT_CLOSE] = {"sketch-close", BAT_STRING_STEP_CLOSE},
     [BAT_EDIT_SEVERAL] = {"sketch-several", BAT_STRING_STEP_SEVERAL},
+    [BAT_EDIT_BLEND] = {"sketch-blend", BAT_STRING_COMMAND_CURVE_BLEND},
     [BAT_EDIT_LEVEL] = {"sketch-level", BAT_STRING_STEP_LEVEL_SKETCH},
 };
 
@@ -83,6 +84,8 @@ static void write_style(bat_text *line, const bat_style *style) {
     if (style->join != usual.join) number(line, "join", (double)style->join);
 }
 
+static bool has_other(bat_edit_kind kind) { return kind == BAT_EDIT_JOIN || kind == BAT_EDIT_BLEND; }
+
 static bool is_redraw(bat_edit_kind kind) { return kind == BAT_EDIT_REDRAW || kind == BAT_EDIT_EXTEND; }
 
 /* What the choice of meaning has determined for a redraw. */
@@ -138,7 +141,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     if (edit->kind == BAT_EDIT_LEVEL) number(line, "level", edit->level);
     if (is_redraw(edit->kind)) write_redraw(line, &edit->meaning);
     if (edit->kind == BAT_EDIT_SEVERAL) write_parts(line, edit);
-    if (edit->kind == BAT_EDIT_JOIN) {
+    if (has_other(edit->kind)) {
         number(line, "other", (double)edit->other);
         number(line, "other_curve", edit->other_curve);
     }
@@ -380,7 +383,7 @@ bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_
     if (out->kind == BAT_EDIT_LEVEL) out->level = read_whole(&r, "level", BAT_LEVEL_BARE, BAT_LEVELS_MAX);
     if (is_redraw(out->kind)) read_redraw(&r, &out->meaning);
     if (out->kind == BAT_EDIT_SEVERAL) read_parts(&r, out);
-    if (out->kind == BAT_EDIT_JOIN) {
+    if (has_other(out->kind)) {
         out->other = (bat_id)read_whole(&r, "other", 1, ids);
         out->other_curve = read_whole(&r, "other_curve", 0, ids);
     }
