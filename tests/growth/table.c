@@ -182,6 +182,7 @@ ON_WAVE(piece, COUNT(bat_curve_piece(c, 0.2 * end, 0.9 * end, &made)))
 ON_WAVE(simplify, COUNT(bat_curve_simplify(c, 0.3, 0.1, &made, NULL)))
 ON_WAVE(refit, COUNT(bat_curve_refit(c, 0.1, 0.1, &made, NULL)))
 ON_WAVE(refit_g1, COUNT(bat_curve_refit_g1(c, 0.1, 0.1, &made, NULL)))
+ON_WAVE(refit_extremes, COUNT(bat_curve_refit_extremes(c, 0.1, 0.1, 0, &made, NULL)))
 ON_WAVE(length, COUNT_ALL(bat_curve_length(c, 0, end, 1e-9)))
 ON_WAVE(area, COUNT_ALL(bat_curve_area(c)))
 ON_WAVE(calm, COUNT(bat_sketch_calm(c, (const double[2]){0.1 * end, 0.9 * end}, 1, 1, &made)))
@@ -858,6 +859,7 @@ static const row rows[] = {
     {"curve: refit", refit, 100, 0, NULL},
     {"curve: refit G1", refit_g1, 100, 0, NULL},
     {"curve: Greville abscissae", greville, 500, 0, NULL},
+    {"curve: refit on extremes", refit_extremes, 100, 0, NULL},
     {"curve: n places at once", eval_many, 500, 0, NULL},
     {"curve: n places", eval_each, 500, 0, NULL},
     {"curve: spread", spread, 500, 0, NULL},

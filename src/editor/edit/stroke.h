@@ -62,6 +62,7 @@ typedef struct bat_edit {
     bat_dashing dashes; /* NEW */
     bool pressed;       /* NEW: the pen's pressure becomes the width along it */
     bat_mirror mirror;  /* on: the edit is made on both sides of this axis */
+    bool on_extremes;   /* the curves become cubics that meet at extremes, in whole numbers */
     bool accepted;      /* the user accepted a fit that misses the tolerance */
     bat_samples samples;
 } bat_edit;

@@ -163,6 +163,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     if (edit->options.fairness != bat_sketch_defaults().fairness)
         number(line, "fairness", edit->options.fairness);
     if (edit->options.degree != 3) number(line, "degree", edit->options.degree);
+    if (edit->on_extremes) bat_text_string(line, ",\"on_extremes\":true");
     if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
     bat_mirror_write(&edit->mirror, line);
     bat_text_string(line, ",\"view\":");
@@ -407,6 +408,7 @@ bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_
     options->width = read(&r, "width", 1, 100, &three);
     options->smooth_limit = read(&r, "smooth_limit", 0, 1e12, &none);
     options->keep_corners = read_switch(&r, "keep_corners");
+    out->on_extremes = read_switch(&r, "on_extremes");
     out->accepted = read_switch(&r, "accepted");
     if (r.status == BAT_OK) r.status = bat_mirror_read(json, 1, &out->mirror, problem);
     if (r.status == BAT_OK) r.status = read_stroke(json, bat_json_member(json, 1, "stroke"), out, problem);

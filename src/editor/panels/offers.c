@@ -127,6 +127,8 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
     case BAT_COMMAND_MIRROR_LINE: return f->roots > 1 && f->open > 0;
     case BAT_COMMAND_TO_PAGE: return f->space > 0;
     case BAT_COMMAND_CURVE_EARLIER: return f->others == 1 && bat_tuning_has_earlier(c);
+    case BAT_COMMAND_POINTS_EXTREMES:
+    case BAT_COMMAND_POINTS_INFLECTIONS: return f->open + f->closed > f->space;
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;
     case BAT_COMMAND_CURVE_SPLIT: return point && f->open + f->closed > 0;

@@ -24,7 +24,7 @@
 
 static const double SPACING = 7, TALL = 46, HIGHEST = 110; /* px: between teeth, of tall ones, of any */
 static const double REACH = 16, MARK = 4;                  /* px */
-enum { TEETH_MAX = 1500, INFLECTIONS_MAX = 200 };
+enum { TEETH_MAX = 1500, MARKS_MAX = 200 };
 
 /* A tooth: its point, the curvature vector turned outwards, its length, the length of curve that it represents. */
 typedef struct tooth {
@@ -137,15 +137,30 @@ void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_stage
         }
     }
     free(teeth);
-    double u[INFLECTIONS_MAX], at[2];
-    size_t found = bat_curve_inflections(curve, INFLECTIONS_MAX, u);
-    if (found > INFLECTIONS_MAX) found = INFLECTIONS_MAX;
+    double u[MARKS_MAX], at[2];
+    size_t found = bat_curve_inflections(curve, MARKS_MAX, u);
+    if (found > MARKS_MAX) found = MARKS_MAX;
     bat_overlay_item(overlay, BAT_ROLE_COMB, BAT_ITEM_FILLED, 0);
     for (size_t i = 0; i < found && scale > 0; i++) {
         double place[3] = {0};
         bat_curve_eval(curve, u[i], 0, place); /* of a planar curve */
         if (in_sight(stage, vec_load(place, 2)) && look_at(stage, vec_load(place, 2), at))
             bat_overlay_circle(overlay, at, MARK * pixel);
+    }
+}
+
+/* Squares on extremes. */
+static void show_extremes(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage) {
+    double u[MARKS_MAX];
+    bat_overlay_item(overlay, BAT_ROLE_COMB, BAT_ITEM_STROKED, 1);
+    for (int axis = 0; axis < 2; axis++) {
+        const size_t found = bat_curve_extremes(curve, axis, MARKS_MAX, u);
+        for (size_t i = 0; i < found && i < MARKS_MAX; i++) {
+            double at[2];
+            bat_curve_eval(curve, u[i], 0, at);
+            if (in_sight(stage, vec_load(at, 2)))
+                bat_overlay_square(overlay, at, MARK * bat_stage_pixel(stage));
+        }
     }
 }
 
@@ -175,7 +190,7 @@ void bat_insight_show(bat_context *c, const bat_curve *made, bat_overlay *overla
     if (!curve) return;
     bat_curve *seen = NULL; /* a curve in space as it is seen from above: without its height */
     if (bat_curve_to_dimension(curve, 2, &seen) != BAT_OK) return;
-    if (comb) bat_comb_show(overlay, seen, c->stage);
+    if (comb) bat_comb_show(overlay, seen, c->stage), show_extremes(overlay, seen, c->stage);
     if (knots) bat_handles_show_knots(overlay, curve, c->stage);
     bat_curve_free(seen);
     if (length && c->input->pen_near) {
