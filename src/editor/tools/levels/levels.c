@@ -105,6 +105,7 @@ static bat_status moved(const bat_context *c, bat_shape_live *live, const bat_ha
 static bat_status edited(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                          const double delta[3], bat_shape **out) {
     bat_shape *shape = NULL;
+    if (bat_leveling_holds(c)) return bat_leveling_move_held(c, live, grip, delta, out);
     bat_status status = moved(c, live, grip, delta);
     if (status == BAT_OK) status = bat_shape_copy(bat_shape_live_shape(live), &shape);
     if (status == BAT_OK) status = bat_shape_commit(shape);
@@ -118,6 +119,8 @@ static bat_status edited(const bat_context *c, bat_shape_live *live, const bat_h
 static void tell(bat_context *c, bat_status status) {
     if (status == BAT_STATE)
         bat_notice(c, BAT_STRING_NOTICE_MUTED);
+    else if (status == BAT_TOLERANCE)
+        bat_notice(c, BAT_STRING_NOTICE_HELD);
     else if (status != BAT_OK)
         bat_notice_failure(c, status);
 }
@@ -169,7 +172,10 @@ static void drag(bat_context *c) {
     bat_shape *shape = NULL;
     bat_status status = edited(c, l->live, &l->grip, delta, &shape);
     if (status == BAT_OK) status = bat_leveling_put(c, shape);
-    if (status != BAT_OK) give_up(c, status);
+    if (status == BAT_TOLERANCE)
+        tell(c, status); /* it stays where it came to */
+    else if (status != BAT_OK)
+        give_up(c, status);
 }
 
 /* The normal of a curve in the plane where it is gripped: at a control point, where that point pulls most. */
@@ -249,11 +255,16 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     if (!l->dragging && far && l->grip.kind && !l->copying) begin_drag(c);
 }
 
-static void tap(bat_context *c) {
+static void tap(bat_context *c, const bat_pointer *event) {
     bat_leveling *l = bat_leveling_of(c);
     const bat_handle grip = l->grip;
     const int curve = curve_of(c, &grip);
     bool same = grip.object == l->object && curve == l->curve;
+    const bool twice = bat_double_tap_ends(&l->tap, event);
+    if (twice && same && !l->copying && grip.kind == BAT_HANDLE_CURVE && !bat_ladder_any(l->apart)) {
+        bat_leveling_pin(c, grip.u);
+        return;
+    }
     if (l->copying) {
         if (!grip.object || same) return;
         l->copying = false;
@@ -269,7 +280,6 @@ static void tap(bat_context *c) {
 static void up(bat_context *c, void *state, const bat_pointer *event) {
     (void)state;
     bat_leveling *l = bat_leveling_of(c);
-    (void)event;
     if (!l->pressed) return;
     drag(c);
     if (!l->pressed) return; /* it failed */
@@ -278,7 +288,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
                                                         : BAT_STRING_STEP_LEVEL_PULL;
     release(l);
     if (!dragged)
-        tap(c);
+        tap(c, event);
     else
         tell(c, bat_transaction_commit(c, label, NULL));
 }
@@ -342,7 +352,18 @@ static bat_status nudge(bat_context *c, double x, double y) {
     bat_shape_live_cancel(live);
     if (status == BAT_OK) status = bat_leveling_commit(c, shape, BAT_STRING_STEP_LEVEL_POINT);
     tell(c, status);
-    return status == BAT_STATE ? BAT_OK : status; /* muted: BAT_OK keeps the key from moving the view */
+    return status == BAT_STATE || status == BAT_TOLERANCE
+               ? BAT_OK
+               : status; /* muted, held: BAT_OK keeps the key from moving the view */
+}
+
+/* At the chosen control point. */
+static bat_status pin(bat_context *c) {
+    const bat_leveling *l = bat_leveling_of(c);
+    const bat_curve *polygon = active(c);
+    if (l->chosen < 0 || !polygon) return BAT_STATE;
+    bat_leveling_pin(c, bat_handle_greville(polygon, l->chosen));
+    return BAT_OK;
 }
 
 static bat_status command(bat_context *c, void *state, bat_command_id id) {
@@ -351,6 +372,7 @@ static bat_status command(bat_context *c, void *state, bat_command_id id) {
     switch (id) {
     case BAT_COMMAND_POINT_NEXT: return step(c, 1);
     case BAT_COMMAND_POINT_PREVIOUS: return step(c, -1);
+    case BAT_COMMAND_POINT_ADD: return pin(c);
     case BAT_COMMAND_NUDGE_LEFT: return nudge(c, -1, 0);
     case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, 1, 0);
     case BAT_COMMAND_NUDGE_UP: return nudge(c, 0, -1);
@@ -467,6 +489,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     }
     show_levels(c, list, shape, level, l->apart.shape || c->settings->values[BAT_PROPERTY_SHOW_LEVELS] != 0);
     if (c->settings->values[BAT_PROPERTY_SHOW_FRAMES] != 0) show_frames(c, list, shape);
+    bat_leveling_show_pins(c, list);
     bat_handle one = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
     if (l->chosen >= 0 && !l->apart.shape) bat_handles_show_one(list, curve, &one, BAT_ROLE_CHOSEN, c->stage);
     if (under && hot->kind == BAT_HANDLE_POINT && hot->index != l->chosen)

@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
 #define BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
 
+#include "editor/input/double_tap.h"
 #include "editor/session/context.h"
 #include "editor/show/handles.h"
 #include "editor/show/overlay.h"
@@ -13,12 +14,22 @@
 #include <batten/editor.h>
 #include <batten/levels.h>
 
+/* A place of the chosen curve that drags hold, and perhaps its direction there. */
+typedef struct bat_pin {
+    double u;
+    bool direction;
+} bat_pin;
+
 typedef struct bat_leveling {
     bat_id object;  /* the chosen curve or surface; 0: none */
     int curve;      /* of a surface: no matter */
     bat_id adopted; /* the selection already taken into account */
     int level;      /* the active level */
     int chosen;     /* index of its chosen control point; -1: none */
+
+    int pin_count;
+    bat_pin pins[BAT_HELD_MAX];
+    bat_double_tap tap;
 
     bool hovering;
     bat_device device;
@@ -73,6 +84,15 @@ bat_status bat_relief_pull(bat_context *c);
 void bat_relief_show(const bat_context *c, bat_overlay *list);
 /* Takes the chosen surface apart; how many points that leaves of n. */
 bat_status bat_relief_take_apart(bat_context *c, int levels, int points, bat_relief **out);
+/* held.c: whether anything of the chosen curve is held. */
+bool bat_leveling_holds(const bat_context *c);
+/* The shape of the drag's session as it was at the beginning, with the grip moved by delta and the rest held; the caller's. BAT_TOLERANCE:
+ * that cannot be. */
+bat_status bat_leveling_move_held(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
+                                  const double delta[3], bat_shape **out);
+/* Puts a pin at a parameter of the chosen curve; with one there, holds its direction, too, and then takes it away. */
+void bat_leveling_pin(bat_context *c, double u);
+void bat_leveling_show_pins(const bat_context *c, bat_overlay *list);
 /* Ends a fader drag and reverts it; false: there was none. */
 bool bat_leveling_let_go(bat_context *c);
 /* The version of the strip's contents; 0: the strip is not visible. */
