@@ -117,6 +117,7 @@ static void strokes_come_on_extremes(void **state) {
     pen_stroke(&p, round_and_round, (double[]){1000.3, 300.4, 100}, 160);
     assert_int_equal(bat_document_count(bat_editor_document(editor)), 3);
     is_whole(curve(editor, 3));
+    assert_int_equal(bat_curve_count(curve(editor, 3)), 12); /* an oval is four cubics */
     pen_stroke(&p, over_the_top, (double[]){1000.3, 300.4, 12}, 90);
     assert_int_equal(bat_document_count(bat_editor_document(editor)), 3);
     is_whole(curve(editor, 3));

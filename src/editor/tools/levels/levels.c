@@ -9,6 +9,8 @@
  */
 #include "base/vec.h"
 #include "curve/curve.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
 #include "editor/edit/stroke.h"
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
@@ -127,8 +129,9 @@ static void tell(bat_context *c, bat_status status) {
 
 static void release(bat_leveling *l) {
     bat_shape_live_cancel(l->live);
+    bat_followers_free(l->followers);
     bat_relief_free(l->carved);
-    l->live = NULL, l->carved = NULL;
+    l->live = NULL, l->followers = NULL, l->carved = NULL;
     l->pressed = l->dragging = l->due = false;
 }
 
@@ -172,6 +175,7 @@ static void drag(bat_context *c) {
     bat_shape *shape = NULL;
     bat_status status = edited(c, l->live, &l->grip, delta, &shape);
     if (status == BAT_OK) status = bat_leveling_put(c, shape);
+    if (status == BAT_OK) status = bat_followers_move(c, l->followers);
     if (status == BAT_TOLERANCE)
         tell(c, status); /* it stays where it came to */
     else if (status != BAT_OK)
@@ -209,8 +213,9 @@ static int curve_of(const bat_context *c, const bat_handle *grip) {
 
 static void begin_drag(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
+    const bool among = bat_selection_has(&c->choice->selection, l->grip.object);
     bat_apart_drop(c);
-    bat_leveling_choose(c, l->grip.object, curve_of(c, &l->grip));
+    (among ? bat_leveling_take : bat_leveling_choose)(c, l->grip.object, curve_of(c, &l->grip));
     bat_leveling_settle(c);
     const bat_shape *shape = bat_leveling_shape(c);
     if (!shape && !bat_leveling_relief(c)) { /* nothing can bend it */
@@ -219,6 +224,7 @@ static void begin_drag(bat_context *c) {
         return;
     }
     bat_status status = shape ? bat_shape_live_begin(shape, l->level, &l->live) : bat_relief_grip(c);
+    if (status == BAT_OK && shape) status = bat_followers_gather(c, &l->followers);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         release(l);
@@ -336,6 +342,22 @@ static bat_status step(bat_context *c, int direction) {
     return l->chosen < 0 ? BAT_STATE : BAT_OK;
 }
 
+/* As one step; takes the shape over, whatever it returns. */
+static bat_status commit_with_followers(bat_context *c, bat_shape *shape) {
+    bat_followers *followers = NULL;
+    bat_status status = bat_followers_gather(c, &followers);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status != BAT_OK) {
+        bat_shape_free(shape);
+    } else {
+        status = bat_leveling_put(c, shape);
+        if (status == BAT_OK) status = bat_followers_move(c, followers);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_LEVEL_POINT);
+    }
+    bat_followers_free(followers);
+    return status;
+}
+
 static bat_status nudge(bat_context *c, double x, double y) {
     bat_leveling *l = bat_leveling_of(c);
     if (l->chosen < 0 || !active(c)) return BAT_STATE;
@@ -350,7 +372,7 @@ static bat_status nudge(bat_context *c, double x, double y) {
     bat_status status = bat_shape_live_begin(bat_leveling_shape(c), l->level, &live);
     if (status == BAT_OK) status = edited(c, live, &grip, delta, &shape);
     bat_shape_live_cancel(live);
-    if (status == BAT_OK) status = bat_leveling_commit(c, shape, BAT_STRING_STEP_LEVEL_POINT);
+    if (status == BAT_OK) status = commit_with_followers(c, shape);
     tell(c, status);
     return status == BAT_STATE || status == BAT_TOLERANCE
                ? BAT_OK
@@ -533,7 +555,10 @@ static const char *check(const bat_context *c, const void *state) {
 
 static void begin(void *state) { ((bat_leveling *)state)->chosen = -1; }
 
-static void end(void *state) { bat_leveling_free(state); }
+static void end(void *state) {
+    bat_followers_free(((bat_leveling *)state)->followers);
+    bat_leveling_free(state);
+}
 
 static bool held_by_panel(const void *state) { return ((const bat_leveling *)state)->fading; }
 

@@ -82,11 +82,15 @@ void bat_leveling_settle(bat_context *c) {
         bat_apart_drop(c);
 }
 
-void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
+void bat_leveling_take(bat_context *c, bat_id object, int curve) {
     bat_leveling *l = bat_leveling_of(c);
     if (l->object != object || l->curve != curve) l->chosen = -1, l->pin_count = 0;
     l->object = l->adopted = object;
     l->curve = curve;
+}
+
+void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
+    bat_leveling_take(c, object, curve);
     bat_selection_clear(&c->choice->selection);
     if (object) bat_selection_add(&c->choice->selection, object); /* out of memory: not selected */
 }
