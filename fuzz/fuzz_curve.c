@@ -111,7 +111,7 @@ static bat_status change(bytes *in, const bat_curve *curve, const bat_curve *oth
     double u[12], error = 0, matrix[12], *cubics = NULL;
     int removed, count;
     bat_status status;
-    switch (small(in, 21)) {
+    switch (small(in, 22)) {
     case 0: u[0] = number(in); return bat_curve_insert_knot(curve, u[0], small(in, 9), out);
     case 1:
         count = small(in, 12);
@@ -148,6 +148,9 @@ static bat_status change(bytes *in, const bat_curve *curve, const bat_curve *oth
     case 18: return drag(in, curve, out);
     case 19: u[0] = number(in); return bat_curve_refit(curve, u[0], number(in), out, &error);
     case 20: u[0] = number(in); return bat_curve_refit_g1(curve, u[0], number(in), out, &error);
+    case 21:
+        u[0] = number(in), u[1] = number(in);
+        return bat_curve_refit_extremes(curve, u[0], u[1], number(in), out, &error);
     case 16:
         return bat_curve_refine(curve, bat_curve_knot_count(other ? other : curve),
                                 bat_curve_knots(other ? other : curve), out);

@@ -77,6 +77,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (!(length >= 0)) abort();
     (void)bat_curve_at_length(curve, domain[0], 0.5 * length, 1e-6);
     (void)bat_curve_inflections(curve, 8, u);
+    (void)bat_curve_extremes(curve, 0, 8, u);
     if (!isfinite(bat_curve_curvature(curve, near.u))) abort();
     find(curve, point, &near);
     bat_curve_free(curve);

@@ -333,6 +333,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             if (bat_shape_drag_finest(shape, 0, byte(&s) * n / 255.0, delta, 1e-3, &left) != BAT_OK &&
                 !shapes_same(shape, before))
                 abort();
+            const double pin = byte(&s) * n / 255.0;
+            const bat_shape_held held = {.length = true, .point_count = 1, .points = &pin};
+            if (n <= 8 && bat_shape_levels(shape) < 2) {
+                (void)bat_shape_drag_held(shape, 0, byte(&s) * n / 255.0, delta, &held);
+                (void)bat_shape_move_held(shape, 0, byte(&s) % n, delta, &held);
+            }
             bat_shape_free(before);
             if (bat_shape_commit(shape) != BAT_OK) abort();
             break;

@@ -17,12 +17,12 @@ static const double SHARE = 1e-3;  /* of the size: the tolerance when none is gi
 static const double CORNER = 0.05; /* radians: larger turns stay corners, as in the editor */
 
 /* What joins the spans of a result. */
-enum continuity { C2, G1 };
-static const char *const words[] = {"C2", "G1"};
+enum continuity { C2, G1, EXTREMES };
+static const char *const words[] = {"C2", "G1", "extremes"};
 
 typedef struct tally {
     int continuity;
-    double tolerance, max_error;
+    double tolerance, grid, max_error;
     uint64_t before, after; /* control points */
 } tally;
 
@@ -47,12 +47,16 @@ static double size_of(const bat_document *document) {
 }
 
 static bat_status refit(const bat_curve *curve, const tally *sum, bat_curve **out, double *error) {
+    if (sum->continuity == EXTREMES)
+        return bat_curve_refit_extremes(curve, sum->tolerance, CORNER, sum->grid, out, error);
     return (sum->continuity == G1 ? bat_curve_refit_g1 : bat_curve_refit)(curve, sum->tolerance, CORNER, out,
                                                                           error);
 }
 
-/* Whether the curve has fewer points, or, for G1, fewer cubics: a curve of a degree above 3 has become cubics. */
+/* Whether the curve has fewer points, or, for G1, fewer cubics: a curve of a degree above 3 has become cubics. On extremes
+ * it is another. */
 static bool is_simpler(const bat_curve *curve, const bat_curve *than, int continuity) {
+    if (continuity == EXTREMES) return true;
     return continuity == G1 && (bat_curve_degree(curve) != bat_curve_degree(than) ||
                                 bat_curve_segment_count(curve) != bat_curve_segment_count(than))
                ? true
@@ -67,6 +71,10 @@ static bat_status simplify_curve(bat_document *document, int object, int index, 
     bat_curve *fewer = NULL;
     double error = 0;
     bat_status status = refit(curve, sum, &fewer, &error);
+    if (status == BAT_DIMENSION || status == BAT_COUNT) { /* in space, or smaller than the grid: it stays */
+        sum->before += before, sum->after += before;
+        return BAT_OK;
+    }
     if (status != BAT_OK) return status;
     const uint64_t after = (uint64_t)bat_curve_count(fewer);
     sum->before += before;
@@ -127,7 +135,12 @@ static int run(const cli_arguments *arguments) {
     drawing_file drawing;
     tally sum = {.tolerance = -1};
     int failed = arguments_number(arguments, "--tolerance", 0, 1e30, &sum.tolerance);
-    if (!failed) failed = arguments_choice(arguments, "--continuity", words, 2, &sum.continuity);
+    if (!failed) failed = arguments_choice(arguments, "--continuity", words, 3, &sum.continuity);
+    if (!failed) failed = arguments_number(arguments, "--grid", 0, 1e30, &sum.grid);
+    if (!failed && sum.continuity == EXTREMES && sum.tolerance == 0)
+        failed = fail_usage(arguments->command, "--tolerance must be above 0 with --continuity extremes");
+    if (!failed && sum.grid > 0 && sum.continuity != EXTREMES)
+        failed = fail_usage(arguments->command, "--grid needs --continuity extremes");
     if (!failed)
         failed = is_address(name) ? address_read_drawing(name, &drawing)
                                   : drawing_read(name, &options, &drawing);
@@ -148,7 +161,7 @@ static int run(const cli_arguments *arguments) {
 
 const cli_command command_simplify = {
     .name = "simplify",
-    .usage = "CURVE|DRAWING [--tolerance T] [--continuity C2|G1]",
+    .usage = "CURVE|DRAWING [--tolerance T] [--continuity C2|G1|extremes] [--grid G]",
     .summary = "A curve, or every curve of a drawing, with as few points as keep it within a tolerance.",
     .details = "Corners and ends stay. The result has the format of the input. A CURVE gets a \"report\":\n"
                "\"max_error\", \"points_before\", \"points_after\"; of a drawing the report is a line on "
@@ -159,8 +172,12 @@ const cli_command command_simplify = {
     .options =
         {{"--tolerance", "T",
           "in units of the drawing, 1/1000 of its longer side by default; 0: only what changes nothing"},
-         {"--continuity", "C2|G1",
-          "C2, by default: fewest points; G1: fewest cubics, which meet with one tangent, for path editors"}},
+         {"--continuity", "C2|G1|extremes",
+          "C2, by default: fewest points; G1: fewest cubics, which meet with one tangent, for path editors; "
+          "extremes: "
+          "cubics that meet where a planar curve turns back, with level and upright handles, as fonts have "
+          "them"},
+         {"--grid", "G", "with extremes: all points are multiples of it; 1: whole numbers"}},
     .lines = true,
     .puts_back = true,
     .run = run,

@@ -240,6 +240,7 @@ struct CurveOffsetResult;
 struct FitResult;
 struct CurveRefitResult;
 struct CurveRefitG1Result;
+struct CurveRefitExtremesResult;
 struct FitWithinResult;
 struct CurveFramesAtResult;
 struct CurveSketchResult;
@@ -323,6 +324,7 @@ class Curve : public detail::Handle<bat_curve, bat_curve_free> {
     [[nodiscard]] double area() const;
     [[nodiscard]] double curvature(double u) const;
     [[nodiscard]] std::vector<double> inflections() const;
+    [[nodiscard]] std::vector<double> extremes(int axis) const;
     [[nodiscard]] CurveDistanceResult distance(const Curve &b, int per_span = 16) const;
     [[nodiscard]] bat_near nearest(Numbers point) const;
     [[nodiscard]] std::vector<bat_near> nearest_all(Numbers point, double within = std::numeric_limits<double>::infinity()) const;
@@ -336,6 +338,7 @@ class Curve : public detail::Handle<bat_curve, bat_curve_free> {
     [[nodiscard]] CurveOffsetResult offset(double distance, double tolerance, double corner = 0.05) const;
     [[nodiscard]] CurveRefitResult refit(double tolerance, double corner = 0.05) const;
     [[nodiscard]] CurveRefitG1Result refit_g1(double tolerance, double corner = 0.05) const;
+    [[nodiscard]] CurveRefitExtremesResult refit_extremes(double tolerance, double corner = 0.05, double grid = 0) const;
     [[nodiscard]] CurveFramesAtResult frames_at(Numbers u, const bat_frame_options *options = nullptr) const;
     [[nodiscard]] Chain frame_chain(const bat_frame_options *options = nullptr) const;
     [[nodiscard]] CurveSketchResult sketch(const bat_stroke &stroke, const bat_sketch_options *options = nullptr) const;
@@ -825,6 +828,11 @@ struct CurveRefitResult {
 };
 
 struct CurveRefitG1Result {
+    Curve out;
+    double error;
+};
+
+struct CurveRefitExtremesResult {
     Curve out;
     double error;
 };
@@ -1321,6 +1329,15 @@ inline std::vector<double> Curve::inflections() const {
     return u_;
 }
 
+inline std::vector<double> Curve::extremes(int axis) const {
+    std::vector<double> u_;
+    size_t room = 0;
+    room = bat_curve_extremes(get(), axis, room, u_.data());
+    u_.resize(static_cast<std::size_t>(room));
+    bat_curve_extremes(get(), axis, room, u_.data());
+    return u_;
+}
+
 inline CurveDistanceResult Curve::distance(const Curve &b, int per_span) const {
     detail::inside("per_span", per_span, 1, 4096);
     double a_to_b_{};
@@ -1437,6 +1454,15 @@ inline CurveRefitG1Result Curve::refit_g1(double tolerance, double corner) const
     double error_{};
     const bat_status status = bat_curve_refit_g1(get(), tolerance, corner, &out_, &error_);
     CurveRefitG1Result made{Curve(out_), error_};
+    detail::check(status);
+    return made;
+}
+
+inline CurveRefitExtremesResult Curve::refit_extremes(double tolerance, double corner, double grid) const {
+    bat_curve *out_ = nullptr;
+    double error_{};
+    const bat_status status = bat_curve_refit_extremes(get(), tolerance, corner, grid, &out_, &error_);
+    CurveRefitExtremesResult made{Curve(out_), error_};
     detail::check(status);
     return made;
 }

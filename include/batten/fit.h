@@ -61,6 +61,18 @@ BAT_API bat_status bat_curve_refit(const bat_curve *curve, double tolerance, dou
 BAT_API bat_status bat_curve_refit_g1(const bat_curve *curve, double tolerance, double corner,
                                       bat_curve **out, double *error);
 
+/*
+ * Covers a planar curve with cubics as type designers do: their joints are its extremes, with level and upright handles to the bit, its
+ * corners (as above) and its ends; where one cubic between two of those cannot come within the tolerance (> 0), further joints
+ * are put between, on the curve and along it. Extremes that stand out by no more than the tolerance are none. grid above 0: all
+ * control points are multiples of it (1: whole numbers; those of straight pieces only at their ends), which moves them by
+ * another 0.71 grids at most. The result has knots of multiplicity three. *error (may be NULL): the distance, measured both
+ * ways. BAT_ARGUMENT, BAT_DIMENSION: not planar; BAT_COUNT: smaller than the tolerance or the grid. Cost: O(count), and
+ * O(extremes^2) where many are too small.
+ */
+BAT_API bat_status bat_curve_refit_extremes(const bat_curve *curve, double tolerance, double corner,
+                                            double grid, bat_curve **out, double *error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -94,6 +94,25 @@ BAT_API bat_status bat_shape_drag(bat_shape *shape, int level, double u, const d
  * times). *left: what is still missing. BAT_TOLERANCE: the point does not get there. */
 BAT_API bat_status bat_shape_drag_finest(bat_shape *shape, int level, double u, const double *delta,
                                          double tolerance, double *left);
+/* What stays while a level is dragged: of the finest curve its places at `points` and its directions at `directions`,
+ * parameters, at most BAT_HELD_MAX of each; its length; the area that it encloses, of a closed planar curve. */
+enum { BAT_HELD_MAX = 8 };
+typedef struct bat_shape_held {
+    bool length, area;
+    size_t point_count, direction_count;
+    const double *points, *directions;
+} bat_shape_held;
+/*
+ * Moves the finest curve's point at u by delta, and holds the rest, by the least change of the control points of `level` (math
+ * 3.9); all to 1e-10 of the curve's size. BAT_TOLERANCE: that cannot be, or is not found; BAT_STATE: the level is muted;
+ * BAT_DIMENSION: no area; BAT_COUNT: too much is held; BAT_SINGULAR: no direction there. The shape then is as it was. Cost: at most some
+ * hundred rebuilds of the level and those above it; three to six as a rule.
+ */
+BAT_API bat_status bat_shape_drag_held(bat_shape *shape, int level, double u, const double *delta,
+                                       const bat_shape_held *held);
+/* The same with control point `index` of the level, which moves by delta. BAT_ARGUMENT: no such point. */
+BAT_API bat_status bat_shape_move_held(bat_shape *shape, int level, int index, const double *delta,
+                                       const bat_shape_held *held);
 /* Moves control points first..first+count-1 (closed: modulo n) at once. */
 BAT_API bat_status bat_shape_move_many(bat_shape *shape, int level, int first, size_t count,
                                        const double *deltas);

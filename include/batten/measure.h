@@ -26,6 +26,9 @@ BAT_API double bat_curve_curvature(const bat_curve *curve, double u);
 /* Inflections of a planar curve: parameters ascending, at most `room` written; returns how many there are, 0 in space.
  * u may be NULL when room is 0. O(count * p^3). */
 BAT_API size_t bat_curve_inflections(const bat_curve *curve, size_t room, double *u);
+/* Extremes of a planar curve along an axis: where it turns back in x (0) or in y (1), also at corners, not at the ends of an
+ * open one. Parameters ascending, as above; 0 in space. O(count * p^2). */
+BAT_API size_t bat_curve_extremes(const bat_curve *curve, int axis, size_t room, double *u);
 /* The greatest distance from each curve to the other, document units: the greatest over `per_span` points per span
  * (1 to 2^20), refined around that point. It is a lower bound of the true distance. BAT_DIMENSION: the dimensions
  * differ; BAT_ARGUMENT: per_span is out of range. Cost: one closest-point search per point. */

@@ -91,6 +91,9 @@ BAT_API bat_status bat_editor_read_as(bat_editor *editor, int reading);
  * the first (0) to what it is now (1); the drawing stays as it is until command "accept" or the first reading keeps that shape, as a
  * step of its own. BAT_STATE: it is settled. */
 BAT_API bat_status bat_editor_refit(bat_editor *editor, double amount, bool done);
+/* The same with the second slider, where the readings have "other", its amount: after "curve-blend", how far the blend keeps
+ * the direction of its second end. BAT_STATE: there is none. */
+BAT_API bat_status bat_editor_refit_other(bat_editor *editor, double amount, bool done);
 
 /* ---- the camera move that is looked at, for the time strip ---- */
 

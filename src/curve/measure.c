@@ -149,6 +149,16 @@ double bat_curve_curvature(const bat_curve *curve, double u) {
     return isfinite(k) ? k : 0;
 }
 
+/* The seam of a closed curve: where the last sign and the first differ, the start is such a place, too. */
+static size_t add_seam(const bat_curve *curve, const bat_signs *signs, size_t count, size_t room, double *u) {
+    if (!curve->closed || signs->before != -signs->opening || signs->before == 0) return count;
+    if (room > 0) {
+        for (size_t k = count < room ? count : room - 1; k > 0; k--) u[k] = u[k - 1];
+        u[0] = curve->knots[curve->degree];
+    }
+    return count + 1;
+}
+
 size_t bat_curve_inflections(const bat_curve *curve, size_t room, double *u) {
     const int p = curve->degree;
     if (curve->dimension != 2 || p < 2) return 0;
@@ -174,16 +184,26 @@ size_t bat_curve_inflections(const bat_curve *curve, size_t room, double *u) {
         for (int k = 0; k < found; k++, count++)
             if (count < room) u[count] = t0 + (t1 - t0) * x[k];
     }
-    /* The seam: where the last sign and the first differ, the start is an inflection too. */
-    if (curve->closed && signs.before == -signs.opening && signs.before != 0) {
-        const double start = curve->knots[p];
-        if (room > 0) {
-            for (size_t k = count < room ? count : room - 1; k > 0; k--) u[k] = u[k - 1];
-            u[0] = start;
-        }
-        count++;
+    return add_seam(curve, &signs, count, room, u);
+}
+
+size_t bat_curve_extremes(const bat_curve *curve, int axis, size_t room, double *u) {
+    const int p = curve->degree;
+    size_t count = 0;
+    bat_signs signs = {0, 0};
+    if (curve->dimension != 2 || axis < 0 || axis > 1) return 0;
+    for (int i = p; i < curve->spread; i++) {
+        const double t0 = curve->knots[i], t1 = curve->knots[i + 1];
+        double b[ORDERS * 2], rise[ORDERS], x[ORDERS], size = 0;
+        if (!(t1 > t0)) continue;
+        bat_span_bezier(curve, i, b);
+        for (int j = 0; j <= p; j++) size = fmax(size, fabs(b[2 * j + axis]));
+        for (int j = 0; j < p; j++) rise[j] = b[2 * j + 2 + axis] - b[2 * j + axis];
+        const int found = bat_bernstein_crossings(p - 1, rise, 32 * DBL_EPSILON * size, &signs, x);
+        for (int k = 0; k < found; k++, count++)
+            if (count < room) u[count] = t0 + (t1 - t0) * x[k];
     }
-    return count;
+    return add_seam(curve, &signs, count, room, u);
 }
 
 /* ---- Two curves ---- */

@@ -290,6 +290,10 @@ bat_status bat_editor_refit(bat_editor *editor, double amount, bool done) {
     return settled(editor, bat_panel_refit(&editor->context, amount, done));
 }
 
+bat_status bat_editor_refit_other(bat_editor *editor, double amount, bool done) {
+    return settled(editor, bat_panel_refit_other(&editor->context, amount, done));
+}
+
 bat_status bat_editor_read_as(bat_editor *editor, int reading) {
     return settled(editor, bat_panel_read_as(&editor->context, reading));
 }

@@ -117,7 +117,7 @@ class Levels(ProgramTest):
     def shape(self, base, **more):
         """A base and one level, a knot in the middle of every span, details as a wave."""
         knots = sorted(base["knots"] + [(a + b) / 2 for a, b in zip(base["knots"], base["knots"][1:]) if a < b])
-        count = len(knots) - base["degree"] - 1
+        count = len(knots) - (1 if base["closed"] else base["degree"] + 1)
         details = [[0, 3 * math.sin(i), 2 * math.cos(2 * i)] for i in range(count)]
         return {"base": base, "levels": [{"knots": knots, "details": details}], **more}
 
@@ -161,6 +161,37 @@ class Levels(ProgramTest):
         moved = self.levels(shape, [{"type": "move", "level": 0, "index": 2, "delta": [1, 2, 3]}])
         change = numpy.array(moved["curves"][0]["points"]) - before["curves"][0]["points"]
         self.assertLess(numpy.abs(change - numpy.outer(numpy.arange(7) == 2, [1, 2, 3])).max(), 1e-13)
+
+    def test_edits_hold(self):
+        """Length by quadrature, places and directions by scipy, area by the shoelace formula, to 1e-9 of the size."""
+        def measures(curve):
+            spline, low, high = spline_of(curve), *((0, 6) if curve["closed"] else (curve["knots"][3], curve["knots"][-4]))
+            knots = sorted({low, high, *(k for k in curve["knots"] if low < k < high)})
+            x, w = numpy.polynomial.legendre.leggauss(60)
+            length = sum((b - a) / 2 * w @ numpy.linalg.norm(spline((a + b) / 2 + (b - a) / 2 * x, 1), axis=1) for a, b in zip(knots, knots[1:]))
+            area = 0
+            if curve["closed"]:
+                for a, b in zip(knots, knots[1:]):
+                    p, d = spline((a + b) / 2 + (b - a) / 2 * x), spline((a + b) / 2 + (b - a) / 2 * x, 1)
+                    area += (b - a) / 4 * w @ (p[:, 0] * d[:, 1] - p[:, 1] * d[:, 0])
+            return length, area
+        for curve, flat in ((PATH, False), (dict(LOOP, points=[p[:2] for p in LOOP["points"]]), True)):
+            shape = self.shape(curve)
+            before = self.levels(shape)["curves"]
+            hold = {"length": True, "area": flat, "points": [0.7, 2.9], "directions": [0.7]}
+            for level in (0, 1):
+                delta = [4, -6] if flat else [4, -6, 3]
+                after = self.levels(shape, [{"type": "drag", "level": level, "u": 1.8, "delta": delta, "hold": hold}])["curves"]
+                a, b = spline_of(before[-1]), spline_of(after[-1])
+                self.assertLess(numpy.abs(b(1.8) - a(1.8) - delta).max(), 1e-7)
+                self.assertLess(numpy.abs(b([0.7, 2.9]) - a([0.7, 2.9])).max(), 1e-7)
+                self.assertLess(numpy.abs(unit(b(0.7, 1)) - unit(a(0.7, 1))).max(), 1e-9)
+                for was, now, size in zip(measures(before[-1]), measures(after[-1]), (150, 150 ** 2)):
+                    self.assertLess(abs(was - now), 1e-9 * size)
+        name = self.file("s.json", self.shape(PATH))
+        for wrong in ({"area": True}, {"points": [1.8]}, {"points": "all"}, {"directions": [0] * 9}, 3):
+            self.refused(1, "levels", name, self.file("e.json", [
+                {"type": "drag", "level": 0, "u": 1.8, "delta": [4, -6, 3], "hold": wrong}]))
 
     def test_edits_stay_local_in_space(self):
         base = {"degree": 3, "closed": False, "knots": [0, 0, 0, *range(18), 17, 17, 17],

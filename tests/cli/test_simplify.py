@@ -76,6 +76,29 @@ class Simplify(ProgramTest):
                     self.assertLessEqual(cubics["report"]["max_error"], 0.1)
                     self.assertLess(apart(curve, cubics), 0.1 + 0.04)
 
+    def test_cubics_that_meet_at_extremes(self):
+        """An oval is four cubics with level and upright handles, in whole numbers with a grid; joints are its extremes."""
+        for turn in (0, 0.4):
+            curve = dense(5, True)
+            curve["points"] = (numpy.array(curve["points"]) @ [[math.cos(turn), math.sin(turn)], [-math.sin(turn), math.cos(turn)]]).tolist()
+            for grid in (0, 1, 10):
+                with self.subTest(turn=turn, grid=grid):
+                    result = self.json("simplify", self.file("c.json", curve), "--tolerance", "1", "--continuity", "extremes", "--grid", grid)
+                    points = numpy.array(result["points"])
+                    self.assertLess(apart(curve, result), 1.1 + 1.5 * grid)
+                    self.assertLessEqual(len(points), 12 if turn == 0 else 24)
+                    ends = points[2::3]
+                    handles = numpy.stack([points[1::3], numpy.roll(points, -3, 0)[::3]])
+                    level = (handles == ends).all(0).any(1)
+                    self.assertEqual(level.sum(), 4)
+                    seen = sampled(curve)
+                    for low, high in ((ends.min(0), seen.min(0)), (seen.max(0), ends.max(0))):
+                        self.assertLess(numpy.abs(low - high).max(), 1e-6 + 0.51 * grid)
+                    if grid:
+                        self.assertTrue((points % grid == 0).all())
+        self.refused(2, "simplify", "-", "--grid", "1")
+        self.refused(2, "simplify", "-", "--continuity", "extremes", "--tolerance", "0")
+
     def test_the_default_is_a_thousandth_of_the_longer_side(self):
         for scale in (1e-6, 1, 1e6):
             curve = dense(3, False)

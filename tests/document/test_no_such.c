@@ -77,6 +77,8 @@ static void of_shapes(void **state) {
             REFUSED(bat_shape_drag(shape, at, 1, shift));
             REFUSED(bat_shape_drag_finest(shape, at, 1, shift, 1, &left));
             REFUSED(bat_shape_move_many(shape, at, 0, 1, shift));
+            REFUSED(bat_shape_drag_held(shape, at, 1, shift, &(bat_shape_held){0}));
+            REFUSED(bat_shape_move_held(shape, at, 0, shift, &(bat_shape_held){0}));
             REFUSED(bat_shape_sketch(shape, at, 2, u, targets));
             REFUSED(bat_shape_redraw_level(shape, at, &stroke, NULL, NULL));
             REFUSED(bat_shape_sketch_stroke(shape, at, &stroke, NULL));
@@ -86,6 +88,7 @@ static void of_shapes(void **state) {
         EACH_WRONG(0, points) {
             REFUSED(bat_shape_move(shape, levels, at, shift));
             REFUSED(bat_shape_move_many(shape, levels, at, 1, shift));
+            REFUSED(bat_shape_move_held(shape, levels, at, shift, &(bat_shape_held){0}));
         }
         assert_int_equal(bat_shape_live_begin(shape, levels, &live), BAT_OK);
         EACH_WRONG(0, points) REFUSED(bat_shape_live_move(live, at, 1, shift));

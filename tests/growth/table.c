@@ -182,6 +182,7 @@ ON_WAVE(piece, COUNT(bat_curve_piece(c, 0.2 * end, 0.9 * end, &made)))
 ON_WAVE(simplify, COUNT(bat_curve_simplify(c, 0.3, 0.1, &made, NULL)))
 ON_WAVE(refit, COUNT(bat_curve_refit(c, 0.1, 0.1, &made, NULL)))
 ON_WAVE(refit_g1, COUNT(bat_curve_refit_g1(c, 0.1, 0.1, &made, NULL)))
+ON_WAVE(refit_extremes, COUNT(bat_curve_refit_extremes(c, 0.1, 0.1, 0, &made, NULL)))
 ON_WAVE(length, COUNT_ALL(bat_curve_length(c, 0, end, 1e-9)))
 ON_WAVE(area, COUNT_ALL(bat_curve_area(c)))
 ON_WAVE(calm, COUNT(bat_sketch_calm(c, (const double[2]){0.1 * end, 0.9 * end}, 1, 1, &made)))
@@ -546,6 +547,7 @@ ON_SHAPE(shape_move, COUNT(bat_shape_move(s, 0, 2, delta)))
 ON_SHAPE(shape_gain, COUNT(bat_shape_set_gain(s, 1, 2)))
 ON_SHAPE(shape_transform, COUNT(bat_shape_transform(s, affine)))
 ON_SHAPE(shape_drag, COUNT(bat_shape_drag(s, 0, 0.4 * n, delta)))
+ON_SHAPE(shape_drag_held, COUNT(bat_shape_drag_held(s, 0, 0.4 * n, delta, &(bat_shape_held){.length = true})))
 
 static void frames(int n) {
     bat_curve *c = wave_of(n, 3, 3, 0);
@@ -857,6 +859,7 @@ static const row rows[] = {
     {"curve: simplify", simplify, 200, 0, NULL},
     {"curve: refit", refit, 100, 0, NULL},
     {"curve: refit G1", refit_g1, 100, 0, NULL},
+    {"curve: refit on extremes", refit_extremes, 100, 0, NULL},
     {"curve: Greville abscissae", greville, 500, 0, NULL},
     {"curve: n places at once", eval_many, 500, 0, NULL},
     {"curve: n places", eval_each, 500, 0, NULL},
@@ -911,6 +914,7 @@ static const row rows[] = {
     {"levels: gain", shape_gain, 200, 0, NULL},
     {"levels: transform", shape_transform, 200, 0, NULL},
     {"levels: drag", shape_drag, 200, 0, NULL},
+    {"levels: drag with what is held", shape_drag_held, 200, 0, NULL},
     {"frames at n places", frames, 100, 0, NULL},
     {"frames: chain", frame_chain, 100, 0, NULL},
     {"camera: create", camera_make, 60, 0, NULL},

@@ -100,7 +100,10 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
         break;
     case 7: bat_editor_rename(editor, wild_id(editor, bytes), names[more % 4]); break;
     case 8: bat_editor_picture(editor, more); break;
-    case 9: bat_editor_refit(editor, more % 7 / 5.0, more & 8); break;
+    case 9:
+        bat_editor_refit(editor, more % 7 / 5.0, more & 8);
+        bat_editor_refit_other(editor, more % 3 / 2.0, more & 8);
+        break;
     default:
         bat_editor_readings(editor);
         bat_editor_read_as(editor, more % 5 - 1);

@@ -40,6 +40,7 @@ static uint64_t measure_curve(const void *shared, int seed) {
     digest = bat_digest_double(digest, bat_curve_at_length(curve, at, 1, 1e-9));
     digest = bat_digest_double(digest, bat_curve_curvature(curve, at));
     digest = add_doubles(add(digest, (uint64_t)bat_curve_inflections(curve, 16, u)), u, 16);
+    digest = add_doubles(add(digest, (uint64_t)bat_curve_extremes(curve, 1, 16, u)), u, 16);
     digest = add(digest, (uint64_t)bat_curve_distance(curve, curve, 4, &a, &b));
     bat_near near[4] = {{0}};
     digest = add(digest, (uint64_t)bat_curve_nearest(curve, point, near));
@@ -146,6 +147,7 @@ static uint64_t rework_curve(const void *shared, int seed) {
     d = add_curve(d, bat_curve_simplify(curve, 0.1, 0.1, &m, &error), &m);
     d = add_curve(d, bat_curve_refit(curve, 0.1, 0.1, &m, &error), &m);
     d = add_curve(d, bat_curve_refit_g1(curve, 0.1, 0.1, &m, &error), &m);
+    d = add_curve(d, bat_curve_refit_extremes(curve, 0.1, 0.1, 1, &m, &error), &m);
     d = add_curve(d, bat_curve_elevate(curve, 4, &m), &m);
     d = add_curve(d, bat_curve_clamp(curve, &m), &m);
     d = add_curve(d, bat_curve_reverse(curve, &m), &m);

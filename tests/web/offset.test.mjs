@@ -118,7 +118,7 @@ for (const [locale, colorScheme, viewport] of [['en', 'light'], ['ko-KR', 'dark'
 const BENDS = `<svg xmlns="http://www.w3.org/2000/svg" width="800" height="500" fill="none" stroke="#22262b" stroke-width="4">
 <path d="M80 120C130 240 230 270 320 220"/><path d="M740 420C660 300 600 290 520 360"/></svg>`;
 
-test('a blend is seen with its comb before it is made', async (t) => {
+test('a blend is seen with its comb, and a slider for each end, before it is made', async (t) => {
   const server = await serve({ name: 'bends.svg', bytes: Buffer.from(BENDS) });
   t.after(() => server.close());
   const { page } = await open(browser, server.address, { colorScheme: 'light' });
@@ -127,12 +127,21 @@ test('a blend is seen with its comb before it is made', async (t) => {
   await settle(page);
   const before = await state(page);
   await page.evaluate(() => { batten.engine.command('curve-blend'); batten.wake(); });
-  await page.locator('.chips input[type=range]').waitFor();
+  const sliders = page.locator('.chips input[type=range]');
+  await sliders.nth(1).waitFor();
   await settle(page);
-  assert.equal(await page.locator('.chips input[type=range]').getAttribute('aria-label'), 'Blend');
+  assert.deepEqual(await sliders.evaluateAll((all) => all.map((one) => one.getAttribute('aria-label'))), ['At end 1', 'At end 2']);
   assert.deepEqual(await page.locator('.chips button').allTextContents(), ['G0', 'G1', 'G2', 'G3', 'Keep this']);
   await page.locator('.chips button', { hasText: 'G3' }).click();
   await settle(page);
+  const far = () => page.evaluate(() => batten.engine.readings());
+  await sliders.nth(1).focus();
+  for (let i = 0; i < 12; i++) {
+    await page.keyboard.press('ArrowRight');
+  }
+  await settle(page);
+  const { amount, other } = await far();
+  assert.ok(amount === 0.5 && Math.abs(other - 0.62) < 1e-9, `${amount} ${other}`);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'blend.png') });
   assert.equal((await state(page)).digest, before.digest, 'only shown');
   await page.locator('.chips button').last().click();

@@ -171,6 +171,11 @@ export class Engine extends Instance {
     return this.act('editor_refit', amount, Number(done));
   }
 
+  /** The same with the second slider. @param {number} amount @param {boolean} done @returns {boolean} */
+  refitOther(amount, done) {
+    return this.act('editor_refit_other', amount, Number(done));
+  }
+
   /** @param {number} reading @returns {boolean} */
   readAs(reading) {
     return this.act('editor_read_as', reading);

@@ -34,6 +34,7 @@ MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
 MODULE_EXPORT(editor_readings) const char *editor_readings(bat_editor *editor);
 MODULE_EXPORT(editor_read_as) int editor_read_as(bat_editor *editor, int reading);
 MODULE_EXPORT(editor_refit) int editor_refit(bat_editor *editor, double amount, int done);
+MODULE_EXPORT(editor_refit_other) int editor_refit_other(bat_editor *editor, double amount, int done);
 MODULE_EXPORT(editor_levels) const char *editor_levels(bat_editor *editor);
 MODULE_EXPORT(editor_level)
 int editor_level(bat_editor *editor, int act, int level, double value, int done);
@@ -184,6 +185,11 @@ const char *editor_readings(bat_editor *editor) {
 int editor_refit(bat_editor *editor, double amount, int done) {
     MODULE_CHECK(editor);
     return (int)bat_editor_refit(editor, amount, done != 0);
+}
+
+int editor_refit_other(bat_editor *editor, double amount, int done) {
+    MODULE_CHECK(editor);
+    return (int)bat_editor_refit_other(editor, amount, done != 0);
 }
 
 int editor_read_as(bat_editor *editor, int reading) {

@@ -13,7 +13,7 @@ import { Dot } from './dot.js';
 /** What stands in the row as long as there is room. */
 const FIRST = [/^duplicate$/, /^(un)?group$/, /^region-/, /^(combine|release)$/, /^(curve-(close|open|join|split|offset|outline)|to-page)$/, /^(surface|wire)-/,
   /^(camera-along|body-path)$/];
-const REST = [/^curve-(blend|match|reverse|simplify|earlier)$/, /^deviation$/, /^(mirror-.*|array)$/, /^order-/, /^align-/, /^distribute-/];
+const REST = [/^curve-(blend|match|reverse|simplify|earlier)$/, /^points-at-/, /^deviation$/, /^(mirror-.*|array)$/, /^order-/, /^align-/, /^distribute-/];
 const AWAY = 12; // pixels between the selection's box and the row
 const RULER = 30; // pixels that rulers take at the top and the left
 const EDGE = 8;

@@ -7,7 +7,7 @@ import { tell } from '../page/words.js';
 
 /** The properties of each tool. @type {Record<string, string[]>} */
 const OF = {
-  sketch: ['stroke-meaning', 'many-strokes', 'stabiliser', 'pressure-width'],
+  sketch: ['stroke-meaning', 'many-strokes', 'stabiliser', 'pressure-width', 'on-extremes'],
   tangents: ['spline-mode'],
   rectangle: ['corner-radius'],
   polygon: ['polygon-sides'],

@@ -12,12 +12,14 @@ import { tell } from '../page/words.js';
  * @property {number} chosen
  * @property {number} amount from 0, raw, to 1, fair; -1: the stroke can no longer be refitted
  * @property {string[]} words empty: it has no other reading
- * @property {string} [of] what was done to a selection and can be chosen otherwise: simplify, earlier, offset, array
+ * @property {number} [other] of a second slider
+ * @property {string} [of] what was done to a selection and can be chosen otherwise: simplify, earlier, offset, array, blend, match
  * @property {number} [ways] how many of the words are chosen one instead of another; what follows them does something
  * @property {string} [typed] the properties that can also be typed
  * @property {number} [step] of the slider
  * @property {number[]} [around] what they must not lie over: x0, y0, x1, y1
  * @property {string} [said] what it has come to
+ * @typedef {{ box: HTMLElement, slider: HTMLInputElement, ends: HTMLElement[] }} Gauge a slider between two words
  */
 
 const AWAY = 16; // px from the stroke's end
@@ -37,14 +39,12 @@ export class Chips {
     this.at = [0, 0];
     /** @type {number[] | undefined} */
     this.around = undefined;
-    this.amount = this.#slider();
-    this.refit = document.createElement('label');
-    this.refit.className = 'refit';
-    this.ends = [document.createElement('span'), document.createElement('span')];
     this.points = document.createElement('output');
+    /** A slider for each end, where there are two. */
+    this.sliders = [this.#gauge((amount, done) => engine.refit(amount, done)), this.#gauge((amount, done) => engine.refitOther(amount, done))];
+    this.sliders[0].box.append(this.points);
     /** What can be typed, by property. @type {Map<string, Measure>} */
     this.fields = new Map();
-    this.refit.append(this.ends[0], this.amount, this.ends[1], this.points);
     this.shown = '';
     void dress('styles/chips.css').then(() => { // unstyled, it would push the stage aside
       stage.after(this.box);
@@ -54,23 +54,24 @@ export class Chips {
 
   /** @param {boolean} some */
   show(some) {
-    const { at, chosen, amount, words, ways = Infinity, typed = '', of = '', around, step = 0.05, said = '' } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
+    const { at, chosen, amount, words, ways = Infinity, typed = '', of = '', around, step = 0.05, said = '', other } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
     this.at = at;
     this.around = around;
     if (amount < 0 && this.box.contains(document.activeElement)) {
       this.stage.focus();
     }
     this.box.hidden = amount < 0;
-    this.amount.step = String(step);
-    this.amount.valueAsNumber = amount;
-    const shown = [of, typed, ...words].join('\n');
+    const amounts = other === undefined ? [amount] : [amount, other];
+    amounts.forEach((one, i) => Object.assign(this.sliders[i].slider, { step: String(step), valueAsNumber: one }));
+    const shown = [of, typed, amounts.length, ...words].join('\n');
     if (shown !== this.shown || !(of || this.box.contains(document.activeElement))) { // a slider in use stays where it is
       this.shown = shown;
-      this.#dress(of && `command.${of === 'array' ? of : `curve-${of}`}`, of || 'refit');
+      const sliders = this.sliders.slice(0, amounts.length);
+      this.#dress(sliders, of && `command.${of === 'array' ? of : `curve-${of}`}`, of || 'refit');
       const names = typed.split(' ').filter(Boolean);
       const held = this.#held();
       this.fields = new Map(names.map((name) => [name, this.#field(name, names.length > 1)]));
-      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i)), ...[...this.fields.values()].map(({ box }) => box), this.refit);
+      this.box.replaceChildren(...words.map((text, i) => this.#chip(text, i)), ...[...this.fields.values()].map(({ box }) => box), ...sliders.map(({ box }) => box));
       if (held >= 0) { // the chip that was pressed, though it may say something else by now
         this.box.querySelectorAll('button')[held]?.focus();
       }
@@ -86,21 +87,27 @@ export class Chips {
     this.#place();
   }
 
-  /** Names the slider and its ends. @param {string} done a command @param {string} of */
-  #dress(done, of) {
+  /** Names the sliders and their ends. @param {Gauge[]} sliders @param {string} done a command @param {string} of */
+  #dress(sliders, done, of) {
     tell(this.box, { label: done || 'command.reading-next' });
-    tell(this.amount, { label: done || of });
-    tell(this.refit, { help: `${of}.help` });
-    this.ends.forEach((end, i) => tell(end, { text: `${of}.${['low', 'high'][i]}` }));
+    const [low, high] = [`${of}.low`, `${of}.high`];
+    sliders.forEach(({ box, slider, ends }, i) => {
+      tell(slider, { label: sliders.length > 1 ? `${of}.${i + 1}` : done || of });
+      tell(box, { help: `${of}.help` });
+      tell(ends[0], { text: low });
+      tell(ends[1], { text: high });
+      box.dataset.number = sliders.length > 1 ? String(i + 1) : '';
+    });
   }
 
-  /** The slider: previews while it is dragged; one undo step when it is released. */
-  #slider() {
+  /** A slider between two words: previews while it is dragged; one undo step when it is released.
+   * @param {(amount: number, done: boolean) => void} take @returns {Gauge} */
+  #gauge(take) {
     const slider = document.createElement('input');
     Object.assign(slider, { type: 'range', min: '0', max: '1', step: '0.05' });
     for (const event of ['input', 'change']) {
       slider.addEventListener(event, () => {
-        this.engine.refit(slider.valueAsNumber, event === 'change');
+        take(slider.valueAsNumber, event === 'change');
         this.wake();
       });
     }
@@ -110,7 +117,11 @@ export class Chips {
         this.wake();
       }
     });
-    return slider;
+    const box = document.createElement('label');
+    const ends = [document.createElement('span'), document.createElement('span')];
+    box.className = 'refit';
+    box.append(ends[0], slider, ends[1]);
+    return { box, slider, ends };
   }
 
   /** The place among the chips of the one that has the focus; -1: none has. */

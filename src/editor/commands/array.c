@@ -222,7 +222,7 @@ static void write(bat_context *c, bat_text *text) {
     }
 }
 
-static const bat_tuning_kind arraying = {BAT_STRING_STEP_ARRAY, again, choose, way, write, keep, show};
+static const bat_tuning_kind arraying = {BAT_STRING_STEP_ARRAY, again, NULL, choose, way, write, keep, show};
 
 void bat_array_follow(bat_context *c, bat_property_id property) {
     if (property >= BAT_PROPERTY_ARRAY_SHAPE && property <= BAT_PROPERTY_ARRAY_TURN)

@@ -29,7 +29,7 @@ typedef struct ends {
     bool last[2];
 } ends;
 
-/* Open planar curves, neither locked nor hidden in a group that is selected. */
+/* Open curves, neither locked nor hidden in a group that is selected. */
 static bool is_possible(const bat_document *document, int index) {
     const bat_object *object = bat_document_at(document, index);
     const bat_nesting_level level = bat_document_level(document, index);
@@ -39,8 +39,7 @@ static bool is_possible(const bat_document *document, int index) {
 static const bat_curve *curve_of(const ends *e, int k) { return bat_object_curve(e->object[k], e->curve[k]); }
 
 static bool is_open(const bat_object *object, int k) {
-    const bat_curve *curve = bat_object_curve(object, k);
-    return !bat_curve_is_closed(curve) && bat_curve_dimension(curve) == 2;
+    return !bat_curve_is_closed(bat_object_curve(object, k));
 }
 
 static bool has_open(const bat_object *object) {
@@ -49,11 +48,19 @@ static bool has_open(const bat_object *object) {
     return k > 0;
 }
 
+/* Where an end is; planar ones on the page. */
+static void place_of(const bat_curve *curve, bool last, double at[3]) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    at[2] = 0;
+    bat_curve_eval(curve, domain[last], 0, at);
+}
+
 /* How far two ends are from each other. */
 static double gap(const bat_curve *a, bool a_last, const bat_curve *b, bool b_last) {
-    double jump[WAYS] = {INFINITY};
-    bat_curve_jump(a, a_last, b, b_last, jump);
-    return jump[0];
+    double from[3], to[3];
+    place_of(a, a_last, from), place_of(b, b_last, to);
+    return bat_hypot(bat_hypot(from[0] - to[0], from[1] - to[1]), from[2] - to[2]);
 }
 
 /* BAT_STATE: not one open curve to blend its ends, nor two. */
@@ -79,14 +86,30 @@ static bat_status find(const bat_tuning *t, ends *e) {
     return BAT_OK;
 }
 
-static bat_status make(const bat_tuning *t, const ends *e, bat_curve **out) {
-    const double tension = bat_exp((t->amount - 0.5) * bat_log(RANGE));
-    if (t->kind == &matching)
-        return bat_curve_match(curve_of(e, 0), e->last[0], curve_of(e, 1), e->last[1], t->way, tension, out,
-                               NULL);
+static double tension_at(double amount) { return bat_exp((amount - 0.5) * bat_log(RANGE)); }
+
+/* Of two curves of one dimension. */
+static bat_status make_of(const bat_tuning *t, const ends *e, bat_curve *const side[2], bat_curve **out) {
     bat_blend_options options = bat_blend_defaults();
-    for (int k = 0; k < 2; k++) options.continuity[k] = t->way, options.tension[k] = tension;
-    return bat_curve_blend(curve_of(e, 0), e->last[0], curve_of(e, 1), e->last[1], &options, out, NULL);
+    const double tension[2] = {tension_at(t->amount), tension_at(t->other)};
+    if (t->kind == &matching)
+        return bat_curve_match(side[0], e->last[0], side[1], e->last[1], t->way, tension[0], out, NULL);
+    for (int k = 0; k < 2; k++) options.continuity[k] = t->way, options.tension[k] = tension[k];
+    return bat_curve_blend(side[0], e->last[0], side[1], e->last[1], &options, out, NULL);
+}
+
+/* A planar curve and one in space meet in space. */
+static bat_status make(const bat_tuning *t, const ends *e, bat_curve **out) {
+    bat_curve *side[2] = {NULL, NULL};
+    bat_status status = BAT_OK;
+    int dimension = 2;
+    for (int k = 0; k < 2; k++)
+        if (bat_curve_dimension(curve_of(e, k)) == 3) dimension = 3;
+    for (int k = 0; k < 2 && status == BAT_OK; k++)
+        status = bat_curve_to_dimension(curve_of(e, k), dimension, &side[k]);
+    if (status == BAT_OK) status = make_of(t, e, side, out);
+    bat_curve_free(side[0]), bat_curve_free(side[1]);
+    return status;
 }
 
 /* Ends between which there is none leave nothing to show; any other failure leaves what was shown. */
@@ -100,26 +123,34 @@ static bat_status show(bat_context *c) {
     bat_tuning_unshow(t);
     t->why = BAT_STRING_NOTICE_NOT_POSSIBLE;
     if (made) status = bat_tuning_add(t, made);
+    for (int k = 0; k < 2; k++) place_of(curve_of(&e, k), e.last[k], t->place[k]);
     t->version++;
     return status == BAT_SINGULAR ? BAT_OK : status;
 }
 
-/* With another tension or continuity. */
-static bat_status take(bat_context *c, double amount, int way) {
+/* With other tensions or another continuity. */
+static bat_status take(bat_context *c, double amount, double other, int way) {
     bat_tuning *t = c->tuning;
-    const double amount_before = t->amount;
+    if (!(amount >= 0 && amount <= 1 && other >= 0 && other <= 1)) return BAT_ARGUMENT;
+    const double before[2] = {t->amount, t->other};
     const int way_before = t->way;
-    t->amount = amount, t->way = way;
+    t->amount = amount, t->other = other, t->way = way;
     const bat_status status = show(c);
     if (status == BAT_OK) return BAT_OK;
-    t->amount = amount_before, t->way = way_before;
+    t->amount = before[0], t->other = before[1], t->way = way_before;
     bat_notice_failure(c, status);
     return status;
 }
 
+/* Either is taken by keeping it alone. */
 static bat_status again(bat_context *c, double amount, bool done) {
-    (void)done; /* it is taken by keeping it alone */
-    return amount >= 0 && amount <= 1 ? take(c, amount, c->tuning->way) : BAT_ARGUMENT;
+    (void)done;
+    return take(c, amount, c->tuning->other, c->tuning->way);
+}
+
+static bat_status other(bat_context *c, double amount, bool done) {
+    (void)done;
+    return take(c, c->tuning->amount, amount, c->tuning->way);
 }
 
 /* ---- kept ---- */
@@ -148,7 +179,17 @@ static bat_status put(bat_context *c) {
     bat_status status = find(c->tuning, &e);
     if (status == BAT_OK) status = make(c->tuning, &e, &made);
     if (status != BAT_OK) return status;
-    return bat_commit_curve(c, bat_object_id(e.object[0]), e.curve[0], made, c->tuning->kind->step);
+    if (bat_object_curve_count(e.object[0]) > 1)
+        return bat_commit_curve(c, bat_object_id(e.object[0]), e.curve[0], made, c->tuning->kind->step);
+    bat_object *after = NULL; /* which may be in space now */
+    status = bat_object_with_curves(e.object[0], 1, &made, &after);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status == BAT_OK) {
+        const int at = bat_document_find(c->session->document, bat_object_id(e.object[0]));
+        status = bat_transaction_end(c, bat_transaction_replace(c, at, after), c->tuning->kind->step);
+    }
+    bat_object_release(after);
+    return status;
 }
 
 static bat_status keep(bat_context *c) {
@@ -165,7 +206,7 @@ static bat_status keep(bat_context *c) {
 static bat_status choose(bat_context *c, int way) {
     if (way > WAYS) return BAT_ARGUMENT;
     if (way == WAYS) return keep(c);
-    return take(c, c->tuning->amount, way < 0 ? (c->tuning->way + 1) % WAYS : way);
+    return take(c, c->tuning->amount, c->tuning->other, way < 0 ? (c->tuning->way + 1) % WAYS : way);
 }
 
 static int way(const bat_context *c) { return c->tuning->way; }
@@ -180,15 +221,15 @@ static void write(bat_context *c, bat_text *text) {
 }
 
 static const bat_tuning_kind
-    blending = {BAT_STRING_COMMAND_CURVE_BLEND, again, choose, way, write, keep, show},
-    matching = {BAT_STRING_COMMAND_CURVE_MATCH, again, choose, way, write, keep, show};
+    blending = {BAT_STRING_COMMAND_CURVE_BLEND, again, other, choose, way, write, keep, show},
+    matching = {BAT_STRING_COMMAND_CURVE_MATCH, again, NULL, choose, way, write, keep, show};
 
 /* ---- the commands ---- */
 
 bat_status bat_command_curve_blend(bat_context *c, bat_command_id id) {
     bat_tuning_free(c->tuning);
     const bat_status gathered = bat_tuning_gather(c, is_possible);
-    c->tuning->amount = 0.5;
+    c->tuning->amount = c->tuning->other = 0.5;
     c->tuning->way = USUAL;
     c->tuning->comb = true;
     return bat_tuning_start(c, id == BAT_COMMAND_CURVE_MATCH ? &matching : &blending, gathered,

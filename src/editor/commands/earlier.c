@@ -178,7 +178,7 @@ static void write(bat_context *c, bat_text *text) {
 }
 
 static const bat_tuning_kind earlier = {
-    BAT_STRING_COMMAND_CURVE_EARLIER, again, choose, NULL, write, keep, NULL};
+    BAT_STRING_COMMAND_CURVE_EARLIER, again, NULL, choose, NULL, write, keep, NULL};
 
 /* The one object that is selected, or in the group that is; BAT_STATE: there is no such one. */
 static bat_status one_selected(bat_context *c, int *index) {

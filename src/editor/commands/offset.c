@@ -154,7 +154,7 @@ static void write(bat_context *c, bat_text *text) {
 }
 
 static const bat_tuning_kind offsetting = {
-    BAT_STRING_STEP_CURVE_OFFSET, again, choose, way, write, keep, show};
+    BAT_STRING_STEP_CURVE_OFFSET, again, NULL, choose, way, write, keep, show};
 
 void bat_offset_follow(bat_context *c, bat_property_id property) {
     if (property == BAT_PROPERTY_OFFSET_DISTANCE || property == BAT_PROPERTY_OFFSET_SIDE)

@@ -246,4 +246,5 @@ static void write(bat_context *c, bat_text *text) {
     bat_text_json_string(text, bat_word(c, BAT_STRING_SIMPLIFY_G1));
 }
 
-static const bat_tuning_kind simplifying = {BAT_STRING_STEP_SIMPLIFY, again, join, way, write, NULL, NULL};
+static const bat_tuning_kind simplifying = {
+    BAT_STRING_STEP_SIMPLIFY, again, NULL, join, way, write, NULL, NULL};

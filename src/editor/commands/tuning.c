@@ -12,6 +12,7 @@
 #include <stdlib.h>
 
 static const float WIDTH = 2;
+static const double BESIDE = 10; /* px from an end to its number */
 
 void bat_tuning_unshow(bat_tuning *t) {
     for (int i = 0; i < t->shown; i++) bat_curve_free(t->fit[i]);
@@ -115,6 +116,11 @@ void bat_tuning_show(bat_context *c, bat_overlay *overlay) {
     bat_overlay_item(overlay, BAT_ROLE_FIT, BAT_ITEM_STROKED, WIDTH);
     for (int i = 0; i < t->shown; i++) bat_path_curve(&overlay->path, t->fit[i]);
     for (int i = 0; i < t->shown && t->comb; i++) bat_comb_show(overlay, t->fit[i], c->stage);
+    for (int k = 0; k < 2 && t->kind->other; k++) {
+        double at[2];
+        if (bat_stage_look(c->stage, 3, t->place[k], at))
+            bat_overlay_label(overlay, BAT_ROLE_VALUE, at, BESIDE, -BESIDE, k ? "2" : "1");
+    }
 }
 
 void bat_tuning_look(const bat_stage *stage, const double box[4], double seen[4]) {

@@ -15,6 +15,8 @@ typedef struct bat_tuning_kind {
     bat_string step; /* the name of its step of the history */
     /* Takes another amount, 0 to 1. done: in place of the step; otherwise only shown. A failure leaves everything as it was. */
     bat_status (*again)(bat_context *c, double amount, bool done);
+    /* The same with the second slider; NULL: there is one alone. */
+    bat_status (*other)(bat_context *c, double amount, bool done);
     /* Takes another way; -1: the one after that in force. BAT_ARGUMENT: there is none. */
     bat_status (*choose)(bat_context *c, int way);
     int (*way)(const bat_context *c); /* the way in force; NULL: there are none */
@@ -37,11 +39,12 @@ typedef struct bat_tuning {
     const bat_tuning_kind *kind; /* NULL: nothing can be chosen */
     int count;                   /* of the objects that it is about, as they were, retained */
     bat_object **before;
-    bool stepped;  /* a step has changed them; otherwise they are as they were */
-    double amount; /* 0 to 1 */
-    int way;       /* in force, of kinds that keep it nowhere else */
-    bool comb;     /* what is only shown has its curvature comb */
-    int shown;     /* curves that are only shown, owned */
+    bool stepped;         /* a step has changed them; otherwise they are as they were */
+    double amount, other; /* 0 to 1; of the second slider */
+    double place[2][3];   /* what the two sliders are about, where there are two */
+    int way;              /* in force, of kinds that keep it nowhere else */
+    bool comb;            /* what is only shown has its curvature comb */
+    int shown;            /* curves that are only shown, owned */
     bat_curve **fit;
     double around[4];  /* of all that can be shown */
     bat_string why;    /* nothing is shown, where the kind has a reason */

@@ -10,10 +10,14 @@
 #include "editor/tables/tables.h"
 #include "hands/levels/shape.h"
 #include "text/text.h"
+#include "editor/edit/stroke_blend.h"
 #include "editor/edit/stroke_record.h"
 #include "editor/edit/curves_of.h"
+#include <batten/fit.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const double CORNER = 0.05; /* radians: larger turns stay corners */
 
 const bat_curve *bat_edit_curve(const bat_document *document, const bat_edit *edit, bat_id object,
                                 int curve) {
@@ -53,6 +57,7 @@ static bat_status one_curve(const bat_document *document, const bat_edit *edit, 
     if (edit->kind == BAT_EDIT_CLOSE) return bat_sketch_close(target, &stroke, &edit->options, out, report);
     if (edit->kind == BAT_EDIT_SMOOTH) return bat_sketch_smooth(target, &stroke, &edit->options, out, report);
     const bat_curve *other = bat_edit_curve(document, edit, edit->other, edit->other_curve);
+    if (edit->kind == BAT_EDIT_BLEND && other) return bat_edit_blend(target, other, &stroke, out);
     if (!other || other == target) return BAT_ARGUMENT;
     return bat_sketch_join(target, other, &stroke, &edit->options, out, report);
 }
@@ -80,6 +85,20 @@ void bat_edit_result_clear(bat_edit_result *result) {
     *result = (bat_edit_result){0};
 }
 
+/* On extremes and whole numbers, which is how fonts have outlines; what is smaller than that, or in space, stays. */
+static bat_status put_on_extremes(const bat_edit *edit, bat_edit_result *made) {
+    const double tolerance = edit->options.tolerance > 0 ? edit->options.tolerance : edit->options.pixel;
+    for (int i = 0; i < made->count && !made->shape; i++) {
+        bat_curve *fit = NULL;
+        const bat_status status = bat_curve_refit_extremes(made->curve[i], tolerance, CORNER, 1, &fit, NULL);
+        if (status == BAT_MEMORY) return status;
+        if (status != BAT_OK) continue;
+        bat_curve_free(made->curve[i]);
+        made->curve[i] = fit;
+    }
+    return BAT_OK;
+}
+
 bat_status bat_edit_compute(const bat_document *document, const bat_edit *edit, bat_sketch_live *live,
                             bat_edit_result *out, bat_sketch_report *report) {
     bat_edit_result made = {.count = edit->kind == BAT_EDIT_SEVERAL ? edit->part_count : 1};
@@ -95,8 +114,13 @@ bat_status bat_edit_compute(const bat_document *document, const bat_edit *edit, 
     else
         status = one_curve(document, edit, made.curve, report);
     if (status == BAT_OK && !made.curve[0]) status = BAT_SINGULAR;
-    if (status == BAT_OK || status == BAT_TOLERANCE)
+    bool any = status == BAT_OK || status == BAT_TOLERANCE;
+    if (any && edit->on_extremes && edit->kind != BAT_EDIT_BLEND && put_on_extremes(edit, &made) != BAT_OK)
+        status = BAT_MEMORY, any = false;
+    if (any)
         *out = made;
+    else if (status == BAT_MEMORY)
+        bat_edit_result_clear(&made);
     else
         bat_shape_free(made.shape);
     return status;
@@ -136,12 +160,28 @@ static bat_status insert(bat_context *c, const bat_edit *edit, bat_edit_result *
     return bat_insert_curve(c, edit->object, &edit->style, edit->parent, curve);
 }
 
+/* A new object of it in front of the edit's, in the same style. */
+static bat_status insert_beside(bat_context *c, const bat_edit *edit, bat_edit_result *result) {
+    bat_document *document = c->session->document;
+    const int index = bat_document_find(document, edit->object);
+    bat_object *made = NULL, *placed = NULL;
+    bat_curve *curve = result->curve[0];
+    result->curve[0] = NULL;
+    bat_status status = bat_object_with_curves(bat_document_at(document, index), 1, &curve, &made);
+    if (status == BAT_OK) status = bat_object_with_id(made, bat_document_new_id(document), &placed);
+    if (status == BAT_OK) status = bat_transaction_insert(c, index + 1, placed);
+    bat_object_release(made), bat_object_release(placed);
+    return status;
+}
+
 bat_status bat_edit_commit(bat_context *c, const bat_edit *edit, bat_edit_result *result) {
     bat_text line = {0};
     bat_edit_write(edit, &line);
     bat_status status = bat_transaction_begin(c);
     if (status == BAT_OK)
-        status = edit->kind == BAT_EDIT_NEW ? insert(c, edit, result) : bat_edit_put(c, edit, result);
+        status = edit->kind == BAT_EDIT_NEW     ? insert(c, edit, result)
+                 : edit->kind == BAT_EDIT_BLEND ? insert_beside(c, edit, result)
+                                                : bat_edit_put(c, edit, result);
     bat_edit_result_clear(result);
     if (status == BAT_OK && edit->kind == BAT_EDIT_NEW) status = bat_dash_new(c, edit->object, edit->dashes);
     if (status == BAT_OK && edit->kind == BAT_EDIT_NEW) status = press(c, edit);

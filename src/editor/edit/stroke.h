@@ -24,6 +24,7 @@ typedef enum bat_edit_kind {
     BAT_EDIT_EXTEND,
     BAT_EDIT_CLOSE,
     BAT_EDIT_SEVERAL,
+    BAT_EDIT_BLEND, /* a new curve between two ends, in the style of the first curve */
     BAT_EDIT_COUNT
 } bat_edit_kind;
 
@@ -49,7 +50,7 @@ typedef struct bat_edit {
     bat_id object; /* the changed object; NEW: the id it gets */
     int curve;
     int level;    /* LEVEL: the redrawn level, or a bat_level_choice */
-    bat_id other; /* JOIN: the object joined to it */
+    bat_id other; /* JOIN: the object joined to it; BLEND: that it leads to, which may be the same */
     int other_curve;
     bat_sketch_meaning meaning; /* NEW, REDRAW, EXTEND */
     int part_count;             /* SEVERAL; object and curve are the first part's */
@@ -61,6 +62,7 @@ typedef struct bat_edit {
     bat_dashing dashes; /* NEW */
     bool pressed;       /* NEW: the pen's pressure becomes the width along it */
     bat_mirror mirror;  /* on: the edit is made on both sides of this axis */
+    bool on_extremes;   /* the curves become cubics that meet at extremes, in whole numbers */
     bool accepted;      /* the user accepted a fit that misses the tolerance */
     bat_samples samples;
 } bat_edit;

@@ -20,6 +20,7 @@ static const struct {
     [BAT_EDIT_EXTEND] = {"sketch-extend", BAT_STRING_STEP_EXTEND},
     [BAT_EDIT_CLOSE] = {"sketch-close", BAT_STRING_STEP_CLOSE},
     [BAT_EDIT_SEVERAL] = {"sketch-several", BAT_STRING_STEP_SEVERAL},
+    [BAT_EDIT_BLEND] = {"sketch-blend", BAT_STRING_COMMAND_CURVE_BLEND},
     [BAT_EDIT_LEVEL] = {"sketch-level", BAT_STRING_STEP_LEVEL_SKETCH},
 };
 
@@ -83,6 +84,8 @@ static void write_style(bat_text *line, const bat_style *style) {
     if (style->join != usual.join) number(line, "join", (double)style->join);
 }
 
+static bool has_other(bat_edit_kind kind) { return kind == BAT_EDIT_JOIN || kind == BAT_EDIT_BLEND; }
+
 static bool is_redraw(bat_edit_kind kind) { return kind == BAT_EDIT_REDRAW || kind == BAT_EDIT_EXTEND; }
 
 /* What the choice of meaning has determined for a redraw. */
@@ -138,7 +141,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     if (edit->kind == BAT_EDIT_LEVEL) number(line, "level", edit->level);
     if (is_redraw(edit->kind)) write_redraw(line, &edit->meaning);
     if (edit->kind == BAT_EDIT_SEVERAL) write_parts(line, edit);
-    if (edit->kind == BAT_EDIT_JOIN) {
+    if (has_other(edit->kind)) {
         number(line, "other", (double)edit->other);
         number(line, "other_curve", edit->other_curve);
     }
@@ -160,6 +163,7 @@ void bat_edit_write(const bat_edit *edit, bat_text *line) {
     if (edit->options.fairness != bat_sketch_defaults().fairness)
         number(line, "fairness", edit->options.fairness);
     if (edit->options.degree != 3) number(line, "degree", edit->options.degree);
+    if (edit->on_extremes) bat_text_string(line, ",\"on_extremes\":true");
     if (edit->accepted) bat_text_string(line, ",\"accepted\":true");
     bat_mirror_write(&edit->mirror, line);
     bat_text_string(line, ",\"view\":");
@@ -380,7 +384,7 @@ bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_
     if (out->kind == BAT_EDIT_LEVEL) out->level = read_whole(&r, "level", BAT_LEVEL_BARE, BAT_LEVELS_MAX);
     if (is_redraw(out->kind)) read_redraw(&r, &out->meaning);
     if (out->kind == BAT_EDIT_SEVERAL) read_parts(&r, out);
-    if (out->kind == BAT_EDIT_JOIN) {
+    if (has_other(out->kind)) {
         out->other = (bat_id)read_whole(&r, "other", 1, ids);
         out->other_curve = read_whole(&r, "other_curve", 0, ids);
     }
@@ -404,6 +408,7 @@ bat_status bat_edit_read(const bat_json *json, struct bat_casters *casters, bat_
     options->width = read(&r, "width", 1, 100, &three);
     options->smooth_limit = read(&r, "smooth_limit", 0, 1e12, &none);
     options->keep_corners = read_switch(&r, "keep_corners");
+    out->on_extremes = read_switch(&r, "on_extremes");
     out->accepted = read_switch(&r, "accepted");
     if (r.status == BAT_OK) r.status = bat_mirror_read(json, 1, &out->mirror, problem);
     if (r.status == BAT_OK) r.status = read_stroke(json, bat_json_member(json, 1, "stroke"), out, problem);

@@ -116,8 +116,8 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
         return f->curved > 1 && f->curved == f->others && f->open + f->space == 0;
     case BAT_COMMAND_COMBINE: return f->curved > 1;
     case BAT_COMMAND_RELEASE: return f->compound > 0;
-    case BAT_COMMAND_CURVE_BLEND: return f->space == 0 && (f->open == 1 || f->open == 2);
-    case BAT_COMMAND_CURVE_MATCH: return f->space == 0 && f->open == 2;
+    case BAT_COMMAND_CURVE_BLEND: return f->open == 1 || f->open == 2;
+    case BAT_COMMAND_CURVE_MATCH:
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
     case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;
     case BAT_COMMAND_BODY_PATH: return f->roots <= 2 && bat_command_body_path_fits(c);
@@ -127,6 +127,8 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
     case BAT_COMMAND_MIRROR_LINE: return f->roots > 1 && f->open > 0;
     case BAT_COMMAND_TO_PAGE: return f->space > 0;
     case BAT_COMMAND_CURVE_EARLIER: return f->others == 1 && bat_tuning_has_earlier(c);
+    case BAT_COMMAND_POINTS_EXTREMES:
+    case BAT_COMMAND_POINTS_INFLECTIONS: return f->open + f->closed > f->space;
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return f->open + f->closed > 0;
     case BAT_COMMAND_CURVE_SPLIT: return point && f->open + f->closed > 0;

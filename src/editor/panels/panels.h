@@ -33,6 +33,7 @@ const char *bat_panel_levels(bat_context *c);
 const char *bat_panel_readings(bat_context *c);
 bat_status bat_panel_read_as(bat_context *c, int reading);
 bat_status bat_panel_refit(bat_context *c, double amount, bool done);
+bat_status bat_panel_refit_other(bat_context *c, double amount, bool done);
 const char *bat_panel_move(bat_context *c);
 bat_status bat_panel_seek(bat_context *c, double seconds);
 void bat_panel_play(bat_context *c, double time);

@@ -57,6 +57,10 @@ static const char *tuned(bat_context *c) {
     const bool some = bat_arrange_selection_box(c, box);
     for (int k = 0; k < 2 && some; k++) place[k] = box[k + 2];
     begin(c, &text, place, c->tuning->kind->way ? c->tuning->kind->way(c) : -1, c->tuning->amount);
+    if (c->tuning->kind->other) {
+        bat_text_string(&text, ",\"other\":");
+        bat_line_number(&text, c->tuning->other);
+    }
     c->tuning->kind->write(c, &text);
     return finish(c, &text);
 }
@@ -84,6 +88,11 @@ const char *bat_panel_readings(bat_context *c) {
 bat_status bat_panel_refit(bat_context *c, double amount, bool done) {
     if (bat_tuning_holds(c)) return c->tuning->kind->again(c, amount, done);
     return bat_sketching_refit(c, bat_sketching_of(c), amount, done);
+}
+
+bat_status bat_panel_refit_other(bat_context *c, double amount, bool done) {
+    if (!bat_tuning_holds(c) || !c->tuning->kind->other) return BAT_STATE;
+    return c->tuning->kind->other(c, amount, done);
 }
 
 bat_status bat_panel_read_as(bat_context *c, int reading) {

@@ -17,7 +17,7 @@ typedef struct bat_insight {
 } bat_insight;
 
 /* Teeth along the normals, their length proportional to the curvature, scaled so that typical ones are readable at
- * this zoom; a line through their ends; marks on the inflections. Planar curves. */
+ * this zoom; a line through their ends; marks on the inflections of planar curves. In space along the principal normals, as they are seen. */
 void bat_comb_show(bat_overlay *overlay, const bat_curve *curve, const bat_stage *stage);
 /* Once per frame, before the overlay of the tool. made: the curve under way, or NULL. */
 void bat_insight_show(bat_context *c, const bat_curve *made, bat_overlay *overlay);

@@ -377,10 +377,54 @@ static bat_status say_short(const bat_json *json, const short_sketch *told, bat_
     return bat_json_say(json, told->edit, BAT_OK, message, problem);
 }
 
+/* The parameters listed under a name, BAT_HELD_MAX at most; none when it is left out. */
+static bat_status read_parameters(const bat_json *json, uint32_t hold, const char *name, double *out,
+                                  size_t *count, bat_problem *problem) {
+    uint32_t list = bat_json_member(json, hold, name);
+    *count = 0;
+    if (!list) return BAT_OK;
+    if (is(json, list, BAT_JSON_LIST) && bat_json_count(json, list) <= BAT_HELD_MAX)
+        for (uint32_t at = bat_json_first(json, list); at && is(json, at, BAT_JSON_NUMBER);
+             at = json->nodes[at].next)
+            out[(*count)++] = json->nodes[at].value.number;
+    return is(json, list, BAT_JSON_LIST) && *count == bat_json_count(json, list)
+               ? BAT_OK
+               : bat_json_complain(json, list, BAT_SYNTAX, name, "a list of at most 8 parameters", problem);
+}
+
+/* A control point that is moved (index 0 or above), or the level's curve that is dragged; with what is held, the finest one. */
+static bat_status pull(const bat_json *json, uint32_t object, bat_shape *shape, int level, int index,
+                       bat_problem *problem) {
+    double delta[BAT_DIMENSION_MAX], u = 0, points[BAT_HELD_MAX], directions[BAT_HELD_MAX];
+    bat_shape_held held = {.points = points, .directions = directions};
+    const int dimension = bat_curve_dimension(bat_shape_curve(shape, level));
+    const uint32_t hold = bat_json_member(json, object, "hold");
+    bat_status status = index < 0 ? read_number(json, object, "u", &u, problem) : BAT_OK;
+    if (status == BAT_OK)
+        status = bat_vector_from_json(json, bat_json_member(json, object, "delta"), "delta", dimension, delta,
+                                      problem);
+    if (status == BAT_OK && hold && !is(json, hold, BAT_JSON_OBJECT))
+        status = bat_json_complain(json, hold, BAT_SYNTAX, "hold", "an object", problem);
+    if (status == BAT_OK) status = read_parameters(json, hold, "points", points, &held.point_count, problem);
+    if (status == BAT_OK)
+        status = read_parameters(json, hold, "directions", directions, &held.direction_count, problem);
+    if (status != BAT_OK) return status;
+    held.length = is(json, bat_json_member(json, hold, "length"), BAT_JSON_TRUE);
+    held.area = is(json, bat_json_member(json, hold, "area"), BAT_JSON_TRUE);
+    if (index >= 0)
+        status = hold ? bat_shape_move_held(shape, level, index, delta, &held)
+                      : bat_shape_move(shape, level, index, delta);
+    else
+        status = hold ? bat_shape_drag_held(shape, level, u, delta, &held)
+                      : bat_shape_drag(shape, level, u, delta);
+    return status == BAT_OK ? BAT_OK
+                            : bat_json_say(json, object, status, bat_status_message(status), problem);
+}
+
 static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape, short_sketch *told,
                         bat_problem *problem) {
     int type = -1, level = 0, index = 0, dimension = bat_curve_dimension(bat_shape_curve(shape, 0));
-    double value[12], u = 0;
+    double value[12];
     if (!is(json, object, BAT_JSON_OBJECT))
         return bat_json_complain(json, object, BAT_SYNTAX, "edit", "an object", problem);
     const char *expected = "\"move\", \"drag\", \"gain\", \"sketch\" or \"transform\"";
@@ -391,19 +435,15 @@ static bat_status apply(const bat_json *json, uint32_t object, bat_shape *shape,
         status = read_index(json, object, "level", bat_shape_levels(shape), &level, problem);
     if (status != BAT_OK) return status;
     const bat_curve *curve = bat_shape_curve(shape, level);
-    uint32_t delta = bat_json_member(json, object, "delta");
     switch ((edit_type)type) {
     case EDIT_MOVE:
         status = read_index(json, object, "index", bat_point_count(curve) - 1, &index, problem);
-        if (status == BAT_OK) status = bat_vector_from_json(json, delta, "delta", dimension, value, problem);
+        if (status == BAT_OK) status = pull(json, object, shape, level, index, problem);
         if (status != BAT_OK) return status;
-        status = bat_shape_move(shape, level, index, value);
         break;
     case EDIT_DRAG:
-        status = read_number(json, object, "u", &u, problem);
-        if (status == BAT_OK) status = bat_vector_from_json(json, delta, "delta", dimension, value, problem);
+        status = pull(json, object, shape, level, -1, problem);
         if (status != BAT_OK) return status;
-        status = bat_shape_drag(shape, level, u, value);
         break;
     case EDIT_GAIN:
         status = read_number(json, object, "value", value, problem);

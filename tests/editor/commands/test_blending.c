@@ -57,10 +57,11 @@ static void blends_are_kept(void **state) {
         const uint64_t first = digest(editor);
         only(editor, 1, 2);
         assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
-        says(editor, "\"chosen\":2,\"amount\":0.5,\"of\":\"blend\"");
+        says(editor, "\"chosen\":2,\"amount\":0.5,\"other\":0.5,\"of\":\"blend\"");
         assert_true(shows(editor, BAT_ROLE_FIT) && shows(editor, BAT_ROLE_COMB));
         assert_int_equal(bat_editor_read_as(editor, continuity), BAT_OK);
         assert_int_equal(bat_editor_refit(editor, 0.4, true), BAT_OK);
+        assert_int_equal(bat_editor_refit_other(editor, 0.7, true), BAT_OK);
         assert_true(digest(editor) == first);
         assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
         assert_true(!shows(editor, BAT_ROLE_FIT) && selected(editor) == 1);
@@ -71,6 +72,63 @@ static void blends_are_kept(void **state) {
         goes_back_and_replays(editor, first);
         bat_editor_free(editor);
     }
+}
+
+/* How fast a cubic's ends are left and reached: the lengths of its handles over that of its chord. */
+static void handles(const bat_curve *curve, double share[2]) {
+    const double *p = bat_curve_points(curve), chord = hypot(p[6] - p[0], p[7] - p[1]);
+    share[0] = hypot(p[2] - p[0], p[3] - p[1]) / chord;
+    share[1] = hypot(p[6] - p[4], p[7] - p[5]) / chord;
+}
+
+/* Each slider is about its own end, which bears its number in the drawing. */
+static void each_end_has_its_slider(void **state) {
+    (void)state;
+    double usual[2], now[2];
+    for (int k = 0; k < 3; k++) { /* none, the first, the second */
+        bat_editor *editor = bends();
+        only(editor, 1, 2);
+        assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
+        assert_int_equal(bat_editor_read_as(editor, 1), BAT_OK);
+        if (k == 1) assert_int_equal(bat_editor_refit(editor, 0.75, true), BAT_OK);
+        if (k == 2) assert_int_equal(bat_editor_refit_other(editor, 0.75, true), BAT_OK);
+        const bat_frame *frame = bat_editor_frame(editor);
+        int numbers = 0;
+        for (uint32_t i = 0; i < frame->label_count; i++)
+            numbers += !strcmp(frame->labels[i].text, "1") || !strcmp(frame->labels[i].text, "2");
+        assert_int_equal(numbers, 2);
+        assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+        handles(curve(editor, editor->choice.selection.ids[0]), k ? now : usual);
+        if (k == 1) assert_true(now[0] > 1.2 * usual[0] && fabs(now[1] - usual[1]) < 1e-9);
+        if (k == 2) assert_true(now[1] > 1.2 * usual[1] && fabs(now[0] - usual[0]) < 1e-9);
+        bat_editor_free(editor);
+    }
+}
+
+/* Two curves in space, and one in space with a planar one, meet in space; in a tilted view the comb is seen, too. */
+static void curves_in_space_meet(void **state) {
+    (void)state;
+    const double first[12] = {100, 100, 0, 150, 220, 40, 250, 250, 90, 350, 200, 60},
+                 second[12] = {900, 400, -50, 800, 300, 20, 700, 300, 120, 600, 400, 80};
+    for (int flat = 0; flat < 2; flat++)
+        for (int match = 0; match < 2; match++) {
+            bat_curve *curves[2] = {flat ? open_curve((double[]){100, 100, 150, 220, 250, 250, 350, 200})
+                                         : NULL};
+            if (!flat) assert_int_equal(bat_curve_create_clamped(3, 3, 4, first, &curves[0]), BAT_OK);
+            assert_int_equal(bat_curve_create_clamped(3, 3, 4, second, &curves[1]), BAT_OK);
+            bat_editor *editor = editor_with(2, curves);
+            const uint64_t before = digest(editor);
+            assert_int_equal(bat_editor_command(editor, "tool-select"), BAT_OK);
+            only(editor, 1, 2);
+            assert_int_equal(bat_editor_command(editor, "view-quarter"), BAT_OK);
+            assert_int_equal(bat_editor_command(editor, match ? "curve-match" : "curve-blend"), BAT_OK);
+            assert_true(shows(editor, BAT_ROLE_FIT) && shows(editor, BAT_ROLE_COMB));
+            assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+            const bat_curve *a = curve(editor, match ? 1 : editor->choice.selection.ids[0]);
+            joins(a, true, curve(editor, 2), true, 2);
+            goes_back_and_replays(editor, before);
+            bat_editor_free(editor);
+        }
 }
 
 static void one_curve_meets_itself(void **state) {
@@ -126,10 +184,9 @@ static void what_is_left_changes_nothing(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blends_are_kept),
-        cmocka_unit_test(one_curve_meets_itself),
-        cmocka_unit_test(ends_are_matched),
-        cmocka_unit_test(what_is_left_changes_nothing),
+        cmocka_unit_test(blends_are_kept),      cmocka_unit_test(each_end_has_its_slider),
+        cmocka_unit_test(curves_in_space_meet), cmocka_unit_test(one_curve_meets_itself),
+        cmocka_unit_test(ends_are_matched),     cmocka_unit_test(what_is_left_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "support/editing.h"
+#include <batten/blend.h>
 #include <batten/editor.h>
 #include <batten/nearest.h>
 
@@ -280,6 +281,48 @@ static void alt_away_from_curves(void **state) {
     bat_editor_free(editor);
 }
 
+/* The same stroke can be a curve of its own between the ends, which goes on as both do; the two stay as they are. */
+static void end_to_end_blends(void **state) {
+    (void)state;
+    for (int one = 0; one < 2; one++) { /* two lines, or both ends of one */
+        bat_curve *bow = pen_curve(200, 300, 60, 0, 11);
+        bat_editor *editor = one ? editor_with(1, &bow) : pen_editor();
+        if (!one) bat_curve_free(bow);
+        const uint64_t before = digest(editor);
+        const int objects = count(editor);
+        pen p = pen_for(editor);
+        if (one)
+            pen_stroke(&p, pen_arch, (double[]){800, 300, 200, 300, 260}, 120);
+        else
+            pen_stroke(&p, pen_arch, (double[]){800, 200, 800, 600, 120}, 80);
+        const char *words = strstr(bat_editor_readings(editor), "\"words\":["),
+                   *blend = strstr(words, "\"Blend\"");
+        int reading = 0;
+        assert_non_null(blend);
+        for (; words < blend; words++) reading += *words == ',';
+        assert_int_equal(bat_editor_read_as(editor, reading), BAT_OK);
+        assert_int_equal(count(editor), objects + 1);
+        const bat_document *document = bat_editor_document(editor);
+        const bat_curve *made = bat_object_curve(bat_document_at(document, 1), 0);
+        for (int side = 0; side < 2; side++) {
+            double least = INFINITY, jump[4];
+            for (int k = 0; k < objects; k++)
+                for (int end = 0; end < 2; end++) {
+                    const bat_curve *line = bat_object_curve(bat_document_at(document, k > 0 ? 2 : 0), 0);
+                    assert_int_equal(side ? bat_curve_jump(made, true, line, end, jump)
+                                          : bat_curve_jump(line, end, made, false, jump),
+                                     BAT_OK);
+                    if (jump[0] < 1e-9) least = fmin(least, fmax(jump[1], 100 * jump[2]));
+                }
+            assert_true(least < 1e-6);
+        }
+        replays(editor, 0);
+        assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+        assert_true(digest(editor) == before);
+        bat_editor_free(editor);
+    }
+}
+
 static void end_to_end_joins(void **state) {
     (void)state;
     bat_editor *editor = pen_editor();
@@ -531,6 +574,7 @@ int main(void) {
         cmocka_unit_test(alt_smooths),
         cmocka_unit_test(alt_away_from_curves),
         cmocka_unit_test(end_to_end_joins),
+        cmocka_unit_test(end_to_end_blends),
         cmocka_unit_test(second_contact_never_ends_a_stroke),
         cmocka_unit_test(tolerance_is_in_pixels),
         cmocka_unit_test(commands_during_a_stroke),

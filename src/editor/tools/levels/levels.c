@@ -9,6 +9,8 @@
  */
 #include "base/vec.h"
 #include "curve/curve.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
 #include "editor/edit/stroke.h"
 #include "editor/input/contacts.h"
 #include "editor/input/input.h"
@@ -105,6 +107,7 @@ static bat_status moved(const bat_context *c, bat_shape_live *live, const bat_ha
 static bat_status edited(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                          const double delta[3], bat_shape **out) {
     bat_shape *shape = NULL;
+    if (bat_leveling_holds(c)) return bat_leveling_move_held(c, live, grip, delta, out);
     bat_status status = moved(c, live, grip, delta);
     if (status == BAT_OK) status = bat_shape_copy(bat_shape_live_shape(live), &shape);
     if (status == BAT_OK) status = bat_shape_commit(shape);
@@ -118,14 +121,17 @@ static bat_status edited(const bat_context *c, bat_shape_live *live, const bat_h
 static void tell(bat_context *c, bat_status status) {
     if (status == BAT_STATE)
         bat_notice(c, BAT_STRING_NOTICE_MUTED);
+    else if (status == BAT_TOLERANCE)
+        bat_notice(c, BAT_STRING_NOTICE_HELD);
     else if (status != BAT_OK)
         bat_notice_failure(c, status);
 }
 
 static void release(bat_leveling *l) {
     bat_shape_live_cancel(l->live);
+    bat_followers_free(l->followers);
     bat_relief_free(l->carved);
-    l->live = NULL, l->carved = NULL;
+    l->live = NULL, l->followers = NULL, l->carved = NULL;
     l->pressed = l->dragging = l->due = false;
 }
 
@@ -169,7 +175,11 @@ static void drag(bat_context *c) {
     bat_shape *shape = NULL;
     bat_status status = edited(c, l->live, &l->grip, delta, &shape);
     if (status == BAT_OK) status = bat_leveling_put(c, shape);
-    if (status != BAT_OK) give_up(c, status);
+    if (status == BAT_OK) status = bat_followers_move(c, l->followers);
+    if (status == BAT_TOLERANCE)
+        tell(c, status); /* it stays where it came to */
+    else if (status != BAT_OK)
+        give_up(c, status);
 }
 
 /* The normal of a curve in the plane where it is gripped: at a control point, where that point pulls most. */
@@ -203,8 +213,9 @@ static int curve_of(const bat_context *c, const bat_handle *grip) {
 
 static void begin_drag(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
+    const bool among = bat_selection_has(&c->choice->selection, l->grip.object);
     bat_apart_drop(c);
-    bat_leveling_choose(c, l->grip.object, curve_of(c, &l->grip));
+    (among ? bat_leveling_take : bat_leveling_choose)(c, l->grip.object, curve_of(c, &l->grip));
     bat_leveling_settle(c);
     const bat_shape *shape = bat_leveling_shape(c);
     if (!shape && !bat_leveling_relief(c)) { /* nothing can bend it */
@@ -213,6 +224,7 @@ static void begin_drag(bat_context *c) {
         return;
     }
     bat_status status = shape ? bat_shape_live_begin(shape, l->level, &l->live) : bat_relief_grip(c);
+    if (status == BAT_OK && shape) status = bat_followers_gather(c, &l->followers);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         release(l);
@@ -249,11 +261,16 @@ static void move(bat_context *c, void *state, const bat_pointer *event) {
     if (!l->dragging && far && l->grip.kind && !l->copying) begin_drag(c);
 }
 
-static void tap(bat_context *c) {
+static void tap(bat_context *c, const bat_pointer *event) {
     bat_leveling *l = bat_leveling_of(c);
     const bat_handle grip = l->grip;
     const int curve = curve_of(c, &grip);
     bool same = grip.object == l->object && curve == l->curve;
+    const bool twice = bat_double_tap_ends(&l->tap, event);
+    if (twice && same && !l->copying && grip.kind == BAT_HANDLE_CURVE && !bat_ladder_any(l->apart)) {
+        bat_leveling_pin(c, grip.u);
+        return;
+    }
     if (l->copying) {
         if (!grip.object || same) return;
         l->copying = false;
@@ -269,7 +286,6 @@ static void tap(bat_context *c) {
 static void up(bat_context *c, void *state, const bat_pointer *event) {
     (void)state;
     bat_leveling *l = bat_leveling_of(c);
-    (void)event;
     if (!l->pressed) return;
     drag(c);
     if (!l->pressed) return; /* it failed */
@@ -278,7 +294,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
                                                         : BAT_STRING_STEP_LEVEL_PULL;
     release(l);
     if (!dragged)
-        tap(c);
+        tap(c, event);
     else
         tell(c, bat_transaction_commit(c, label, NULL));
 }
@@ -326,6 +342,22 @@ static bat_status step(bat_context *c, int direction) {
     return l->chosen < 0 ? BAT_STATE : BAT_OK;
 }
 
+/* As one step; takes the shape over, whatever it returns. */
+static bat_status commit_with_followers(bat_context *c, bat_shape *shape) {
+    bat_followers *followers = NULL;
+    bat_status status = bat_followers_gather(c, &followers);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status != BAT_OK) {
+        bat_shape_free(shape);
+    } else {
+        status = bat_leveling_put(c, shape);
+        if (status == BAT_OK) status = bat_followers_move(c, followers);
+        status = bat_transaction_end(c, status, BAT_STRING_STEP_LEVEL_POINT);
+    }
+    bat_followers_free(followers);
+    return status;
+}
+
 static bat_status nudge(bat_context *c, double x, double y) {
     bat_leveling *l = bat_leveling_of(c);
     if (l->chosen < 0 || !active(c)) return BAT_STATE;
@@ -340,9 +372,20 @@ static bat_status nudge(bat_context *c, double x, double y) {
     bat_status status = bat_shape_live_begin(bat_leveling_shape(c), l->level, &live);
     if (status == BAT_OK) status = edited(c, live, &grip, delta, &shape);
     bat_shape_live_cancel(live);
-    if (status == BAT_OK) status = bat_leveling_commit(c, shape, BAT_STRING_STEP_LEVEL_POINT);
+    if (status == BAT_OK) status = commit_with_followers(c, shape);
     tell(c, status);
-    return status == BAT_STATE ? BAT_OK : status; /* muted: BAT_OK keeps the key from moving the view */
+    return status == BAT_STATE || status == BAT_TOLERANCE
+               ? BAT_OK
+               : status; /* muted, held: BAT_OK keeps the key from moving the view */
+}
+
+/* At the chosen control point. */
+static bat_status pin(bat_context *c) {
+    const bat_leveling *l = bat_leveling_of(c);
+    const bat_curve *polygon = active(c);
+    if (l->chosen < 0 || !polygon) return BAT_STATE;
+    bat_leveling_pin(c, bat_handle_greville(polygon, l->chosen));
+    return BAT_OK;
 }
 
 static bat_status command(bat_context *c, void *state, bat_command_id id) {
@@ -351,6 +394,7 @@ static bat_status command(bat_context *c, void *state, bat_command_id id) {
     switch (id) {
     case BAT_COMMAND_POINT_NEXT: return step(c, 1);
     case BAT_COMMAND_POINT_PREVIOUS: return step(c, -1);
+    case BAT_COMMAND_POINT_ADD: return pin(c);
     case BAT_COMMAND_NUDGE_LEFT: return nudge(c, -1, 0);
     case BAT_COMMAND_NUDGE_RIGHT: return nudge(c, 1, 0);
     case BAT_COMMAND_NUDGE_UP: return nudge(c, 0, -1);
@@ -467,6 +511,7 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
     }
     show_levels(c, list, shape, level, l->apart.shape || c->settings->values[BAT_PROPERTY_SHOW_LEVELS] != 0);
     if (c->settings->values[BAT_PROPERTY_SHOW_FRAMES] != 0) show_frames(c, list, shape);
+    bat_leveling_show_pins(c, list);
     bat_handle one = {BAT_HANDLE_POINT, l->object, l->curve, l->chosen, 0};
     if (l->chosen >= 0 && !l->apart.shape) bat_handles_show_one(list, curve, &one, BAT_ROLE_CHOSEN, c->stage);
     if (under && hot->kind == BAT_HANDLE_POINT && hot->index != l->chosen)
@@ -510,7 +555,10 @@ static const char *check(const bat_context *c, const void *state) {
 
 static void begin(void *state) { ((bat_leveling *)state)->chosen = -1; }
 
-static void end(void *state) { bat_leveling_free(state); }
+static void end(void *state) {
+    bat_followers_free(((bat_leveling *)state)->followers);
+    bat_leveling_free(state);
+}
 
 static bool held_by_panel(const void *state) { return ((const bat_leveling *)state)->fading; }
 

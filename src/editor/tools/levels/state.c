@@ -63,6 +63,7 @@ void bat_leveling_settle(bat_context *c) {
     bat_leveling *l = bat_leveling_of(c);
     const bat_selection *selection = &c->choice->selection;
     if (selection->count == 1 && selection->ids[0] != l->adopted) {
+        if (l->object != selection->ids[0] || l->curve != 0) l->pin_count = 0;
         l->object = l->adopted = selection->ids[0];
         l->curve = 0;
         l->chosen = -1;
@@ -71,6 +72,7 @@ void bat_leveling_settle(bat_context *c) {
     if ((!bat_leveling_curve(c) && !bat_leveling_solid(c)) || bat_seen_out_of_reach(c, at)) {
         l->object = 0;
         l->copying = false;
+        l->pin_count = 0;
     }
     const bat_shape *shape = bat_leveling_shape(c);
     int top = bat_ladder_levels(bat_leveling_ladder(c));
@@ -80,11 +82,15 @@ void bat_leveling_settle(bat_context *c) {
         bat_apart_drop(c);
 }
 
-void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
+void bat_leveling_take(bat_context *c, bat_id object, int curve) {
     bat_leveling *l = bat_leveling_of(c);
-    if (l->object != object || l->curve != curve) l->chosen = -1;
+    if (l->object != object || l->curve != curve) l->chosen = -1, l->pin_count = 0;
     l->object = l->adopted = object;
     l->curve = curve;
+}
+
+void bat_leveling_choose(bat_context *c, bat_id object, int curve) {
+    bat_leveling_take(c, object, curve);
     bat_selection_clear(&c->choice->selection);
     if (object) bat_selection_add(&c->choice->selection, object); /* out of memory: not selected */
 }

@@ -5,6 +5,7 @@
 #ifndef BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
 #define BATTEN_EDITOR_TOOLS_LEVELS_STATE_H
 
+#include "editor/input/double_tap.h"
 #include "editor/session/context.h"
 #include "editor/show/handles.h"
 #include "editor/show/overlay.h"
@@ -13,12 +14,22 @@
 #include <batten/editor.h>
 #include <batten/levels.h>
 
+/* A place of the chosen curve that drags hold, and perhaps its direction there. */
+typedef struct bat_pin {
+    double u;
+    bool direction;
+} bat_pin;
+
 typedef struct bat_leveling {
     bat_id object;  /* the chosen curve or surface; 0: none */
     int curve;      /* of a surface: no matter */
     bat_id adopted; /* the selection already taken into account */
     int level;      /* the active level */
     int chosen;     /* index of its chosen control point; -1: none */
+
+    int pin_count;
+    bat_pin pins[BAT_HELD_MAX];
+    bat_double_tap tap;
 
     bool hovering;
     bat_device device;
@@ -28,13 +39,14 @@ typedef struct bat_leveling {
     /* between down and up */
     bool pressed, dragging, due;
     bat_handle grip;
-    double start[2], at[2]; /* view pixels */
-    bool fading;            /* a fader is being dragged and holds the transaction */
-    bat_ladder base;        /* the levels before the fader was moved, owned */
-    bat_shape_live *live;   /* the drag's session, owned */
-    bat_relief *carved;     /* a surface's levels before the drag, owned */
-    double place[2];        /* u and v of what is dragged of it */
-    double normal[2];       /* of a curve in the plane, where it is dragged; 0: it has none there */
+    double start[2], at[2];          /* view pixels */
+    bool fading;                     /* a fader is being dragged and holds the transaction */
+    bat_ladder base;                 /* the levels before the fader was moved, owned */
+    bat_shape_live *live;            /* the drag's session, owned */
+    struct bat_followers *followers; /* what goes along, owned; NULL: nothing */
+    bat_relief *carved;              /* a surface's levels before the drag, owned */
+    double place[2];                 /* u and v of what is dragged of it */
+    double normal[2];                /* of a curve in the plane, where it is dragged; 0: it has none there */
 
     bat_ladder apart; /* the curve or surface taken apart, a preview until Enter or Esc; owned */
     uint64_t apart_revision;
@@ -49,6 +61,8 @@ void bat_leveling_free(bat_leveling *leveling);
 /* Takes over the selection; drops what is gone. */
 void bat_leveling_settle(bat_context *c);
 void bat_leveling_choose(bat_context *c, bat_id object, int curve);
+/* The same with all that is selected, if the curve is. */
+void bat_leveling_take(bat_context *c, bat_id object, int curve);
 /* The chosen curve and its levels; NULL: none. */
 const bat_curve *bat_leveling_curve(const bat_context *c);
 const bat_shape *bat_leveling_shape(const bat_context *c);
@@ -73,6 +87,21 @@ bat_status bat_relief_pull(bat_context *c);
 void bat_relief_show(const bat_context *c, bat_overlay *list);
 /* Takes the chosen surface apart; how many points that leaves of n. */
 bat_status bat_relief_take_apart(bat_context *c, int levels, int points, bat_relief **out);
+/* held.c: whether anything of the chosen curve is held. */
+bool bat_leveling_holds(const bat_context *c);
+/* The shape of the drag's session as it was at the beginning, with the grip moved by delta and the rest held; the caller's. BAT_TOLERANCE:
+ * that cannot be. */
+bat_status bat_leveling_move_held(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
+                                  const double delta[3], bat_shape **out);
+/* Puts a pin at a parameter of the chosen curve; with one there, holds its direction, too, and then takes it away. */
+void bat_leveling_pin(bat_context *c, double u);
+void bat_leveling_show_pins(const bat_context *c, bat_overlay *list);
+/* follow.c: what goes along with the chosen curve when its level is bent; *out NULL: nothing. Within the transaction, after the
+ * curve has its new shape: moves it from where it was. */
+typedef struct bat_followers bat_followers;
+bat_status bat_followers_gather(bat_context *c, bat_followers **out);
+bat_status bat_followers_move(bat_context *c, const bat_followers *followers);
+void bat_followers_free(bat_followers *followers);
 /* Ends a fader drag and reverts it; false: there was none. */
 bool bat_leveling_let_go(bat_context *c);
 /* The version of the strip's contents; 0: the strip is not visible. */

@@ -32,6 +32,18 @@ static void offer(bat_again *again, const bat_edit *edit) {
     again->edit[again->count++] = *edit;
 }
 
+/* What joins two curves, or closes one, could be a curve of its own between their ends. */
+static void offer_blend(bat_again *again) {
+    for (int i = 0; i < again->count; i++) {
+        bat_edit blend = again->edit[i];
+        if (blend.kind != BAT_EDIT_JOIN && blend.kind != BAT_EDIT_CLOSE) continue;
+        if (blend.kind == BAT_EDIT_CLOSE) blend.other = blend.object, blend.other_curve = blend.curve;
+        blend.kind = BAT_EDIT_BLEND;
+        offer(again, &blend);
+        return;
+    }
+}
+
 void bat_again_gather(bat_context *c, const bat_meaning *m, const bat_edit *edit, bat_again *again) {
     bat_again_drop(again);
     note_before(c, again, edit);
@@ -45,6 +57,7 @@ void bat_again_gather(bat_context *c, const bat_meaning *m, const bat_edit *edit
         bat_meaning_apply(c, m, reading, &other);
         if (again->count < BAT_AGAIN_MOST) offer(again, &other);
     }
+    offer_blend(again);
 }
 
 static void take_samples(bat_samples *own, bat_samples *samples) {
@@ -211,10 +224,11 @@ bat_status bat_again_refit(bat_context *c, bat_again *again, double amount, bool
 
 bat_string bat_again_word(const bat_again *again, int reading) {
     static const bat_string words[BAT_EDIT_COUNT] = {
-        [BAT_EDIT_NEW] = BAT_STRING_READ_NEW,       [BAT_EDIT_REDRAW] = BAT_STRING_READ_REDRAW,
-        [BAT_EDIT_SMOOTH] = BAT_STRING_READ_REDRAW, [BAT_EDIT_JOIN] = BAT_STRING_READ_JOIN,
-        [BAT_EDIT_LEVEL] = BAT_STRING_READ_REDRAW,  [BAT_EDIT_EXTEND] = BAT_STRING_READ_EXTEND,
-        [BAT_EDIT_CLOSE] = BAT_STRING_READ_CLOSE,   [BAT_EDIT_SEVERAL] = BAT_STRING_READ_SEVERAL};
+        [BAT_EDIT_NEW] = BAT_STRING_READ_NEW,        [BAT_EDIT_REDRAW] = BAT_STRING_READ_REDRAW,
+        [BAT_EDIT_SMOOTH] = BAT_STRING_READ_REDRAW,  [BAT_EDIT_JOIN] = BAT_STRING_READ_JOIN,
+        [BAT_EDIT_LEVEL] = BAT_STRING_READ_REDRAW,   [BAT_EDIT_EXTEND] = BAT_STRING_READ_EXTEND,
+        [BAT_EDIT_BLEND] = BAT_STRING_READ_BLEND,    [BAT_EDIT_CLOSE] = BAT_STRING_READ_CLOSE,
+        [BAT_EDIT_SEVERAL] = BAT_STRING_READ_SEVERAL};
     if (reading == again->figure) return bat_hold_word(again->kind);
     if (reading == again->converged) return BAT_STRING_READ_CONVERGED;
     return words[again->edit[reading].kind];

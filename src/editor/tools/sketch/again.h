@@ -15,7 +15,7 @@ enum { BAT_AGAIN_MOST = 4 }; /* readings that are offered at most */
 
 typedef struct bat_again {
     int count, at;                     /* readings, the cheapest first; the one in force. count 0: none */
-    bat_edit edit[BAT_AGAIN_MOST + 2]; /* all but the figure share the samples below */
+    bat_edit edit[BAT_AGAIN_MOST + 3]; /* all but the figure share the samples below */
     bat_samples samples;               /* owned */
     int figure;                        /* the reading as the figure that was offered; -1: none */
     bat_figure_kind kind;              /* of that */

@@ -98,6 +98,7 @@ void bat_sketching_begin(bat_context *c, bat_sketching *s, const bat_pointer *ev
                          .pressed = event->device == BAT_DEVICE_PEN &&
                                     c->settings->values[BAT_PROPERTY_PRESSURE_WIDTH] != 0,
                          .mirror = bat_symmetry(c),
+                         .on_extremes = c->settings->values[BAT_PROPERTY_ON_EXTREMES] != 0,
                          .samples = samples};
     if (bat_stage_dimension(&s->edit.stage) != 2) s->edit.mirror.on = false;
     if (forced) {

@@ -1,0 +1,209 @@
+/* Drags under constraints: the place arrives, what is held stays to 1e-9 of the size, at every level, in the plane and in space; the move is the
+ * least there is; what cannot be leaves the shape as it was. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <math.h>
+#include <cmocka.h>
+#include <batten/drag.h>
+#include <batten/levels.h>
+#include <batten/measure.h>
+#include "support/alloc_fail.h"
+#include "support/random_curve.h"
+
+enum { POINTS = 26 };
+static const double TURN = 6.283185307179586, NEAR = 1e-9;
+
+/* A rough ring of about `size`, or in space a rough open arc. */
+static bat_shape *rough(random_source *r, bool closed, int dimension, double size, int levels) {
+    double points[POINTS * 3], knots[POINTS + 4];
+    bat_curve *curve = NULL;
+    bat_shape *shape = NULL;
+    for (int i = 0; i < POINTS; i++) {
+        const double w = TURN * i / POINTS * (closed ? 1 : 0.7), far = size * (0.5 + 0.02 * random_unit(r));
+        double *p = points + i * dimension;
+        p[0] = far * cos(w), p[1] = 0.7 * far * sin(w);
+        if (dimension == 3) p[2] = size * (0.3 * sin(2 * w) + 0.01 * random_unit(r));
+    }
+    for (int i = 0; i <= POINTS; i++) knots[i] = i;
+    if (closed)
+        assert_int_equal(bat_curve_create(dimension, 3, true, POINTS, points, POINTS + 1, knots, &curve),
+                         BAT_OK);
+    else
+        assert_int_equal(bat_curve_create_clamped(dimension, 3, POINTS, points, &curve), BAT_OK);
+    assert_int_equal(levels ? bat_shape_decompose_to(curve, levels, 7, NULL, &shape)
+                            : bat_shape_create(curve, NULL, &shape),
+                     BAT_OK);
+    bat_curve_free(curve);
+    return shape;
+}
+
+static const bat_curve *finest(const bat_shape *shape) {
+    return bat_shape_curve(shape, bat_shape_levels(shape));
+}
+
+static double whole(const bat_curve *curve) {
+    double domain[2];
+    bat_curve_domain(curve, domain);
+    return bat_curve_length(curve, domain[0], domain[1], 1e-13);
+}
+
+static double apart(const bat_curve *a, const bat_curve *b, double u, const double *delta) {
+    double p[3] = {0}, q[3] = {0}, sum = 0;
+    bat_curve_eval(a, u, 0, p), bat_curve_eval(b, u, 0, q);
+    for (int d = 0; d < bat_curve_dimension(a); d++) sum = hypot(sum, q[d] - p[d] - (delta ? delta[d] : 0));
+    return sum;
+}
+
+static double turned(const bat_curve *a, const bat_curve *b, double u) {
+    const int n = bat_curve_dimension(a);
+    double p[6], q[6], pp = 0, qq = 0, pq = 0;
+    bat_curve_eval(a, u, 1, p), bat_curve_eval(b, u, 1, q);
+    for (int d = n; d < 2 * n; d++) pp += p[d] * p[d], qq += q[d] * q[d], pq += p[d] * q[d];
+    double off = 0;
+    for (int d = n; d < 2 * n; d++) off = hypot(off, q[d] / sqrt(qq) - p[d] / sqrt(pp));
+    return pq > 0 ? off : 4;
+}
+
+static void what_is_held_stays(void **state) {
+    (void)state;
+    random_source r = {3};
+    for (int i = 0; i < 24; i++) {
+        const bool closed = i % 2;
+        const int dimension = i % 4 < 2 ? 2 : 3, levels = i % 3;
+        const double size = i % 5 ? 400 : 0.004;
+        bat_shape *shape = rough(&r, closed, dimension, size, levels), *before = NULL;
+        double domain[2], delta[3], points[2], directions[1];
+        assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
+        bat_curve_domain(finest(shape), domain);
+        const double across = domain[1] - domain[0], u = domain[0] + 0.5 * across;
+        points[0] = domain[0] + 0.2 * across, points[1] = domain[0] + 0.8 * across;
+        directions[0] = domain[0] + 0.35 * across;
+        for (int d = 0; d < 3; d++) delta[d] = size * random_between(&r, -0.05, 0.05);
+        bat_shape_held held = {.length = i % 3 != 1,
+                               .area = closed && dimension == 2 && i % 3 != 0,
+                               .point_count = 2,
+                               .points = points,
+                               .direction_count = i % 6 < 4,
+                               .directions = directions};
+        const int level = levels ? i / 3 % (levels + 1) : 0;
+        assert_int_equal(bat_shape_drag_held(shape, level, u, delta, &held), BAT_OK);
+        const bat_curve *a = finest(before), *b = finest(shape);
+        assert_true(apart(a, b, u, delta) <= NEAR * size);
+        for (int k = 0; k < 2; k++) assert_true(apart(a, b, points[k], NULL) <= NEAR * size);
+        if (held.direction_count) assert_true(turned(a, b, directions[0]) <= NEAR);
+        if (held.length) assert_true(fabs(whole(a) - whole(b)) <= NEAR * size);
+        if (held.area) assert_true(fabs(bat_curve_area(a) - bat_curve_area(b)) <= NEAR * size * size);
+        bat_shape_free(shape), bat_shape_free(before);
+    }
+}
+
+/* With places alone the constraints are linear: the least move is that of bat_curve_drag. */
+static void the_least_move(void **state) {
+    (void)state;
+    random_source r = {8};
+    for (int i = 0; i < 6; i++) {
+        bat_shape *shape = rough(&r, i % 2, 2 + i % 2, 100, 0);
+        bat_curve *expected = NULL;
+        double u[3] = {3.3, 8.1, 14.7}, deltas[9] = {0}, there, back;
+        const int n = bat_curve_dimension(finest(shape));
+        for (int d = 0; d < n; d++) deltas[d] = random_between(&r, -9, 9);
+        double domain[2];
+        bat_curve_domain(finest(shape), domain);
+        for (int k = 0; k < 3; k++) u[k] = domain[0] + (domain[1] - domain[0]) * u[k] / 26;
+        assert_int_equal(bat_curve_drag(finest(shape), 3, u, deltas, &expected), BAT_OK);
+        assert_int_equal(
+            bat_shape_drag_held(shape, 0, u[0], deltas, &(bat_shape_held){.point_count = 2, .points = u + 1}),
+            BAT_OK);
+        assert_int_equal(bat_curve_distance(finest(shape), expected, 8, &there, &back), BAT_OK);
+        assert_true(fmax(there, back) <= 1e-9 * 100);
+        bat_curve_free(expected), bat_shape_free(shape);
+    }
+}
+
+/* A control point that is moved is where it was moved to, and the others give way. */
+static void a_point_is_moved(void **state) {
+    (void)state;
+    random_source r = {5};
+    bat_shape *shape = rough(&r, true, 2, 100, 1), *before = NULL;
+    const double delta[2] = {4, -7}, pins[1] = {20};
+    assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
+    assert_int_equal(bat_shape_move_held(
+                         shape, 0, 2, delta,
+                         &(bat_shape_held){.length = true, .area = true, .point_count = 1, .points = pins}),
+                     BAT_OK);
+    const double *p = bat_curve_points(bat_shape_curve(before, 0)),
+                 *q = bat_curve_points(bat_shape_curve(shape, 0));
+    for (int d = 0; d < 2; d++) assert_true(fabs(q[4 + d] - p[4 + d] - delta[d]) <= NEAR * 100);
+    assert_true(apart(finest(before), finest(shape), pins[0], NULL) <= NEAR * 100);
+    assert_true(fabs(whole(finest(before)) - whole(finest(shape))) <= NEAR * 100);
+    assert_true(fabs(bat_curve_area(finest(before)) - bat_curve_area(finest(shape))) <= NEAR * 1e4);
+    assert_int_equal(bat_shape_move_held(shape, 0, -1, delta, &(bat_shape_held){0}), BAT_ARGUMENT);
+    assert_int_equal(bat_shape_move_held(shape, 0, 1000, delta, &(bat_shape_held){0}), BAT_ARGUMENT);
+    bat_shape_free(shape), bat_shape_free(before);
+}
+
+static void refused(bat_shape *shape, int level, double u, const double *delta, const bat_shape_held *held,
+                    bat_status expected) {
+    bat_curve *before = NULL;
+    assert_int_equal(bat_curve_copy(finest(shape), &before), BAT_OK);
+    assert_int_equal(bat_shape_drag_held(shape, level, u, delta, held), expected);
+    assert_true(bat_curve_is_equal(before, finest(shape)));
+    bat_curve_free(before);
+}
+
+static void what_cannot_be(void **state) {
+    (void)state;
+    random_source r = {1};
+    bat_shape *ring = rough(&r, true, 2, 100, 2), *arc = rough(&r, false, 2, 100, 0), *straight = NULL;
+    bat_curve *line = NULL;
+    const double delta[3] = {5, 3, 0}, much[2] = {0, 400}, ends[2] = {0, 1}, at[1] = {2}, odd[1] = {NAN};
+    assert_int_equal(bat_curve_create_clamped(2, 3, 4, (double[]){0, 0, 10, 0, 20, 0, 30, 0}, &line), BAT_OK);
+    assert_int_equal(bat_shape_create(line, NULL, &straight), BAT_OK);
+    refused(ring, 0, 2, delta, &(bat_shape_held){.point_count = 1, .points = at}, BAT_TOLERANCE);
+    refused(straight, 0, 0.5, much, &(bat_shape_held){.length = true, .point_count = 2, .points = ends},
+            BAT_TOLERANCE);
+    refused(arc, 0, 2, delta, &(bat_shape_held){.area = true}, BAT_DIMENSION);
+    refused(ring, 3, 2, delta, &(bat_shape_held){0}, BAT_ARGUMENT);
+    refused(ring, 0, 2, delta, &(bat_shape_held){.point_count = 1}, BAT_ARGUMENT);
+    refused(ring, 0, 2, delta, NULL, BAT_ARGUMENT);
+    refused(ring, 0, NAN, delta, &(bat_shape_held){0}, BAT_NUMBER);
+    refused(ring, 0, 2, delta, &(bat_shape_held){.direction_count = 1, .directions = odd}, BAT_NUMBER);
+    refused(ring, 0, 2, delta, &(bat_shape_held){.point_count = BAT_HELD_MAX + 1, .points = ends}, BAT_COUNT);
+    assert_int_equal(bat_shape_set_muted(ring, 1, true), BAT_OK);
+    refused(ring, 1, 2, delta, &(bat_shape_held){0}, BAT_STATE);
+    bat_shape_free(ring), bat_shape_free(arc), bat_shape_free(straight), bat_curve_free(line);
+}
+
+static void allocations_may_fail(void **state) {
+    (void)state;
+    random_source r = {1};
+    bat_shape *shape = rough(&r, true, 2, 100, 1);
+    const double delta[2] = {2, 1}, at[1] = {5};
+    bool reached = true;
+    for (long n = 1; reached; n++) {
+        bat_shape *copy = NULL;
+        assert_int_equal(bat_shape_copy(shape, &copy), BAT_OK);
+        const long live = alloc_live();
+        alloc_fail_at(n);
+        const bat_status status = bat_shape_drag_held(
+            copy, 0, 2, delta, &(bat_shape_held){.length = true, .point_count = 1, .points = at});
+        reached = alloc_fail_reached();
+        assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
+        if (reached) assert_int_equal(alloc_live(), live);
+        bat_shape_free(copy);
+    }
+    bat_shape_free(shape);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_held_stays),   cmocka_unit_test(the_least_move),
+        cmocka_unit_test(a_point_is_moved),     cmocka_unit_test(what_cannot_be),
+        cmocka_unit_test(allocations_may_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
