@@ -16,6 +16,7 @@ bat_status bat_command_ask(bat_context *c, bat_command_id id) {
                     {BAT_COMMAND_DOWNLOAD_SVG, BAT_ASK_DOWNLOAD_SVG},
                     {BAT_COMMAND_DOWNLOAD_NATIVE, BAT_ASK_DOWNLOAD_NATIVE},
                     {BAT_COMMAND_EXPORT, BAT_ASK_EXPORT},
+                    {BAT_COMMAND_EXPORT_AGAIN, BAT_ASK_EXPORT_AGAIN},
                     {BAT_COMMAND_HISTORY, BAT_ASK_HISTORY},
                     {BAT_COMMAND_DOWNLOAD_JOURNAL, BAT_ASK_JOURNAL},
                     {BAT_COMMAND_CUT, BAT_ASK_CUT},
