@@ -83,6 +83,29 @@ test('a colour by the pen, by keys and by numbers, each one step', async () => {
   });
   const box = await page.locator('#picker-sheet .plane').boundingBox();
   const across = (x, y) => [box.x + x * box.width, box.y + y * box.height];
+  // What is dragged is seen at once, and nothing changes until the pen is lifted.
+  const seen = async () => page.evaluate(([x, y]) => {
+    const { still, ratio } = batten.painter;
+    const box = still.getBoundingClientRect();
+    return [...still.getContext('2d').getImageData((x - box.left) * ratio, (y - box.top) * ratio, 1, 1).data].join();
+  }, await place(page, 140, 140));
+  await page.mouse.move(...across(0.5, 0.5));
+  await page.mouse.down();
+  await page.mouse.move(...across(1, 0), { steps: 3 });
+  await settle(page);
+  assert.equal(await seen(), '0,51,255,255');
+  assert.equal((await state(page)).digest, digest);
+  await page.mouse.move(...across(0, 0));
+  await settle(page);
+  assert.equal(await seen(), '255,255,255,255');
+  await page.mouse.up();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+z');
+  await settle(page);
+  assert.equal((await state(page)).digest, digest);
+  assert.equal(await seen(), '32,64,192,255');
+  await page.click('#actions .dot.filled button');
+  await page.waitForSelector('#picker-sheet:popover-open');
   await hand.stroke([across(0.5, 0.5), across(0.8, 0.3), across(1, 0)], { pointerType: 'pen' });
   await settle(page);
   assert.equal(await fill(page) >>> 8, 0x0033ff); // the purest of the hue

@@ -1,36 +1,19 @@
 // What an export holds: a part of the drawing, or each selected object or each layer as a file of its own, by its name; of pictures,
 // each size.
 
+import { chosenOf } from '../engine/chosen.js';
 import { Refusal, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** id: of the object; 0: the part itself. @typedef {{ id: number, name: string }} Piece */
-/** @typedef {{ id: number, state: number, name: string, level: number, selected: boolean, words: string }} Row */
 
 /** As bat_excerpt counts parts, and behind them. */
 export const PARTS = ['shell.the-page', 'shell.everything', 'shell.selection', 'shell.each-selected', 'shell.each-layer'];
 export const [SELECTION, EACH_SELECTED, EACH_LAYER] = [2, 3, 4];
-const ROWS = 500; // that the engine tells at once
 const LONGEST = 80; // of a file's name
 
 /** The objects that are selected, without what is in them. @param {Engine} engine @returns {Piece[]} */
-function selected(engine) {
-  /** @type {Piece[]} */
-  const found = [];
-  let above = Infinity; // the level of the selected object that the rows are in
-  for (let first = 0, total = 1; first < total; first += ROWS) {
-    const outline = JSON.parse(engine.ask('editor_outline', first, ROWS) || '{"total":0,"rows":[]}');
-    total = outline.total;
-    for (const row of /** @type {Row[]} */ (outline.rows)) {
-      above = row.level <= above ? Infinity : above;
-      if (row.selected && above === Infinity) {
-        above = row.level;
-        found.push({ id: row.id, name: row.name || row.words.split(',')[0] });
-      }
-    }
-  }
-  return found;
-}
+const selected = (engine) => chosenOf(engine).filter(({ root }) => root).map(({ id, name, words }) => ({ id, name: name || words.split(',')[0] }));
 
 /** The pieces of a part; throws where there are none. @param {Engine} engine @param {number} part @returns {Piece[]} */
 export function piecesOf(engine, part) {

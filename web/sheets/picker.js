@@ -1,12 +1,13 @@
 // The colour picker of a property: a field of saturation and value, hue and opacity, numbers, an eyedropper, and palettes, of which
-// the first is the colours of the drawing. A drag shows what the colour would be; it is given when the pointer is lifted, so that it
-// is one step of undo. Fetched with the first colour that is chosen.
+// the first is the colours of the drawing. The selection is seen in what is dragged; it is given when the pointer is lifted, as one
+// step of undo. Fetched with the first colour that is chosen.
 
 import { dress } from '../page/build.js';
 import { icon } from '../page/icons.js';
 import { keep, kept } from '../page/kept.js';
 import { rove } from '../page/regions.js';
 import { tell } from '../page/words.js';
+import { Trial } from '../stage/trial.js';
 import { colourWith, fromHsv, MODELS, rgbOf, toHsv } from './colour_models.js';
 import { Palettes } from './palettes.js';
 import { colourOf, hexOf } from './swatches.js';
@@ -36,6 +37,7 @@ class Picker {
   /** @param {Shell} shell */
   constructor(shell) {
     this.shell = shell;
+    this.trial = new Trial(shell);
     this.property = '';
     this.before = 0;
     this.hsv = [0, 0, 0];
@@ -108,13 +110,16 @@ class Picker {
     });
     plane.addEventListener('pointermove', (event) => plane.hasPointerCapture(event.pointerId) && this.#drag(event));
     plane.addEventListener('pointerup', () => this.#give());
-    plane.addEventListener('pointercancel', () => this.#read());
+    plane.addEventListener('pointercancel', () => {
+      this.trial.end();
+      this.#read();
+    });
     plane.addEventListener('keydown', (event) => this.#nudge(event));
     for (const bar of [hue, opacity]) {
       bar.addEventListener('input', () => {
         this.hsv[0] = hue.valueAsNumber;
         this.alpha = opacity.valueAsNumber;
-        this.#show();
+        this.#try();
       });
       bar.addEventListener('change', () => this.#give());
     }
@@ -138,8 +143,11 @@ class Picker {
       event.stopPropagation(); // it is not meant for the drawing
     });
     box.addEventListener('toggle', (event) => {
-      if (/** @type {ToggleEvent} */ (event).newState === 'closed' && this.anchor?.closest('.dot')) {
-        this.shell.stage.focus(); // keys mean the drawing again
+      if (/** @type {ToggleEvent} */ (event).newState === 'closed') {
+        this.trial.end();
+        if (this.anchor?.closest('.dot')) {
+          this.shell.stage.focus(); // keys mean the drawing again
+        }
       }
     });
   }
@@ -180,6 +188,7 @@ class Picker {
 
   /** @param {number} [colour] as 0xRRGGBBAA; without: what is shown */
   #give(colour = this.colour) {
+    this.trial.end();
     if (colour !== this.shell.engine.get(this.property)) {
       this.shell.engine.set(this.property, colour);
       this.shell.panel.controls.refresh();
@@ -188,6 +197,12 @@ class Picker {
     if (colour !== this.colour) {
       this.#read();
     }
+    this.#show();
+  }
+
+  /** The selection is seen in what is shown. */
+  #try() {
+    this.trial.show(this.property, this.colour);
     this.#show();
   }
 
@@ -239,7 +254,7 @@ class Picker {
     const box = this.plane.getBoundingClientRect();
     const share = (/** @type {number} */ at, /** @type {number} */ low, /** @type {number} */ size) => Math.min(1, Math.max(0, (at - low) / size));
     this.hsv = [this.hsv[0], share(event.clientX, box.left, box.width), 1 - share(event.clientY, box.top, box.height)];
-    this.#show();
+    this.#try();
   }
 
   /** @param {KeyboardEvent} event */
