@@ -238,5 +238,21 @@ test('a picture on the clipboard', async () => {
     return [bitmap.width, bitmap.height];
   });
   assert.deepEqual(size, [200, 150]);
+  // By a key, the selection alone.
+  await page.evaluate(() => navigator.clipboard.writeText(''));
+  await page.evaluate(() => batten.engine.act('editor_select', 1, 0));
+  await settle(page);
+  await page.focus('#stage');
+  await page.keyboard.press('Control+Shift+C');
+  const square = await page.evaluate(async () => {
+    let [item] = await navigator.clipboard.read();
+    while (!item?.types.includes('image/png')) {
+      await new Promise(requestAnimationFrame);
+      [item] = await navigator.clipboard.read();
+    }
+    const bitmap = await createImageBitmap(await item.getType('image/png'));
+    return [bitmap.width, bitmap.height];
+  });
+  assert.deepEqual(square, [200, 200]); // of the width chosen last
   await context.close();
 });

@@ -114,16 +114,19 @@ async function filesOf(engine, choice) {
   return files;
 }
 
-/** Carries it out. @param {Shell} shell @param {Choice} choice @param {Space} model @param {boolean} copied to the clipboard, as a picture */
-async function carryOut({ engine, files, notices }, choice, model, copied) {
+/** Onto the clipboard, as one picture. @param {Shell} shell @param {Choice} choice */
+async function copy({ engine, notices }, choice) {
+  const part = choice.part === EACH_SELECTED ? SELECTION : choice.part % EACH_SELECTED;
+  const size = choice.size === 'all' ? '1' : choice.size;
+  const picture = pictures(excerpt(engine, 'plain', part), { ...choice, size }, PNG).then(([{ blob }]) => blob);
+  await navigator.clipboard.write([new ClipboardItem({ [PNG]: picture })]);
+  notices.say(word('notice.copied'));
+}
+
+/** A file, or several. @param {Shell} shell @param {Choice} choice @param {Space} model */
+async function deliver({ engine, files, notices }, choice, model) {
   const { of, end, type, space } = formatOf(choice.format);
-  if (copied) {
-    const part = choice.part === EACH_SELECTED ? SELECTION : choice.part % EACH_SELECTED;
-    const size = choice.size === 'all' ? '1' : choice.size;
-    const picture = pictures(excerpt(engine, 'plain', part), { ...choice, size }, PNG).then(([{ blob }]) => blob);
-    await navigator.clipboard.write([new ClipboardItem({ [PNG]: picture })]);
-    notices.say(word('notice.copied'));
-  } else if (space) {
+  if (space) {
     files.deliver(model.made(), end, type);
   } else if (of === 'pdf') {
     const svg = excerpt(engine, 'plain', choice.part);
@@ -164,7 +167,7 @@ export async function exportDrawing(shell, format, again = false) {
   const part = selected || choice.part === EACH_LAYER ? choice.part : choice.part < SELECTION ? choice.part : 0;
   const { box, read, space } = fields(shell.engine, { ...choice, part }, selected, floor);
   const chosen = asked ? await question('export', word('command.export'), [box], [answer('file', word('command.export')),
-    answer('copy', word('shell.copy-picture')), answer('', word('command.cancel'))]) : 'file';
+    answer('copy', word('command.copy-picture')), answer('', word('command.cancel'))]) : 'file';
   if (!chosen) {
     return;
   }
@@ -174,10 +177,18 @@ export async function exportDrawing(shell, format, again = false) {
   } catch {
     // It is for this time only then.
   }
-  try {
-    await carryOut(shell, wanted, space, chosen === 'copy');
-  } catch (error) {
-    shell.notices.say(error instanceof Error ? error.message : String(error));
-  }
-  shell.wake();
+  await carryOut(shell, chosen === 'copy' ? copy(shell, wanted) : deliver(shell, wanted, space));
 }
+
+/** Tells why nothing came of it. @param {Shell} shell @param {Promise<void>} work */
+async function carryOut({ notices, wake }, work) {
+  try {
+    await work;
+  } catch (error) {
+    notices.say(error instanceof Error ? error.message : String(error));
+  }
+  wake();
+}
+
+/** The selection, or else the page, onto the clipboard, as the last picture was made. @param {Shell} shell */
+export const copyPicture = (shell) => carryOut(shell, copy(shell, { ...USUAL, ...last(), part: shell.loop.selected > 0 ? SELECTION : 0 }));

@@ -40,6 +40,7 @@ export class Requests {
       [Ask.JOURNAL, () => files.downloadJournal()],
       [Ask.EXPORT, () => this.#export(false)],
       [Ask.EXPORT_AGAIN, () => this.#export(true)],
+      [Ask.COPY_PICTURE, async () => (await want(import('../export/sheet.js'))).copyPicture(this.shell)],
       [Ask.CUT | Ask.COPY | Ask.PASTE, () => this.clipboard?.ask(requests)],
       [Ask.SPAN, () => panel.ask('picture-span')],
       [Ask.SHORTCUTS, () => this.#shortcuts()],

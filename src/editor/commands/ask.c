@@ -21,6 +21,7 @@ bat_status bat_command_ask(bat_context *c, bat_command_id id) {
                     {BAT_COMMAND_DOWNLOAD_JOURNAL, BAT_ASK_JOURNAL},
                     {BAT_COMMAND_CUT, BAT_ASK_CUT},
                     {BAT_COMMAND_COPY, BAT_ASK_COPY},
+                    {BAT_COMMAND_COPY_PICTURE, BAT_ASK_COPY_PICTURE},
                     {BAT_COMMAND_PASTE, BAT_ASK_PASTE},
                     {BAT_COMMAND_PASTE_IN_PLACE, BAT_ASK_PASTE},
                     {BAT_COMMAND_SHORTCUTS, BAT_ASK_SHORTCUTS},
