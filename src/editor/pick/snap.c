@@ -193,7 +193,7 @@ static lines near_grid(const search *s) {
 static void try_isometric(search *s) {
     const double step = bat_grid_step(s->c);
     double origin[2], corner[2], foot[2];
-    if (!(step > 0)) return;
+    if (!(step > 0) || !bat_grid_is_isometric(s->c)) return;
     bat_unit_origin(s->c, origin);
     bat_isometric_corner(origin, step, s->point, corner);
     offer(s, BAT_SNAP_GRID, corner);
@@ -230,7 +230,7 @@ static void run(search *s) {
     if (guides.there[0] && guides.there[1] && wants(s, BAT_SNAP_CROSSING))
         offer(s, BAT_SNAP_CROSSING, guides.at);
     try_lines(s, &guides, &grid);
-    if (wants(s, BAT_SNAP_GRID) && bat_grid_is_isometric(s->c)) try_isometric(s);
+    if (wants(s, BAT_SNAP_GRID)) try_isometric(s);
 }
 
 static unsigned switched_on(const bat_context *c) {

@@ -37,9 +37,9 @@ static void show_family(bat_overlay *overlay, const double zero[2], double gap, 
 
 void bat_grid_show(const bat_context *c, bat_overlay *overlay) {
     static const double square[2][2] = {{1, 0}, {0, 1}};
-    const bool triangles = bat_grid_is_isometric(c);
     double step = bat_grid_step(c), zero[2], box[4];
     if (!(step > 0)) return;
+    const bool triangles = bat_grid_is_isometric(c);
     bat_unit_origin(c, zero);
     if (!bat_stage_page_box(c->stage, box)) return;
     for (int strong = 0; strong < 2; strong++) {
