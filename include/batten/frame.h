@@ -128,10 +128,12 @@ enum {
     BAT_ASK_LOSSES = 8192, /* a list of what writing over the file would lose (bat_editor_losses) */
     BAT_ASK_EXPORT =
         16384, /* a choice of format, part and size for a file, or for the clipboard: bat_editor_excerpt */
-    BAT_ASK_HISTORY = 32768, /* a list of what was done (bat_editor_history), to go back to a step of it */
-    BAT_ASK_WIDTH = 65536,   /* let the number width-here be typed */
-    BAT_ASK_SIZE = 131072,   /* let the number width be typed, of what is selected */
-    BAT_ASK_SAVE_AS = 262144 /* the file that the drawing is from now on, chosen and written */
+    BAT_ASK_HISTORY = 32768,  /* a list of what was done (bat_editor_history), to go back to a step of it */
+    BAT_ASK_WIDTH = 65536,    /* let the number width-here be typed */
+    BAT_ASK_SIZE = 131072,    /* let the number width be typed, of what is selected */
+    BAT_ASK_SAVE_AS = 262144, /* the file that the drawing is from now on, chosen and written */
+    BAT_ASK_EXPORT_AGAIN = 524288, /* the export that was chosen last, once more */
+    BAT_ASK_COPY_PICTURE = 1048576 /* the selection, or else the page, as a picture on the clipboard */
 };
 
 typedef struct bat_frame {

@@ -1,5 +1,6 @@
 #include "editor/export.h"
 
+#include "editor/edit/excerpt.h"
 #include "editor/editor.h"
 #include "editor/session/session.h"
 #include "format/export.h"
@@ -8,11 +9,12 @@
 
 #include <string.h>
 
-bat_status bat_editor_export(const bat_editor *editor, const char *format, bat_excerpt part, char **bytes,
-                             size_t *size, bat_problem *problem) {
+bat_status bat_editor_export(const bat_editor *editor, const char *format, bat_excerpt part, bat_id id,
+                             char **bytes, size_t *size, bat_problem *problem) {
     bat_document *document = NULL;
     problem->place[0] = problem->message[0] = '\0';
-    bat_status status = bat_editor_excerpt(editor, part, &document);
+    bat_status status = id ? bat_excerpt_object(&editor->context, id, &document)
+                           : bat_editor_excerpt(editor, part, &document);
     if (status != BAT_OK) return status;
     const bat_format *found = bat_format_named(format);
     const bat_model_format *space = bat_model_format_named(format);

@@ -81,6 +81,67 @@ test('the page, everything or the selection, in formats of the table', async () 
   await context.close();
 });
 
+/** What unzip says of the entries, and their bytes. */
+function unzipped(bytes) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'export-'));
+  fs.writeFileSync(path.join(folder, 'all.zip'), bytes);
+  const script = 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; z.extractall(sys.argv[2]); print(chr(10).join(z.namelist()))';
+  const names = execFileSync('python3', ['-c', script, path.join(folder, 'all.zip'), folder]).toString().trim().split('\n');
+  const entries = new Map(names.map((name) => [name, fs.readFileSync(path.join(folder, name))]));
+  fs.rmSync(folder, { recursive: true });
+  return entries;
+}
+
+test('several at once: each object by its name, in each size, each layer; and once more by a key', async () => {
+  const { page, context } = await begin();
+  const { digest } = await state(page);
+  await page.focus('#stage');
+  await page.keyboard.press('v');
+  await page.keyboard.press('Control+a');
+  await settle(page);
+  const objects = await made(page, { format: 'plain', part: '3' });
+  assert.equal(objects.name, 'art.zip');
+  const files = unzipped(objects.bytes);
+  assert.deepEqual([...files.keys()], ['blue.svg', 'red.svg']);
+  assert.deepEqual([...files.values()].map((bytes) => bytes.toString().match(/<path/g).length), [1, 1]);
+  assert.match(files.get('blue.svg').toString(), /viewBox="50 50 100 100"/);
+  const again = page.waitForEvent('download');
+  await page.keyboard.press('Control+Alt+e');
+  assert.deepEqual(unzipped(await downloaded(await again)), files);
+  // Pictures in three sizes; of the page they are named as the drawing.
+  const sizes = unzipped((await made(page, { format: 'webp', part: '0', size: 'all', white: true })).bytes);
+  assert.deepEqual([...sizes.keys()], ['art.webp', 'art@2x.webp', 'art@3x.webp']);
+  for (const [i, bytes] of [...sizes.values()].entries()) {
+    assert.equal(bytes.toString('latin1', 8, 12), 'WEBP');
+    assert.deepEqual((await pixels(page, bytes, [])).size, [400 * (i + 1), 300 * (i + 1)]);
+  }
+  const fine = await made(page, { format: 'png', part: '0', size: '300dpi' });
+  assert.deepEqual((await pixels(page, fine.bytes, [])).size, [1250, 938]);
+  // Where pieces belong together they are not offered one by one.
+  await choose(page, { format: 'pdf' });
+  assert.equal(await page.locator('#export-part option[value="3"]').isDisabled(), true);
+  await page.selectOption('#export-format', 'png');
+  await page.selectOption('#export-part', '3');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'export-several.png') });
+  await page.keyboard.press('Escape');
+  // A layer of its own; nothing selected is said.
+  await page.evaluate(() => batten.engine.command('layer-add'));
+  await page.evaluate(() => batten.engine.command('layer-take'));
+  await settle(page);
+  const layer = await made(page, { format: 'plain', part: '4' });
+  assert.match(layer.name, /^(?!art).*\.svg$/);
+  assert.equal(layer.bytes.toString().match(/<path/g).length, 2);
+  await made(page, { format: 'plain', part: '2' });
+  await page.evaluate(() => batten.engine.act('editor_select', 0, 0));
+  await settle(page);
+  await page.keyboard.press('Control+Alt+e');
+  await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('Select something first'));
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  assert.equal((await state(page)).digest, digest);
+  await context.close();
+});
+
 test('a glyph of a font is opened, and written with its points', async () => {
   const { page, context } = await open(browser, server.address);
   const glyph = fs.readFileSync(new URL('../../fuzz/corpus/glif/ring', import.meta.url), 'utf8');
@@ -99,7 +160,7 @@ test('a glyph of a font is opened, and written with its points', async () => {
 test('a picture of the size asked for, white or see-through; the last choice is remembered', async () => {
   const { page, context } = await begin();
   const at = [[10, 10], [200, 200], [1290, 500]];
-  const white = await made(page, { format: 'png', part: '0', width: 1600, white: true });
+  const white = await made(page, { format: 'png', part: '0', size: 'width', width: 1600, white: true });
   assert.equal(white.name, 'art.png');
   assert.deepEqual(await pixels(page, white.bytes, at),
     { size: [1600, 1200], found: [[255, 255, 255, 255], [0, 0, 255, 255], [255, 255, 255, 255]] });
@@ -124,7 +185,7 @@ test('what cannot be made is said: an empty drawing, a picture too large', async
   await page.click('#export .strong');
   await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('curve'));
   await drop(page, 'tall.svg', ART.replace('0 0 400 300', '0 0 4 30000').replace('width="400" height="300"', 'width="4" height="30000"'));
-  await choose(page, { format: 'png', part: '0', width: 16000 });
+  await choose(page, { format: 'png', part: '0', size: 'width', width: 16000 });
   await page.click('#export .strong');
   await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('too large'));
   await context.close();
@@ -168,7 +229,7 @@ test('printing shows the drawing alone on a page of its size, as vectors', async
 test('a picture on the clipboard', async () => {
   const { page, context } = await begin();
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  await choose(page, { format: 'png', part: '0', width: 200, white: true });
+  await choose(page, { format: 'png', part: '0', size: 'width', width: 200, white: true });
   await page.click('#export button[value=copy]');
   await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('Copied'));
   const size = await page.evaluate(async () => {
@@ -177,5 +238,21 @@ test('a picture on the clipboard', async () => {
     return [bitmap.width, bitmap.height];
   });
   assert.deepEqual(size, [200, 150]);
+  // By a key, the selection alone.
+  await page.evaluate(() => navigator.clipboard.writeText(''));
+  await page.evaluate(() => batten.engine.act('editor_select', 1, 0));
+  await settle(page);
+  await page.focus('#stage');
+  await page.keyboard.press('Control+Shift+C');
+  const square = await page.evaluate(async () => {
+    let [item] = await navigator.clipboard.read();
+    while (!item?.types.includes('image/png')) {
+      await new Promise(requestAnimationFrame);
+      [item] = await navigator.clipboard.read();
+    }
+    const bitmap = await createImageBitmap(await item.getType('image/png'));
+    return [bitmap.width, bitmap.height];
+  });
+  assert.deepEqual(square, [200, 200]); // of the width chosen last
   await context.close();
 });

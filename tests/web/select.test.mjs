@@ -136,7 +136,10 @@ test('buttons for the selection, layers dragged, a colour that lets through', as
   await pictures(page, 'select-actions-one');
   // The colour of its line stands in the row, and beside it a second one of the same.
   const outline = await page.evaluate(() => batten.engine.get('stroke-colour'));
-  await page.locator('#actions .dot.stroked input').fill('#c1121f');
+  await page.click('#actions .dot.stroked button');
+  await page.waitForSelector('#picker-sheet:popover-open');
+  await page.fill('#picker-hex', '#c1121f');
+  await page.keyboard.press('Enter');
   await settle(page);
   assert.equal(await page.evaluate(() => batten.engine.get('stroke-colour') >>> 8), 0xc1121f);
   await page.keyboard.press('Control+z');

@@ -152,6 +152,22 @@ test('a new page has the size asked for, in millimetres', async () => {
   await context.close();
 });
 
+test('a new page in pixels: an icon', async () => {
+  const { page, hand, context } = await empty();
+  await hand.stroke([await middle(start(page, 'shell.start-new'))]);
+  await page.locator('.start-new button', { hasText: '24 × 24 px' }).click();
+  await quiet(page);
+  assert.deepEqual((await saved(page)).page, [0, 0, 24, 24]);
+  assert.match(await page.evaluate(() => new TextDecoder().decode(batten.engine.save(false))), /width="24(px)?" height="24(px)?" viewBox="0 0 24 24"/);
+  assert.equal(await page.evaluate(() => batten.engine.get('unit')), 0);
+  await page.waitForSelector('#page-sizes');
+  assert.equal(await page.$eval('#page-sizes', (select) => select.value), '24 × 24 px');
+  await page.selectOption('#page-sizes', '1080 × 1080 px');
+  await quiet(page);
+  assert.deepEqual((await saved(page)).page, [0, 0, 1080, 1080]);
+  await context.close();
+});
+
 test('the car, a picture to trace, and a file, from an empty page', async () => {
   const { page, hand, context } = await empty();
   let chooser = page.waitForEvent('filechooser');

@@ -37,7 +37,7 @@ const foreign = (page) => page.evaluate((names) => {
       .map((node) => node.nodeValue);
     said.push(...own, element.getAttribute('aria-label') ?? '', element.title, element.getAttribute('placeholder') ?? '');
   }
-  const kept = /^([-=\d., ]*(px|mm|in)|English|Letter|Legal|Batten|Esc|#[0-9a-f]{6,8})$/;
+  const kept = /^([-=\d., ×]*(px|mm|in)|English|Letter|Legal|Batten|Esc|#[0-9a-f]{6,8})$/;
   return said.map((text) => text.trim()).filter((text) => /[A-Za-z]{2}/.test(text) && !/[가-힣]/.test(text) && !kept.test(text)
     && !names.includes(text));
 }, NAMES);
@@ -191,6 +191,7 @@ test('no rule of the style sheets knows left from right but what the canvas and 
   const styles = path.resolve(HERE, '../../web/styles');
   const sheet = fs.readdirSync(styles).map((file) => fs.readFileSync(path.join(styles, file), 'utf8')).join('');
   const physical = sheet.match(/^ +((margin|padding|border)-(left|right)|left|right|text-align: (left|right)).*$/gm) ?? [];
-  // The canvas, and the pen over that of a moving picture, whose transforms are measured from the left; half is half from either side.
-  assert.deepEqual(physical.filter((rule) => !rule.includes('50%')), ['  left: 0;', '  left: 0;']);
+  // The canvas, and the pen over that of a moving picture, whose transforms are measured from the left, as is the place in the colour
+  // picker and of its eyedropper; half is half from either side.
+  assert.deepEqual(physical.filter((rule) => !rule.includes('50%')), ['  left: var(--across);', '  left: var(--x);', '  left: 0;', '  left: 0;']);
 });

@@ -24,7 +24,8 @@ export const Act = Object.freeze({ CHOOSE: 0, GAIN: 1, MUTE: 2, SOLO: 3 });
 /** Flags: what the host is asked to do. */
 export const Ask = Object.freeze({ SAVE: 1, DOWNLOAD_SVG: 2, DOWNLOAD_NATIVE: 4, OPEN: 8, JOURNAL: 16, CUT: 32,
   COPY: 64, PASTE: 128, SPAN: 256, SHORTCUTS: 512, REGION: 1024, REGION_BACK: 2048, KEPT: 4096, LOSSES: 8192,
-  EXPORT: 16384, HISTORY: 32768, WIDTH: 65536, SIZE: 131072, SAVE_AS: 262144 });
+  EXPORT: 16384, HISTORY: 32768, WIDTH: 65536, SIZE: 131072, SAVE_AS: 262144, EXPORT_AGAIN: 524288,
+  COPY_PICTURE: 1048576 });
 
 /**
  * Its names in small letters, each at its number.

@@ -7,13 +7,14 @@ const MOST = 16384; // pixels a side
 const AREA = 1 << 28;
 
 /**
- * A PNG of it. @param {Uint8Array} svg
- * @param {{ width: number, white: boolean }} how width: pixels; 0: one for each unit
+ * A picture of it. @param {Uint8Array} svg
+ * @param {{ width: number, scale: number, white: boolean }} how width: pixels; 0: `scale` for each unit
+ * @param {string} type of the picture
  * @returns {Promise<Blob>}
  */
-export async function pictureOf(svg, { width, white }) {
+export async function pictureOf(svg, { width, scale: each, white }, type) {
   const image = await isolated(svg);
-  const scale = (width || image.width) / image.width;
+  const scale = width ? width / image.width : each;
   const size = [image.width, image.height].map((side) => Math.max(1, Math.round(side * scale)));
   if (!(image.width > 0 && image.height > 0) || Math.max(...size) > MOST || size[0] * size[1] > AREA) {
     throw new Refusal(word('shell.too-large', `${size[0]} × ${size[1]}`));
@@ -25,7 +26,11 @@ export async function pictureOf(svg, { width, white }) {
     context.fillRect(0, 0, size[0], size[1]);
   }
   context?.drawImage(image, 0, 0, size[0], size[1]);
-  return canvas.convertToBlob({ type: 'image/png' });
+  const blob = await canvas.convertToBlob({ type, quality: 1 });
+  if (blob.type !== type) { // browsers make a PNG of what they do not know
+    throw new Refusal(word('shell.not-written'));
+  }
+  return blob;
 }
 
 /** Opens the browser's print window with it alone, on a page of its size. @param {Uint8Array} svg */

@@ -29,7 +29,7 @@ const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
 });
 
 /** CRC-32 as in zip files. @param {Uint8Array[]} parts @returns {string} eight hexadecimal digits */
-function checksum(...parts) {
+export function checksum(...parts) {
   let sum = 0xffffffff;
   for (const part of parts) {
     for (let i = 0; i < part.length; i++) {

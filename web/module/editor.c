@@ -89,7 +89,7 @@ int editor_paste_file(bat_editor *editor, const char *text, size_t size, const c
                       bat_problem *problem);
 MODULE_EXPORT(editor_copy) int editor_copy(bat_editor *editor, int cut, module_bytes *out);
 MODULE_EXPORT(editor_export)
-int editor_export(const bat_editor *editor, const char *format, int part, module_bytes *out,
+int editor_export(const bat_editor *editor, const char *format, int part, uint32_t id, module_bytes *out,
                   bat_problem *problem);
 MODULE_EXPORT(editor_add_picture)
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name);
@@ -438,11 +438,11 @@ int editor_copy(bat_editor *editor, int cut, module_bytes *out) {
     return (int)bat_editor_copy(editor, cut != 0, &out->data, &out->size);
 }
 
-/* A file of part of the drawing (bat_excerpt), in a format of the table; "plain": SVG without the native document. */
-int editor_export(const bat_editor *editor, const char *format, int part, module_bytes *out,
+/* A file of an object, or, when id is 0, of part of the drawing (bat_excerpt), in a format of the table; "plain": SVG without the native document. */
+int editor_export(const bat_editor *editor, const char *format, int part, uint32_t id, module_bytes *out,
                   bat_problem *problem) {
     MODULE_CHECK(editor && format && out && problem);
-    return (int)bat_editor_export(editor, format, (bat_excerpt)part, &out->data, &out->size, problem);
+    return (int)bat_editor_export(editor, format, (bat_excerpt)part, id, &out->data, &out->size, problem);
 }
 
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name) {

@@ -4,13 +4,13 @@
 import { addressOf, dress, want } from './build.js';
 import { keep, kept } from './kept.js';
 import { tell, word } from './words.js';
-import { PAPERS } from './papers.js';
+import { PAPERS, SCREENS } from './papers.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 
 const STORE = 'batten-hands'; // whether the hands have been seen
-const UNIT = 96 / 25.4; // units of the drawing in a millimetre
-const MILLIMETRES = 1; // of the property unit
+/** Units of the drawing, in the order of the property unit. */
+const UNITS = { px: 1, mm: 96 / 25.4 };
 const SIZES = ['A4', 'A3']; // offered lying
 
 /** @param {string} text @param {string} [className] */
@@ -107,12 +107,17 @@ export class Start {
       made.addEventListener('click', () => this.#new(width, height));
       return made;
     });
+    const screens = Object.entries(SCREENS).map(([name, [width, height]]) => {
+      const made = button(name);
+      made.addEventListener('click', () => this.#new(width, height, 'px'));
+      return made;
+    });
     const free = tell(button(''), { text: 'command.page-none' });
     free.addEventListener('click', () => this.#chosen());
     const typed = document.createElement('div');
     typed.append(fields[0], '×', fields[1], unit, make);
     const ready = document.createElement('div');
-    ready.append(...sizes, free);
+    ready.append(...sizes, ...screens, free);
     form.append(typed, ready);
     form.addEventListener('submit', (event) => {
       event.preventDefault();
@@ -132,15 +137,15 @@ export class Start {
     /** @type {HTMLElement | null} */ (this.row.firstElementChild)?.focus();
   }
 
-  /** A page of this size, in place of the empty one. @param {number} width millimetres @param {number} height */
-  #new(width, height) {
+  /** A page of this size, in place of the empty one. @param {number} width @param {number} height @param {keyof UNITS} unit */
+  #new(width, height, unit = 'mm') {
     const { engine, files, wake } = this.shell;
-    const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}mm" height="${height}mm" ` +
-      `viewBox="0 0 ${width * UNIT} ${height * UNIT}"/>`;
+    const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}${unit}" height="${height}${unit}" ` +
+      `viewBox="0 0 ${width * UNITS[unit]} ${height * UNITS[unit]}"/>`;
     try {
       engine.openSvg(text, files.name);
       files.opened = new TextEncoder().encode(text);
-      engine.set('unit', MILLIMETRES);
+      engine.set('unit', Object.keys(UNITS).indexOf(unit));
       engine.command('view-fit');
       this.#chosen();
     } catch (error) {

@@ -63,6 +63,6 @@ export class Context {
   #chosen(offered) {
     const names = this.shell.panel.tables.commands.map(({ name }) => name);
     const groups = CHOSEN.map((family) => names.filter((name) => family.test(name) && (offered.includes(name) || ALWAYS.includes(name))));
-    return [['cut', 'copy', 'paste', 'duplicate', 'repeat'], ...groups.slice(0, -1), ['calm'], groups[groups.length - 1]];
+    return [['cut', 'copy', 'copy-picture', 'paste', 'duplicate', 'repeat'], ...groups.slice(0, -1), ['calm'], groups[groups.length - 1]];
   }
 }

@@ -2,12 +2,14 @@
 
 export const PNG = 'image/png';
 /** Of each format: its name in the engine's table, the end of the file's name, its media type; what it is asked for by, where it
- * holds what is in space, and whether it does so as triangles. @type {{ name: string, of: string, end: string, type: string, space?: string, divided?: boolean }[]} */
+ * holds what is in space, and whether it does so as triangles; painted: it is a picture of pixels.
+ * @type {{ name: string, of: string, end: string, type: string, space?: string, divided?: boolean, painted?: boolean }[]} */
 export const FORMATS = [
   { name: 'SVG', of: 'svg', end: 'svg', type: 'image/svg+xml' },
   { name: '', of: 'plain', end: 'svg', type: 'image/svg+xml' },
   { name: 'PDF', of: 'pdf', end: 'pdf', type: '' },
-  { name: 'PNG', of: 'png', end: 'png', type: PNG },
+  { name: 'PNG', of: 'png', end: 'png', type: PNG, painted: true },
+  { name: 'WebP', of: 'webp', end: 'webp', type: 'image/webp', painted: true },
   { name: 'DXF', of: 'dxf', end: 'dxf', type: 'image/vnd.dxf' },
   { name: 'G-code', of: 'gcode', end: 'gcode', type: 'text/plain' },
   { name: 'GLIF', of: 'glif', end: 'glif', type: 'application/xml' },

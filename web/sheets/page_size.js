@@ -3,7 +3,7 @@
 
 import { Measure } from '../page/measure.js';
 import { tell, word } from '../page/words.js';
-import { PAPERS } from '../page/papers.js';
+import { PAPERS, SCREENS } from '../page/papers.js';
 
 /** @typedef {import('./panel.js').Panel} Panel */
 /** @typedef {import('../page/papers.js').Sides} Sides */
@@ -25,6 +25,12 @@ function row(key, select, id) {
   return box;
 }
 
+/** The name of a size. @param {number} short millimetres @param {number} long */
+function named(short, long) {
+  const is = (/** @type {Sides} */ size, /** @type {number} */ unit) => Math.abs(short - size[0] * unit) < ALIKE && Math.abs(long - size[1] * unit) < ALIKE;
+  return Object.keys(PAPERS).find((name) => is(PAPERS[name], 1)) ?? Object.keys(SCREENS).find((name) => is(SCREENS[name], MILLIMETRES.px));
+}
+
 export class PageSize {
   /** @param {Panel} panel */
   constructor(panel) {
@@ -38,9 +44,9 @@ export class PageSize {
     this.unit.append(...UNITS.map((name) => tell(new Option('', name), { text: `unit.${name}` })));
     this.unit.addEventListener('change', () => this.#say(this.unit.value));
     this.sizes = document.createElement('select');
-    this.sizes.append(tell(new Option('', ''), { text: 'shell.own-size' }), ...Object.keys(PAPERS).map((name) => new Option(name)),
+    this.sizes.append(tell(new Option('', ''), { text: 'shell.own-size' }), ...Object.keys({ ...PAPERS, ...SCREENS }).map((name) => new Option(name)),
       tell(new Option('', NONE), { text: 'command.page-none' }));
-    this.sizes.addEventListener('change', () => (this.sizes.value === NONE ? this.#run('page-none') : this.#take(PAPERS[this.sizes.value])));
+    this.sizes.addEventListener('change', () => (this.sizes.value === NONE ? this.#run('page-none') : this.#take(this.sizes.value)));
     this.turn = panel.buttons.plain('page-turn', 'command.page-turn', { help: 'command.page-turn.help', shortcut: 'page-turn' });
     this.turn.addEventListener('click', () => this.#run('page-turn'));
     const sizes = row('step.page', this.sizes, 'page-sizes');
@@ -169,16 +175,17 @@ export class PageSize {
     this.panel.wake();
   }
 
-  /** A size by its name, lying as the page does. @param {Sides | undefined} size */
-  #take(size) {
+  /** A size by its name, lying as the page does. @param {string} name */
+  #take(name) {
     const [width, height] = this.#millimetres();
+    const size = PAPERS[name] ?? SCREENS[name];
     if (!size) {
       this.fields[0].input.focus();
       return;
     }
     (width > height ? [...size].reverse() : size).forEach((value, i) => {
       const { input } = this.fields[i];
-      input.value = `${value}mm`;
+      input.value = `${value}${name in PAPERS ? 'mm' : 'px'}`;
       input.dispatchEvent(new Event('input'));
     });
     this.#typed();
@@ -208,8 +215,7 @@ export class PageSize {
     }
     this.unit.value = this.engine.number('page-unit');
     this.turn.disabled = !(width > 0);
-    this.sizes.value = !(width > 0) ? NONE : Object.keys(PAPERS).find((name) => Math.abs(Math.min(width, height) - PAPERS[name][0]) < ALIKE &&
-      Math.abs(Math.max(width, height) - PAPERS[name][1]) < ALIKE) ?? '';
+    this.sizes.value = !(width > 0) ? NONE : named(Math.min(width, height), Math.max(width, height)) ?? '';
   }
 
   /** Called when the drawing may have changed. */

@@ -56,6 +56,8 @@ export class Panel {
     this.controls.list.push(() => {
       document.documentElement.dataset.hand = engine.get('left-hand') ? 'left' : 'right';
     });
+    /** @type {import('../main.js').Shell | undefined} */
+    this.shell = undefined;
     /** @type {import('../stage/theme.js').Theme | undefined} */
     this.theme = undefined;
     /** @type {import('../stage/paint.js').Painter | undefined} */
@@ -81,6 +83,7 @@ export class Panel {
   /** What the page has beside the engine: colours, the painter's and the buttons' that choose them, and bound keys. @param {import('../main.js').Shell} shell */
   follow(shell) {
     const { theme, painter } = shell;
+    this.shell = shell;
     this.theme = theme;
     this.painter = painter;
     this.settings = shell.settings;

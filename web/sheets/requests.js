@@ -38,7 +38,9 @@ export class Requests {
       [Ask.DOWNLOAD_SVG, () => files.download(false)],
       [Ask.DOWNLOAD_NATIVE, () => files.download(true)],
       [Ask.JOURNAL, () => files.downloadJournal()],
-      [Ask.EXPORT, () => this.#export()],
+      [Ask.EXPORT, () => this.#export(false)],
+      [Ask.EXPORT_AGAIN, () => this.#export(true)],
+      [Ask.COPY_PICTURE, async () => (await want(import('../export/sheet.js'))).copyPicture(this.shell)],
       [Ask.CUT | Ask.COPY | Ask.PASTE, () => this.clipboard?.ask(requests)],
       [Ask.SPAN, () => panel.ask('picture-span')],
       [Ask.SHORTCUTS, () => this.#shortcuts()],
@@ -68,9 +70,10 @@ export class Requests {
     show(this.shell.engine, this.shell.wake);
   }
 
-  async #export() {
+  /** @param {boolean} again as it was chosen last */
+  async #export(again) {
     const { exportDrawing } = await want(import('../export/sheet.js'));
-    await exportDrawing(this.shell);
+    await exportDrawing(this.shell, undefined, again);
   }
 
   async #history() {

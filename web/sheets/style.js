@@ -3,7 +3,7 @@
 
 import { keep, kept } from '../page/kept.js';
 import { tell, word } from '../page/words.js';
-import { colourOf, Swatches } from './swatches.js';
+import { choose, colourOf, Swatches } from './swatches.js';
 
 /** A switch, what is seen while it is on (a colour, and more in a row), and the colour where none has been seen. */
 const PARTS = [
@@ -33,7 +33,8 @@ function rare(name, rows) {
 }
 
 /** @type {import('./panel.js').Filler['fill']} */
-export function fill({ tables, controls, buttons, engine, wake }, sheet) {
+export function fill(panel, sheet) {
+  const { tables, controls, buttons, engine, wake } = panel;
   const changed = () => {
     controls.refresh();
     wake();
@@ -76,6 +77,10 @@ export function fill({ tables, controls, buttons, engine, wake }, sheet) {
     const input = (/** @type {HTMLElement} */ from, /** @type {string} */ type) => /** @type {HTMLInputElement} */ (from.querySelector(`[type=${type}]`));
     const [toggle, well, alpha] = [input(box, 'checkbox'), input(row, 'color'), input(row, 'range')];
     alpha.before(number.field);
+    well.addEventListener('click', (event) => {
+      event.preventDefault(); // the browser's own
+      void choose(panel, colour, well);
+    });
     const part = { name, toggle, well, alpha, last: first, on: false, folded: fold([row, number.row, together(more)]) };
     // Turned on, it is seen: a colour that cannot be seen gives way to the last one that could.
     box.addEventListener('input', (event) => {

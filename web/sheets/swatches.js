@@ -1,5 +1,6 @@
 // Beside a colour: a field for its number, and the colours that the drawing has.
 
+import { want } from '../page/build.js';
 import { tell } from '../page/words.js';
 
 const SHOWN = 12;
@@ -16,6 +17,12 @@ export function colourOf(text) {
 
 /** @param {number} colour */
 export const hexOf = (colour) => `#${(colour >>> 0).toString(16).padStart(8, '0').replace(/ff$/, '')}`;
+
+/** Opens the colour picker. @param {import('./panel.js').Panel} panel @param {string} property @param {HTMLElement} anchor it stands beside this */
+export async function choose({ shell }, property, anchor) {
+  const { open } = await want(import('./picker.js'));
+  await open(/** @type {import('../main.js').Shell} */ (shell), property, anchor);
+}
 
 export class Swatches {
   /**

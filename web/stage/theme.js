@@ -16,31 +16,42 @@ const linear = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) /
 const gamma = (value) => (value <= 0.0031308 ? value * 12.92 : 1.055 * value ** (1 / 2.4) - 0.055);
 
 /**
- * The colour with its lightness inverted and hue and chroma kept (OKLab, Ottosson 2020), so that black lines show on a
- * dark ground and white paper becomes dark. For display only: the document keeps its own colours.
- * @param {number} red 0..1
- * @param {number} green
- * @param {number} blue
+ * sRGB to OKLab (Ottosson 2020): lightness 0..1, a and b. @param {number} red 0..1 @param {number} green @param {number} blue
  * @returns {[number, number, number]}
  */
-export function turnOver(red, green, blue) {
+export function toLab(red, green, blue) {
   const [r, g, b] = [linear(red), linear(green), linear(blue)];
   const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
   const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
   const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
-  const light = Math.max(0, 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s);
-  const lightness = 0.97 - 0.75 * light ** 1.4; // spreads the dark end, so that ink is not grey
-  const a = 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s;
-  const c = 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s;
-  const l3 = (lightness + 0.3963377774 * a + 0.2158037573 * c) ** 3;
-  const m3 = (lightness - 0.1055613458 * a - 0.0638541728 * c) ** 3;
-  const s3 = (lightness - 0.0894841775 * a - 1.291485548 * c) ** 3;
-  const clip = (/** @type {number} */ value) => gamma(Math.min(1, Math.max(0, value)));
+  return [0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s,
+    1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s,
+    0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s];
+}
+
+/** OKLab to sRGB, beyond 0..1 where no screen shows it. @param {number} light @param {number} a @param {number} b @returns {[number, number, number]} */
+export function fromLab(light, a, b) {
+  const l = (light + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+  const m = (light - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+  const s = (light - 0.0894841775 * a - 1.291485548 * b) ** 3;
   return [
-    clip(4.0767416621 * l3 - 3.3077115913 * m3 + 0.2309699292 * s3),
-    clip(-1.2684380046 * l3 + 2.6097574011 * m3 - 0.3413193965 * s3),
-    clip(-0.0041960863 * l3 - 0.7034186147 * m3 + 1.707614701 * s3),
+    gamma(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+    gamma(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+    gamma(-0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s),
   ];
+}
+
+/**
+ * The colour with its lightness inverted and hue and chroma kept, so that black lines show on a dark ground and white
+ * paper becomes dark. For display only: the document keeps its own colours.
+ * @param {number} red 0..1
+ * @param {number} green
+ * @param {number} blue
+ */
+export function turnOver(red, green, blue) {
+  const [light, a, b] = toLab(red, green, blue);
+  // Spreads the dark end, so that ink is not grey.
+  return fromLab(0.97 - 0.75 * Math.max(0, light) ** 1.4, a, b).map((value) => Math.min(1, Math.max(0, value)));
 }
 
 export class Theme {

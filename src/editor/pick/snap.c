@@ -1,4 +1,5 @@
 #include "editor/pick/snap.h"
+#include "editor/pick/isometric.h"
 #include "base/real.h"
 #include "base/vec.h"
 #include "curve/frames/walk.h"
@@ -179,13 +180,27 @@ static lines near_guides(search *s) {
 static lines near_grid(const search *s) {
     lines found = {{false, false}, {0, 0}};
     double step = bat_grid_step(s->c), origin[2];
-    if (!(step > 0)) return found;
+    if (!(step > 0) || bat_grid_is_isometric(s->c)) return found;
     bat_unit_origin(s->c, origin);
     for (int k = 0; k < 2; k++) {
         found.at[k] = origin[k] + step * round((s->point[k] - origin[k]) / step);
         found.there[k] = fabs(found.at[k] - s->point[k]) <= s->within;
     }
     return found;
+}
+
+/* A corner of the grid, or else its nearest line. */
+static void try_isometric(search *s) {
+    const double step = bat_grid_step(s->c);
+    double origin[2], corner[2], foot[2];
+    if (!(step > 0) || !bat_grid_is_isometric(s->c)) return;
+    bat_unit_origin(s->c, origin);
+    bat_isometric_corner(origin, step, s->point, corner);
+    offer(s, BAT_SNAP_GRID, corner);
+    for (int i = 0; i < BAT_ISOMETRIC_FAMILIES && apart(corner, s->point) > s->within; i++) {
+        bat_isometric_foot(origin, step, i, s->point, foot);
+        offer(s, BAT_SNAP_GRID, foot);
+    }
 }
 
 /* Guides take precedence; a coordinate that no guide holds snaps to the grid. */
@@ -215,6 +230,7 @@ static void run(search *s) {
     if (guides.there[0] && guides.there[1] && wants(s, BAT_SNAP_CROSSING))
         offer(s, BAT_SNAP_CROSSING, guides.at);
     try_lines(s, &guides, &grid);
+    if (wants(s, BAT_SNAP_GRID)) try_isometric(s);
 }
 
 static unsigned switched_on(const bat_context *c) {
@@ -269,6 +285,8 @@ void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {
     point[1] = origin[1] + length * v;
     (*c->snap) = (bat_snap){BAT_SNAP_ANGLE, {point[0], point[1]}, {true, true}, 0, {origin[0], origin[1]}};
 }
+
+bool bat_grid_is_isometric(const bat_context *c) { return c->settings->values[BAT_PROPERTY_GRID_KIND] != 0; }
 
 double bat_grid_step(const bat_context *c) {
     if (c->settings->values[BAT_PROPERTY_SHOW_GRID] == 0) return 0;

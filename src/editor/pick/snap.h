@@ -21,7 +21,7 @@ typedef enum bat_snap_kind {
 typedef struct bat_snap {
     bat_snap_kind kind;
     double point[2]; /* document units */
-    bool bound[2];   /* which coordinates are fixed; both, except for guides and the grid */
+    bool bound[2];   /* which coordinates are fixed; both, except for guides and the square grid */
     double distance; /* by which it was moved, document units */
     double from[2];  /* ANGLE: origin of the ray */
 } bat_snap;
@@ -50,5 +50,7 @@ void bat_snap_angle(bat_context *c, const double origin[2], double point[2]);
 
 /* The spacing of the grid as drawn, document units; 0: no grid is shown. */
 double bat_grid_step(const bat_context *c);
+/* Whether it is one of triangles (isometric.h), not of squares. */
+bool bat_grid_is_isometric(const bat_context *c);
 
 #endif

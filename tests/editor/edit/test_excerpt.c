@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "editor/edit/excerpt.h"
 #include "editor/editor.h"
 #include "support/alloc_fail.h"
 #include "support/editing.h"
@@ -58,6 +59,42 @@ static void nested_and_empty(void **unused) {
     bat_editor_free(editor);
 }
 
+/* An object by its id comes with all that is in it, out of its group, whatever is selected. */
+static void one_object(void **unused) {
+    (void)unused;
+    bat_editor *editor = pen_editor();
+    const bat_id first = bat_object_id(bat_document_at(bat_editor_document(editor), 0));
+    const int all = bat_document_count(bat_editor_document(editor));
+    bat_editor_command(editor, "select-all");
+    bat_editor_command(editor, "group");
+    bat_document *one = NULL, *whole = NULL, *none = NULL;
+    const bat_id group = bat_object_parent(
+        bat_document_at(bat_editor_document(editor), bat_document_find(bat_editor_document(editor), first)));
+    bat_editor_command(editor, "deselect");
+    assert_true(group != 0);
+    assert_int_equal(bat_excerpt_object(&editor->context, first, &one), BAT_OK);
+    assert_int_equal(bat_document_count(one), 1);
+    assert_true(bat_object_id(bat_document_at(one, 0)) == first);
+    assert_true(bat_object_parent(bat_document_at(one, 0)) == 0);
+    assert_int_equal(bat_excerpt_object(&editor->context, group, &whole), BAT_OK);
+    assert_int_equal(bat_document_count(whole), all + 1);
+    assert_int_equal(bat_excerpt_object(&editor->context, 9999, &none), BAT_ARGUMENT);
+    assert_null(none);
+    bat_document_free(one), bat_document_free(whole);
+    const long held = alloc_live();
+    for (long n = 1;; n++) {
+        alloc_fail_at(n);
+        const bat_status status = bat_excerpt_object(&editor->context, group, &none);
+        const bool failed = alloc_fail_reached();
+        assert_int_equal(status, failed ? BAT_MEMORY : BAT_OK);
+        if (!failed) break;
+        assert_null(none);
+        assert_int_equal(alloc_live(), held);
+    }
+    bat_document_free(none);
+    bat_editor_free(editor);
+}
+
 static void refused(void **unused) {
     (void)unused;
     bat_editor *editor = pen_editor();
@@ -87,6 +124,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts),
         cmocka_unit_test(nested_and_empty),
+        cmocka_unit_test(one_object),
         cmocka_unit_test(refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -281,11 +281,11 @@ static void is_solid(bat_editor *editor, bool solid) {
     bat_problem problem;
     char *bytes = NULL;
     size_t size = 0;
-    assert_int_equal(bat_editor_export(editor, "step wall", BAT_EXCERPT_ALL, &bytes, &size, &problem),
+    assert_int_equal(bat_editor_export(editor, "step wall", BAT_EXCERPT_ALL, 0, &bytes, &size, &problem),
                      BAT_OK);
     assert_int_equal(strstr(bytes, "MANIFOLD_SOLID_BREP") != NULL, solid);
     bat_free(bytes);
-    assert_int_equal(bat_editor_export(editor, "stl wall tell", BAT_EXCERPT_ALL, &bytes, &size, &problem),
+    assert_int_equal(bat_editor_export(editor, "stl wall tell", BAT_EXCERPT_ALL, 0, &bytes, &size, &problem),
                      BAT_OK);
     assert_int_equal(strstr(bytes, "\"open\":0,") != NULL, solid);
     bat_free(bytes);

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
+#include "editor/pick/isometric.h"
 #include "editor/tools/modes/guides.h"
 #include "support/precision.h"
 
@@ -71,6 +72,48 @@ static void snaps_to_known_places(void **state) {
     bat_editor_free(editor);
 }
 
+/* The isometric grid: triangles of equal sides. Corners come before lines, and lie on a line of every family. */
+static void snaps_to_triangles(void **state) {
+    (void)state;
+    bat_curve *curves[] = {segment(1000, 900, 1100, 900)};
+    bat_editor *editor = editor_with(1, curves);
+    bat_editor_set(editor, "show-grid", 1);
+    bat_editor_set(editor, "grid-spacing", 60);
+    bat_editor_set(editor, "grid-kind", 1);
+    double zero[2], corner[2], foot[2];
+    bat_unit_origin(&editor->context, zero);
+    const double gap = 30 * sqrt(3); /* the height of a triangle */
+    bat_snap found = snap(editor, zero[0] + 3 * gap + 3, zero[1] + 270 - 4);
+    at_once(&found, BAT_SNAP_GRID, zero[0] + 3 * gap, zero[1] + 270); /* odd columns are half a step lower */
+    found = snap(editor, zero[0] + 2 * gap - 5, zero[1] + 235);
+    at_once(&found, BAT_SNAP_GRID, zero[0] + 2 * gap, zero[1] + 240);
+    /* Halfway along a side there is only the line: y falls by 30 over a gap. */
+    found = snap(editor, zero[0] + 2.5 * gap + 1, zero[1] + 255 + 3);
+    assert_int_equal(found.kind, BAT_SNAP_GRID);
+    assert_true(fabs((found.point[1] - zero[1] - 240) - (found.point[0] - zero[0] - 2 * gap) / sqrt(3)) <
+                1e-9);
+    assert_int_equal(snap(editor, zero[0] + 2 * gap + gap / 3, zero[1] + 210).kind,
+                     BAT_SNAP_NONE); /* its middle */
+    /* The corner is the nearest of all, and the foot of a corner is the corner itself. */
+    for (int i = 0; i < 400; i++) {
+        const double point[2] = {zero[0] + fmod(i * 97.31, 500), zero[1] + fmod(i * 61.7, 400)};
+        double least = INFINITY;
+        for (int column = -1; column < 12; column++)
+            for (int row = -8; row < 9; row++)
+                least = fmin(least, hypot(zero[0] + column * gap - point[0],
+                                          zero[1] + 60 * (row + column / 2.0) - point[1]));
+        bat_isometric_corner(zero, 60, point, corner);
+        assert_true(hypot(corner[0] - point[0], corner[1] - point[1]) < least + 1e-9);
+        for (int family = 0; family < BAT_ISOMETRIC_FAMILIES; family++) {
+            bat_isometric_foot(zero, 60, family, corner, foot);
+            assert_true(hypot(corner[0] - foot[0], corner[1] - foot[1]) < 1e-9);
+        }
+    }
+    bat_editor_set(editor, "grid-kind", 0);
+    assert_false(snap(editor, zero[0] + 3 * gap + 3, zero[1] + 266).point[1] == zero[1] + 270);
+    bat_editor_free(editor);
+}
+
 /* A moved line's end lands on the end of another to the last bit; the picture says so while it is held. */
 static void moves_snap(void **state) {
     (void)state;
@@ -130,6 +173,7 @@ static void moves_snap(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(snaps_to_known_places),
+        cmocka_unit_test(snaps_to_triangles),
         cmocka_unit_test(moves_snap),
     };
     return cmocka_run_group_tests_name("snap", tests, NULL, NULL);
