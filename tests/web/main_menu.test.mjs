@@ -45,6 +45,32 @@ for (const [colorScheme, locale] of [['light', 'en'], ['dark', 'ko-KR']]) {
   });
 }
 
+test('the zoom in the bar opens the menu of zooms and views, by mouse and keys', async () => {
+  const { page, context } = await open(browser, server.address);
+  await page.click('#zoom');
+  await page.waitForSelector('#zoom-menu:popover-open');
+  assert.equal(await focused(page), 'zoom-in');
+  await quiet(page);
+  assert.deepEqual(await violations(page), []);
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'zoom-menu.png') });
+  await page.click('#zoom-menu [data-command=zoom-100]');
+  await quiet(page);
+  assert.equal(await page.textContent('#zoom'), '100 %');
+  await page.focus('#zoom');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#zoom-menu:popover-open');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await quiet(page);
+  assert.match(await page.textContent('#zoom'), /^\d\d(\.\d+)? %$/, 'smaller');
+  // The size of the window is not that of the drawing.
+  const zoom = await page.textContent('#zoom');
+  await page.setViewportSize({ width: 900, height: 640 });
+  await quiet(page);
+  assert.equal(await page.textContent('#zoom'), zoom);
+  await context.close();
+});
+
 test('the button in the bar exports, by touch as well', async () => {
   const { page, context } = await open(browser, server.address, { viewport: { width: 390, height: 844 }, hasTouch: true });
   await page.tap('[data-name=export]');

@@ -130,7 +130,18 @@ test('buttons for the selection, layers dragged, a colour that lets through', as
   await hand.stroke([at, at], { pointerType: 'mouse' });
   await page.waitForSelector('#actions:not([hidden])');
   assert.equal((await shown()).at(-1), 'delete');
-  await page.click('#actions [data-name=further]');
+  for (const width of [480, 1280]) { // a row that is narrower than what "more" adds, too
+    await page.setViewportSize({ width, height: 800 });
+    await settle(page);
+    const row = () => page.locator('#actions > .group button').evaluateAll((list) => list.map((button) => JSON.stringify(button.getBoundingClientRect())));
+    const closed = await row();
+    await page.click('#actions [data-name=further]');
+    await settle(page);
+    assert.deepEqual(await row(), closed, 'no button moves from under the pointer');
+    if (width < 1280) {
+      await page.click('#actions [data-name=further]'); // closes it
+    }
+  }
   const one = await shown();
   assert.ok(one.includes('order-front') && one.includes('curve-reverse') && !one.includes('group'), String(one));
   await pictures(page, 'select-actions-one');

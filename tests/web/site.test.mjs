@@ -66,22 +66,69 @@ test('two sites of one origin leave each other their caches', async (t) => {
   await open(''); // without the server
 });
 
-test('a link of the card stays under the pointer that comes down on it, though that stops the ghost', async () => {
-  for (const [viewport, locale] of [[{ width: 1280, height: 800 }, 'en'], [{ width: 390, height: 780 }, 'ko-KR']]) {
+test('a tab of the band stays under the pointer that comes down on it, though that stops the ghost, and opens in the page', async () => {
+  for (const [viewport, locale, other] of [[{ width: 1280, height: 800 }, 'en', 'flight'], [{ width: 390, height: 780 }, 'ko-KR', 'crocodile']]) {
     const { page, context } = await visit('', { viewport, locale });
     await page.waitForSelector('.ghost-pen', { state: 'attached' });
-    const boxes = () => page.$$eval('.front a', (all) => all.map((link) => JSON.stringify(link.getBoundingClientRect())));
+    await page.evaluate(() => { globalThis.same = true; });
+    const boxes = () => page.$$eval('.front nav a', (all) => all.map((link) => JSON.stringify(link.getBoundingClientRect())));
     const before = await boxes();
     assert.equal(before.length, 4);
-    const link = await page.locator('.front a[href="race.html"]').boundingBox();
+    assert.equal(await page.evaluate(() => document.querySelector('.front').offsetHeight), 57, 'with its edge');
+    const link = await page.locator(`.front a[href*=${other}]`).boundingBox();
     await page.mouse.move(link.x + link.width / 2, link.y + link.height / 2);
     await page.mouse.down();
     await turn(page);
     assert.deepEqual(await boxes(), before);
     await page.mouse.up();
-    await page.waitForURL(/race\.html$/);
+    await page.waitForFunction((name) => batten.files.name === `${name}.svg`, other);
+    await page.waitForSelector(`.front a[href*=${other}][aria-current]`);
+    assert.deepEqual(await boxes(), before);
+    assert.equal(await page.evaluate(() => globalThis.same), true, 'without another page');
+    if (other === 'flight') { // it flies by itself
+      await page.waitForSelector('.time:not([hidden])');
+    }
     await context.close();
   }
+});
+
+test('after what was tried the next thing is offered beside it, from the car to a drawing of one\'s own', async () => {
+  const { page, hand, stays } = await visit('', { reducedMotion: 'reduce' });
+  const next = page.locator('.told .then button').first();
+  await turn(page);
+  await hand.stroke(await on(page, ROOF));
+  await page.waitForSelector('.told[style*=top]');
+  assert.match(await page.textContent('.told p'), /It followed/);
+  const [[card], others] = await Promise.all(['.told', '.chips, .dial, .front'].map((which) =>
+    page.$$eval(which, (all) => all.map((one) => one.getBoundingClientRect().toJSON()))));
+  for (const box of others) {
+    assert.ok(card.right <= box.left || card.left >= box.right || card.bottom <= box.top || card.top >= box.bottom, JSON.stringify([card, box]));
+  }
+  await shot(page, 'followed');
+  await next.click();
+  await page.waitForFunction(() => batten.files.name === 'crocodile.svg');
+  await page.waitForFunction(() => /Your turn: pull/.test(document.querySelector('.told p').textContent));
+  assert.equal(await page.evaluate(() => glance().canUndo), false);
+  const [back, higher] = await on(page, [[500, 172], [510, 120]]);
+  await hand.stroke([back, back]);
+  await hand.stroke(bezier(back, back, higher, higher));
+  await page.waitForFunction(() => /Now in 3D/.test(document.querySelector('.told p').textContent));
+  await next.click();
+  await page.waitForFunction(() => batten.files.name === 'sculpt.svg' && batten.loop.space?.counts.painted);
+  await quiet(page);
+  await hand.stroke(bezier([290, 400], [420, 460], [600, 500], [800, 420]));
+  await page.waitForFunction(() => /Now fly/.test(document.querySelector('.told p').textContent));
+  await shot(page, 'sculpted');
+  // What was changed is kept; a closed band stays closed.
+  await page.click('.front button');
+  await page.evaluate(() => batten.pack());
+  await page.goto('about:blank');
+  await page.goto(`${site.address}#play=demos/car.journal`);
+  await ready(page);
+  await turn(page);
+  assert.equal(await page.locator('.front').count(), 0);
+  assert.ok((await page.evaluate(async () => (await batten.drawings.list()).map(({ name }) => name))).includes('crocodile.svg'));
+  stays();
 });
 
 test('the editor is the front page; a touch stops the ghost, which leaves nothing; it opens offline', async (t) => {
@@ -96,7 +143,7 @@ test('the editor is the front page; a touch stops the ghost, which leaves nothin
   // The touch that stops it draws at once: the visitor's stroke, and only that, is in the history.
   await hand.stroke(await on(page, ROOF));
   assert.equal(await page.locator('.ghost').count(), 0);
-  assert.match(await page.textContent('.front p'), /Your turn: draw a new roof/);
+  assert.match(await page.textContent('.told p'), /It followed/);
   assert.notEqual((await state(page)).digest, before.digest);
   await page.keyboard.press('Control+Z');
   assert.equal((await state(page)).digest, before.digest);
@@ -154,13 +201,13 @@ test('less motion: it waits to be asked; a ghost drags the crocodile and gives i
   await turn(page);
   assert.equal(await page.locator('.ghost').count(), 0);
   const before = (await state(page)).digest;
-  await page.click('.front .told button');
+  await page.click('.told button');
   await page.waitForSelector('.ghost-pen.down', { state: 'attached' });
   assert.notEqual(await page.evaluate(() => front.ghost.engine.digest()), undefined);
   await page.evaluate(() => { front.ghost.length = 0; });
   await page.waitForFunction(() => !document.querySelector('.ghost'));
   assert.equal((await state(page)).digest, before);
-  assert.match(await page.textContent('.front p'), /pull the back or the tail/);
+  assert.match(await page.textContent('.told p'), /pull the back or the tail/);
   await shot(page, 'crocodile');
   stays();
 });
@@ -196,10 +243,10 @@ test('a reader of the manual bends the crocodile of a paper, and sees a figure r
   await page.goto(`${site.address}manual/papers/tangents-1994.html`);
   await page.click('h2:has-text("Figure 5") ~ p a:text-is("See it redone by hand")');
   await turn(page);
-  assert.match(await page.textContent('.front p'), /change it/);
-  await page.click('.front .told button'); // again
+  assert.match(await page.textContent('.told p'), /change it/);
+  await page.click('.told button'); // again
   await page.waitForSelector('.ghost', { state: 'attached' });
-  assert.match(await page.textContent('.front p'), /redoes the figure/);
+  assert.match(await page.textContent('.told p'), /redoes the figure/);
   stays();
 });
 
@@ -221,14 +268,14 @@ test('the manual answers what people ask: of 40 questions at least 36 by the fir
 
 test('the study: two tasks in turn, timed, with the error that the program measures, as a line of CSV', async () => {
   const { page, hand, stays } = await visit('#study=demos/sketch.journal');
-  const shown = page.locator('.front .told p');
+  const shown = page.locator('.told p');
   const ways = [];
   for (const task of [1, 2]) {
-    await page.waitForFunction((task) => new RegExp(`Task ${task} of 2`).test(document.querySelector('.front .told p')?.textContent ?? ''), task);
+    await page.waitForFunction((task) => new RegExp(`Task ${task} of 2`).test(document.querySelector('.told p')?.textContent ?? ''), task);
     ways.push(/points/.test(await shown.textContent()) ? 'points' : 'sketch');
-    assert.equal(await page.locator('.front .told button').count(), 0, 'Done is offered once something was drawn');
+    assert.equal(await page.locator('.told button').count(), 0, 'Done is offered once something was drawn');
     await hand.stroke(await on(page, bezier([300, 180], [420, 120], [520, 120], [640, 180])));
-    await page.waitForSelector('.front .told button');
+    await page.waitForSelector('.told button');
     const native = await page.evaluate(() => new TextDecoder().decode(batten.engine.save(true)));
     const measured = Number(execFileSync('/usr/bin/python3', ['-c',
       'import json, sys; sys.path.insert(0, sys.argv[1]); import measure; print(measure.greatest_error(json.load(sys.stdin)))',
@@ -238,10 +285,10 @@ test('the study: two tasks in turn, timed, with the error that the program measu
       assert.ok(Math.abs(said - measured) < 0.2, `${said}, measured ${measured}`);
     }
     await shot(page, `study-${task}`);
-    await page.click('.front .told button');
+    await page.click('.told button');
   }
   assert.deepEqual([...ways].sort(), ['points', 'sketch']);
-  await page.waitForFunction(() => document.querySelectorAll('.front .told button').length === 3);
+  await page.waitForFunction(() => document.querySelectorAll('.told button').length === 3);
   await shot(page, 'study-results');
   const line = await page.evaluate(async () => (await import(document.querySelector('script[src*="site/front.js"]').src.replace('front.js', 'study.js'))).lineOf(study.state));
   assert.match(line, new RegExp(`^\\d{4}-\\d\\d-\\d\\d,${ways[0]},[\\d.]+,[\\d.]+,[\\d.]+,[\\d.]+,pen\\+pen$`));

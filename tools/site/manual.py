@@ -76,6 +76,7 @@ def home(manual):
             rows.append((page["section"], f'<a href="{address}">{html.escape(page["title"])}</a>'))
     sections = list(dict.fromkeys(section for section, _ in rows))
     return ("<h1>Batten: the manual</h1><p>A pen-first editor for curves and surfaces, a C library, and a program for the shell.</p>"
+            '<p><a href="../race.html">Compare curve fitting</a>: your own stroke, fitted by Batten and by two other libraries.</p>'
             + "".join(f'<h2>{section}</h2><p>{", ".join(link for other, link in rows if other == section)}</p>' for section in sections))
 
 

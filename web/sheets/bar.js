@@ -45,6 +45,9 @@ export function fillBar(tables, buttons) {
     }
     groups.get(group).append(buttons.command(row.name, `command.${row.name}`));
   }
+  const zoom = tell(document.createElement('button'), { label: 'shell.zoom' }); // foot.js says how large; requests.js opens its menu
+  Object.assign(zoom, { type: 'button', id: 'zoom', className: 'tool zoom', ariaHasPopup: 'menu', ariaExpanded: 'false' });
+  groupOf(bar, 'view').append(zoom);
   const leave = buttons.command('export', 'command.export');
   leave.classList.add('leave');
   const theme = buttons.plain('theme', 'shell.theme');

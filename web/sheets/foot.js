@@ -102,8 +102,10 @@ export class Foot {
     const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
     this.knots.textContent = `${before}${frame.knotsAfter}`;
     this.tolerance.textContent = word('shell.in-drawing', reach);
-    this.zoom.textContent = [`${short(frame.zoom * 100)} %`,
-      ...(frame.tilt || frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
+    const zoom = [`${short(frame.zoom * 100)} %`, ...(frame.tilt || frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
+    this.zoom.textContent = zoom;
+    part('zoom').textContent = zoom;
+    part('zoom').ariaLabel = `${word('shell.zoom')} ${zoom}`;
   }
 
   /** @param {Frame} frame */

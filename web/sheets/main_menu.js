@@ -5,8 +5,6 @@ import { actsOf } from './others.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
 
-const GAP = 4; // pixels between the logo and the menu
-
 export class MainMenu {
   /** @param {Shell} shell @param {HTMLElement} logo */
   static async make(shell, logo) {
@@ -31,11 +29,6 @@ export class MainMenu {
   }
 
   toggle() {
-    if (this.menu.isOpen) {
-      this.menu.hide();
-    } else {
-      const { left, bottom } = /** @type {HTMLElement} */ (this.menu.opener).getBoundingClientRect();
-      this.menu.open(this.groups, left, bottom + GAP);
-    }
+    this.menu.toggle(this.groups);
   }
 }

@@ -7,6 +7,7 @@ import { keyName, tell, word } from '../page/words.js';
 /** What the page does itself: `key` of its text. @typedef {{ name: string, key: string, run: () => void }} Act */
 
 const EDGE = 8; // pixels that it keeps from the window's edges
+const GAP = 4; // pixels between it and what has opened it
 
 export class Menu {
   /**
@@ -56,6 +57,16 @@ export class Menu {
     this.opener?.setAttribute('aria-expanded', 'true');
     this.place(x, y);
     this.#items()[0]?.focus();
+  }
+
+  /** Opens it below its opener, or closes it. @param {(string | Act)[][]} groups */
+  toggle(groups) {
+    if (this.isOpen || !this.opener) {
+      this.hide();
+    } else {
+      const { left, bottom } = this.opener.getBoundingClientRect();
+      this.open(groups, left, bottom + GAP);
+    }
   }
 
   /** Moves it, within the window. @param {number} x of the window @param {number} y */

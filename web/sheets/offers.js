@@ -189,7 +189,7 @@ export class Offers {
     this.at = now;
     const { offsetLeft, offsetTop, clientWidth } = stage;
     const scale = this.#scale;
-    const [wide, high] = [row.offsetWidth * scale, (this.main.offsetHeight + 2 * (row.clientTop + 4)) * scale];
+    const [wide, high] = [this.main.offsetWidth, this.main.offsetHeight].map((size) => (size + 2 * (row.clientTop + 4)) * scale);
     const above = box[1] - AWAY - high;
     const below = box[3] + AWAY;
     const fits = above >= RULER || below + high <= low - EDGE;
@@ -202,8 +202,11 @@ export class Offers {
     }
     const grown = row.offsetHeight * scale - high; // what "more" adds goes down where there is room
     const up = top + high + grown > low - EDGE ? Math.max(0, Math.min(grown, top - RULER)) : 0;
+    // And to the sides: no button moves from under the pointer.
+    const out = Math.max(0, left + row.offsetWidth * scale - clientWidth + EDGE);
     row.classList.toggle('upwards', up > 0);
-    row.style.setProperty('left', `${(offsetLeft + left) / scale}px`);
+    this.main.style.setProperty('margin-left', `${out / scale}px`);
+    row.style.setProperty('left', `${(offsetLeft + left - out) / scale}px`);
     row.style.setProperty('top', `${(offsetTop + top - up) / scale}px`);
   }
 }

@@ -22,8 +22,11 @@ export class Requests {
     this.context = undefined;
     /** @type {Promise<import('./main_menu.js').MainMenu> | undefined} */
     this.main = undefined;
+    /** @type {Promise<import('./zoom_menu.js').ZoomMenu> | undefined} */
+    this.zoom = undefined;
     shell.input.onpress = (x, y, there) => void this.#menu(x, y, there);
     part('logo').addEventListener('click', () => void this.#main());
+    part('zoom').addEventListener('click', () => void this.#zoom());
     part('unkept').addEventListener('click', () => void this.#losses());
     part('menu').addEventListener('beforetoggle', () => void this.commandSheet());
   }
@@ -98,6 +101,11 @@ export class Requests {
   async #main() {
     this.main ??= want(import('./main_menu.js')).then(({ MainMenu }) => MainMenu.make(this.shell, part('logo')));
     (await this.main).toggle();
+  }
+
+  async #zoom() {
+    this.zoom ??= want(import('./zoom_menu.js')).then(({ ZoomMenu }) => ZoomMenu.make(this.shell, part('zoom')));
+    (await this.zoom).toggle();
   }
 
   /** The sheet of commands, made on demand. */

@@ -71,7 +71,6 @@ class Study {
   }
 
   show() {
-    this.told.parentElement?.querySelector('nav')?.remove(); // the other demonstrations would only lead away
     const done = this.state.results.length;
     if (done === 2) {
       this.#results();
