@@ -24,7 +24,7 @@ typedef struct noding {
     int added;
 } noding;
 
-static size_t places(const bat_curve *curve, bat_command_id at, size_t room, double *u) {
+static size_t find_places(const bat_curve *curve, bat_command_id at, size_t room, double *u) {
     if (at == BAT_COMMAND_POINTS_INFLECTIONS) return bat_curve_inflections(curve, room, u);
     const size_t first = bat_curve_extremes(curve, 0, room, u);
     const size_t rest = room > first ? room - first : 0;
@@ -47,11 +47,11 @@ static bat_status with_node(const bat_curve *curve, double u, bat_curve **out) {
 
 static bat_status with_nodes(void *context, const bat_curve *curve, bat_curve **out) {
     noding *n = context;
-    const size_t count = places(curve, n->at, 0, NULL);
+    const size_t count = find_places(curve, n->at, 0, NULL);
     double *u = malloc((count + 1) * sizeof *u);
     bat_curve *made = NULL;
     bat_status status = u ? bat_curve_copy(curve, &made) : BAT_MEMORY;
-    if (u) (void)places(curve, n->at, count, u);
+    if (u) (void)find_places(curve, n->at, count, u);
     for (size_t i = 0; i < count && status == BAT_OK; i++) {
         bat_curve *more;
         status = with_node(made, u[i], &more);

@@ -118,7 +118,9 @@ uint32_t bat_kept_add(const bat_context *c, bat_kept *kept, const bat_edit *edit
     if (instead && kept->count && kept->stroke[kept->count - 1]->serial == instead)
         free_stroke(kept->stroke[--kept->count]);
     const int count = changed(c->session, ids, before);
-    if (!count || !edit->samples.count || edit->samples.dimension == 3 || edit->mirror.on) return 0;
+    if (!count || !edit->samples.count || edit->samples.dimension == 3 || edit->mirror.on ||
+        edit->kind == BAT_EDIT_BLEND) /* whose ends say how it runs, and no tolerance */
+        return 0;
     bat_kept_stroke *stroke = create(document, edit, count, ids, before);
     if (!stroke) return 0;
     stroke->amount = amount, stroke->tolerance = tolerance;
