@@ -158,6 +158,21 @@ test('palettes: of the drawing, opened, kept, saved, taken away and back', async
   const { page, context } = await begin();
   const swatches = () => page.locator('#picker-sheet .swatches button').evaluateAll((all) => all.map((one) => one.title));
   assert.deepEqual((await swatches()).toSorted(), ['#2040c0', '#e07b3980']);
+  // One that is dropped on the page is there, too, beside the drawing that is open.
+  await page.keyboard.press('Escape');
+  const { digest } = await state(page);
+  await page.evaluate((text) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([text], 'dropped.gpl'));
+    document.getElementById('stage').dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer: transfer }));
+  }, 'GIMP Palette\n#\n1 2 3 Ink\n');
+  await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('Palette added: dropped'));
+  assert.equal((await state(page)).digest, digest);
+  await page.click('#actions .dot.filled button');
+  await page.waitForSelector('#picker-sheet:popover-open');
+  await page.selectOption('#picker-palette', { label: 'dropped' });
+  assert.deepEqual(await swatches(), ['Ink']);
+  await page.click('#picker-sheet [data-text="shell.palette-remove"]');
   const give = (text, name = 'sea.gpl') => page.setInputFiles('#picker-file', { name, mimeType: '', buffer: Buffer.from(text) });
   await give(GPL);
   await page.waitForFunction(() => document.querySelectorAll('#picker-sheet .swatches button').length === 3);

@@ -1,8 +1,9 @@
-// Files that were chosen or dropped: one drawing is opened, several are added; pictures are placed. An edited drawing is
+// Files that were chosen or dropped: one drawing is opened, several are added; pictures are placed, palettes are kept. An edited drawing is
 // replaced only after the user has seen what the file holds. Fetched when files come.
 
 import { remember } from './recent.js';
 import { want } from '../page/build.js';
+import { word } from '../page/words.js';
 
 /** @typedef {import('./files.js').Files} Files */
 /** @typedef {import('./files.js').Arrival} Arrival */
@@ -11,7 +12,11 @@ import { want } from '../page/build.js';
 /** @param {Files} files @param {Arrival[]} all */
 export async function arrive(files, all) {
   const pictures = all.filter(({ file }) => /^image\/(?!svg)/.test(file.type));
-  const drawings = all.filter((one) => !pictures.includes(one));
+  const palettes = all.filter(({ file }) => /\.gpl$/i.test(file.name));
+  const drawings = all.filter((one) => !pictures.includes(one) && !palettes.includes(one));
+  for (const { file } of palettes) {
+    await takePalette(files, file);
+  }
   for (const { file } of pictures) {
     await files.addPicture(file);
   }
@@ -19,6 +24,16 @@ export async function arrive(files, all) {
     await openOne(files, drawings[0]);
   } else if (drawings.length) {
     await addTo(files, drawings);
+  }
+}
+
+/** @param {Files} files @param {File} file */
+async function takePalette(files, file) {
+  const { addPalette } = await want(import('./gpl.js'));
+  try {
+    files.notices.say(word('shell.palette-added', (await addPalette(file)).slice(-1)[0].name));
+  } catch (error) {
+    files.complain(error);
   }
 }
 

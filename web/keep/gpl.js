@@ -36,8 +36,14 @@ export function writePalette({ name, colours }) {
   return ['GIMP Palette', `Name: ${name.replace(/\s+/g, ' ')}`, 'Columns: 0', '#', ...rows, ''].join('\n');
 }
 
+/** As they were last kept by this page, in case the browser keeps nothing. @type {Palette[] | undefined} */
+let held;
+
 /** @returns {Palette[]} those that this browser keeps */
 export function palettes() {
+  if (held) {
+    return held;
+  }
   try {
     const all = JSON.parse(kept(STORE) || '[]');
     return all.filter((/** @type {any} */ one) => typeof one?.name === 'string' && Array.isArray(one.colours));
@@ -47,4 +53,15 @@ export function palettes() {
 }
 
 /** @param {Palette[]} all */
-export const keepPalettes = (all) => keep(STORE, JSON.stringify(all));
+export function keepPalettes(all) {
+  held = all;
+  keep(STORE, JSON.stringify(all));
+}
+
+/** Adds a .gpl file to those that are kept, in place of one of that name; throws why not. @param {File} file @returns {Promise<Palette[]>} all, it is the last */
+export async function addPalette(file) {
+  const palette = readPalette(await file.text(), file.name.replace(/\.gpl$/i, ''));
+  const all = [...palettes().filter(({ name }) => name !== palette.name), palette];
+  keepPalettes(all);
+  return all;
+}

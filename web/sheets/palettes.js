@@ -1,6 +1,6 @@
 // Palettes in the picker: the colours of the drawing, and GIMP's .gpl files, which are opened, kept in this browser, and saved.
 
-import { GPL, keepPalettes, palettes, readPalette, writePalette } from '../keep/gpl.js';
+import { addPalette, GPL, keepPalettes, palettes, writePalette } from '../keep/gpl.js';
 import { tell, word } from '../page/words.js';
 import { hexOf } from './swatches.js';
 
@@ -11,7 +11,8 @@ export class Palettes {
   constructor(shell, give) {
     this.shell = shell;
     this.give = give;
-    this.kept = palettes();
+    /** @type {Palette[]} */
+    this.kept = [];
     this.select = tell(document.createElement('select'), { label: 'shell.palette' });
     this.select.id = 'picker-palette';
     this.swatches = tell(document.createElement('div'), { label: 'shell.palette' });
@@ -47,6 +48,7 @@ export class Palettes {
 
   /** Lists them anew. @param {number} [at] the one to choose */
   show(at = Number(this.select.value)) {
+    this.kept = palettes();
     const names = [word('shell.swatches'), ...this.kept.map(({ name }) => name)];
     this.select.replaceChildren(...names.map((name, i) => new Option(name, String(i), false, i === at)));
     this.#fill();
@@ -70,10 +72,8 @@ export class Palettes {
     const [file] = this.file.files ?? [];
     this.file.value = '';
     try {
-      const palette = readPalette(await file.text(), file.name.replace(/\.gpl$/i, ''));
-      this.kept = [...this.kept.filter(({ name }) => name !== palette.name), palette];
-      keepPalettes(this.kept);
-      this.show(this.kept.length);
+      await addPalette(file);
+      this.show(palettes().length);
     } catch (error) {
       this.shell.files.complain(error);
     }
@@ -88,7 +88,6 @@ export class Palettes {
     const before = this.kept;
     const { name } = this.#chosen;
     const put = (/** @type {Palette[]} */ all, /** @type {number} */ at) => {
-      this.kept = all;
       keepPalettes(all);
       this.show(at);
     };
