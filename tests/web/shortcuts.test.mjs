@@ -87,7 +87,7 @@ const WORDS = {
   'smooth': 'tool-smooth', 'align': 'align-left align-top', 'trim': 'curve-split', 'scissors': 'curve-split', 'node': 'tool-points',
   'corner': 'corner-make', 'dash': 'setting-dashes', 'ruler': 'show-rulers', 'snap': 'snap', 'language': 'setting-language',
   'taper': 'setting-widths', 'units': 'setting-unit', 'artboard': 'numbers', 'print': 'export-pdf', 'import': 'open',
-  'zebra': 'setting-look look-next', 'mask': 'region-intersect',
+  'zebra': 'setting-look look-next', 'mask': 'region-intersect', 'example': 'start-car', 'sample': 'start-car',
 };
 
 test('what is meant is found by the word that one has, and what is typed too early is not lost', async () => {
@@ -117,6 +117,13 @@ test('what is meant is found by the word that one has, and what is typed too ear
   await shot(page, 'union');
   await page.fill('#menu .search', 'quux');
   assert.match(await page.textContent('#menu'), /Nothing found for “quux”/);
+  // What the drawing has is found after what the editor has, and selected.
+  await page.fill('#menu .search', 'rear-hub');
+  await page.keyboard.press('Enter');
+  await settle(page);
+  assert.equal(await page.evaluate(() => JSON.parse(batten.engine.ask('editor_outline', 0, 500)).rows.find(({ selected }) => selected)?.name.toLowerCase()), 'rear-hub');
+  await page.keyboard.press('Escape');
+  await sheet(page, 'Control+k');
   // A setting and a format open where they are.
   await page.fill('#menu .search', 'stabilizer');
   await page.keyboard.press('Enter');

@@ -1,9 +1,9 @@
 // The empty page: what to begin with, and at first the three hands, once. Pens draw through all of it (stage/over.js).
 // Fetched when a page is empty.
 
-import { addressOf, dress, want } from './build.js';
+import { dress, want } from './build.js';
 import { keep, kept } from './kept.js';
-import { tell, word } from './words.js';
+import { tell } from './words.js';
 import { PAPERS, SCREENS } from './papers.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
@@ -46,7 +46,7 @@ export class Start {
       this.#button('shell.start-new', () => this.#ask(this.form.hidden)),
       this.#button('command.open', () => void this.shell.files.pick()),
       this.#button('shell.start-trace', () => this.#trace()),
-      this.#button('shell.start-car', () => void this.#car())]);
+      this.#button('shell.start-car', async () => (await want(import('./sample.js'))).openCar(shell))]);
     this.box.append(this.row, this.form);
     new MutationObserver(() => this.#turned()).observe(this.box, { attributeFilter: ['hidden'] });
     this.#turned();
@@ -172,17 +172,5 @@ export class Start {
     picker.addEventListener('change', () =>
       void this.shell.files.arrive([...picker.files ?? []].map((file) => ({ file, place: null }))));
     picker.click();
-  }
-
-  async #car() {
-    const { files, notices } = this.shell;
-    const name = 'car.svg';
-    const answer = await fetch(addressOf(`examples/${name}`)).catch(() => null);
-    if (!answer?.ok) {
-      notices.say(word('shell.not-opened', name));
-      return;
-    }
-    await files.arrive([{ file: new File([await answer.blob()], name, { type: 'image/svg+xml' }), place: null }]);
-    files.given = !files.bound;
   }
 }

@@ -9,7 +9,8 @@ import { keyName, tell, word } from '../page/words.js';
 /** @typedef {import('../engine/types.js').CommandRow} CommandRow */
 /** @typedef {import('../page/words.js').Words} Words */
 /** @typedef {import('../page/settings.js').Settings} Settings */
-/** What can be found beside commands. @typedef {{ name: string, label: string, of: string, words: string, help: string, run: () => void }} Other */
+/** What can be found beside commands; own: of the drawing, found after all that is the editor's.
+ * @typedef {{ name: string, label: string, of: string, words: string, help: string, own?: boolean, run: () => void }} Other */
 
 /** @param {string} label @param {() => void} act @param {...(Node | string)} content */
 function button(label, act, ...content) {
@@ -130,8 +131,8 @@ export class CommandSheet {
     const commands = this.commands.map((row) => ({ label: row.label, words: word(`command.${row.name}.words`),
       help: [word(`command.${row.name}.help`), ...row.keys, ...row.keys.map(keyName)].join(' '), make: () => this.#row(row) }));
     const others = this.others().map((other) => ({ ...other, make: () => this.#other(other) }));
-    const entries = found([...commands, ...others].map((one) => ({ ...one, label: one.label.toLowerCase(), more: one.help.toLowerCase() })),
-      this.search.value).map((one) => one.make());
+    const all = [...commands, ...others].map((one) => ({ own: false, ...one, label: one.label.toLowerCase(), more: one.help.toLowerCase() }));
+    const entries = [false, true].flatMap((own) => found(all.filter((one) => one.own === own), this.search.value)).map((one) => one.make());
     entries[0]?.classList.add('best');
     return entries.length > 0 ? [made('ul', 'commands', ...entries)] : [made('p', 'none', word('shell.found-nothing', this.search.value.trim()))];
   }

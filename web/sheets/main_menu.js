@@ -24,6 +24,7 @@ export class MainMenu {
       ['save', 'save-as', act('duplicate')],
       ['download-svg', 'download-native', 'export', act('share')],
       ['history', 'losses'],
+      [act('start-car'), ...acts.manual ? [act('manual')] : []],
       ['shortcuts', act('settings'), act('theme')],
     ];
   }

@@ -7,6 +7,7 @@ import { word } from '../page/words.js';
 /** @typedef {import('../main.js').Shell} Shell */
 /** @typedef {import('./commands.js').Other} Other */
 
+const OBJECTS = 500; // that are looked through
 const OF_LEVELS = 'levels'; // shown in the level strip alone
 
 /** @param {Shell} shell @returns {Other[]} */
@@ -39,6 +40,8 @@ export function actsOf(shell) {
     share: () => void want(import('../export/share.js')).then((part) => part.share(shell)),
     layers: () => void panel.dock.reveal('layers'),
     numbers: () => void panel.dock.reveal('numbers'),
+    'start-car': async () => (await want(import('../page/sample.js'))).openCar(shell),
+    ...document.querySelector('meta[name=batten-first]') ? { manual: () => void open('manual/', '_blank') } : {}, // on a site, which has it beside
   };
 }
 
@@ -47,5 +50,15 @@ function page(shell) {
   return Object.entries(actsOf(shell)).map(([name, run]) => ({ name, label: word(`shell.${name}`), of: '', words: word(`shell.${name}.words`), help: '', run }));
 }
 
+/** What the drawing has, by the names given there. @param {Shell} shell @returns {Other[]} */
+function objects({ engine, wake }) {
+  /** @type {{ rows: import('./objects.js').Row[] }} */
+  const { rows } = JSON.parse(engine.ask('editor_outline', 0, OBJECTS) || '{"rows":[]}');
+  return rows.filter(({ name }) => name).map(({ id, name }) => ({ name: `object-${id}`, label: name, of: word('shell.object'), words: '', help: '', own: true, run: () => {
+    engine.act('editor_select', id, 0);
+    wake();
+  } }));
+}
+
 /** @param {Shell} shell */
-export const others = (shell) => [...page(shell), ...settings(shell), ...formats(shell)];
+export const others = (shell) => [...page(shell), ...settings(shell), ...formats(shell), ...objects(shell)];

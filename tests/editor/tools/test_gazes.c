@@ -163,7 +163,7 @@ static void a_drag_turns_the_active_level(void **state) {
     const uint64_t silent = digest(editor);
     end_of(editor, 1, at);
     drag(&p, at[0], at[1], at[0] + 25, at[1] + 20);
-    assert_string_equal(bat_editor_frame(editor)->notice, "This level is muted; nothing changed");
+    assert_string_equal(bat_editor_frame(editor)->notice, "This level is muted. Unmute it to edit it");
     assert_int_equal(bat_editor_command(editor, "gaze-left"), BAT_STATE);
     assert_true(digest(editor) == silent);
     check(editor);

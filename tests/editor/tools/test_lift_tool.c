@@ -150,7 +150,7 @@ static void what_does_not_show_is_said_first(void **state) {
         assert_int_equal(hinted(editor, "Tilt"), way != 1);
         drag(&p, 320, 380, 690, 360);
         assert_int_equal(digest(editor) != first, way == 1);
-        if (way != 1) assert_non_null(strstr(bat_editor_frame(editor)->notice, "nothing changed"));
+        if (way != 1) assert_non_null(strstr(bat_editor_frame(editor)->notice, "misses the surface"));
         replays(editor, 0);
         bat_editor_free(editor);
     }

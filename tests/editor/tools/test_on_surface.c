@@ -175,8 +175,7 @@ static void a_third_that_misses_is_too_much(void **state) {
         const int dropped = atoi(notice);
         if (high) {
             assert_true(3 * dropped > SAMPLES + 1);
-            assert_non_null(
-                strstr(notice, "points of the stroke did not land, which is too many; nothing changed"));
+            assert_non_null(strstr(notice, "points of the stroke missed the surface, which is too many"));
             assert_true(digest(editor) == first);
             bat_editor_journal(editor, &after);
             assert_int_equal(after, before);

@@ -603,7 +603,7 @@ static void a_curve_is_lifted_and_its_first_view_stays(void **state) {
     assert_int_equal(bat_editor_frame(editor)->selected, 1);
     pen_line(&p, 250, 300, 500, 250, 30); /* face-on nothing has a height */
     assert_true(digest(editor) == first);
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "nothing changed"));
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "misses the surface"));
     pen r = right_button(editor);
     drag(&r, 500, 400, 540, 280);
     assert_non_null(pen_live(bat_editor_frame(editor), BAT_ROLE_MARQUEE));
