@@ -38,6 +38,13 @@ static const char *const RULED[] = {
     "height='30'/>",
     "<style>path,line{marker-end:url(#m)} .box{fill:#eef}</style>" MARKER
     "<rect class='box' width='30' height='30'/><line x1='60' y1='10' x2='100' y2='50' stroke='red'/>",
+    "<style>rect:nth-of-type(2){fill:red} rect:last-of-type{stroke:blue} "
+    "path:first-of-type{fill:lime}</style>"
+    "<rect width='30' height='30'/><rect x='60' width='30' height='30'/><path d='M150 50h20v20z'/>",
+    "<style>g rect:only-child{fill:red} circle:only-of-type{fill:blue} :is(rect,x){stroke:red}</style>"
+    "<g><rect width='30' height='30'/></g><circle cx='100' cy='50' r='20'/>",
+    "<style>svg :not(rect,path){fill:blue} rect:nth-last-child(2){opacity:.5}</style>"
+    "<rect width='30' height='30'/><circle cx='100' cy='50' r='20'/>",
     MARKER "<g marker-end='url(#m)' stroke='black'><rect width='30' height='30'/></g>",
 };
 
