@@ -120,6 +120,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (bat_svg_write_within(document, false, size > 0 ? precision_of(data[size - 1]) : 0, &svg, &length) ==
         BAT_OK)
         bat_free(svg);
+    if (bat_svg_write_kept(document, true, BAT_SVG_UNSEEN, &svg, &length) == BAT_OK) bat_free(svg);
     bat_document_free(back);
     bat_document_free(document);
     return 0;

@@ -157,7 +157,9 @@ int address_write(const bat_curve *curve, const char *file, bool lossy) {
     size_t size;
     int failed = drawing_may_replace(lossy, &first.drawing, first.file, file, false);
     if (!failed) failed = put_in_place(curve);
-    if (!failed) failed = drawing_print(first.drawing.document, format, first.file, &text, &size);
+    if (!failed)
+        failed = drawing_print_over(first.drawing.document, format,
+                                    &(drawing_writing){first.file, file, lossy}, &text, &size);
     if (failed) return failed;
     failed = io_write(file, text, size);
     bat_free(text);

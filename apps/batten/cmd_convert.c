@@ -73,9 +73,9 @@ static int svg(const cli_arguments *arguments, const bat_document *document, cha
     const int failed = arguments_number(arguments, "--precision", 0, 1e30, &precision);
     if (failed) return failed;
     const bool plain = arguments_value(arguments, "--plain") != NULL;
-    const bat_status status = bat_svg_write_within(document, !plain, precision, text, size);
-    return status == BAT_OK ? EXIT_DONE
-                            : fail_data(arguments->operands[0], NULL, "%s", bat_status_message(status));
+    const drawing_writing how = {arguments->operands[0], arguments->operands[1],
+                                 arguments_value(arguments, OPTION_LOSSY) != NULL};
+    return drawing_print_svg(document, !plain, precision, &how, text, size);
 }
 
 /* The text of a glyph in a file, if that is what it holds; else NULL. */

@@ -147,3 +147,27 @@ int drawing_print(const bat_document *document, const bat_format *format, const 
     bat_status status = format->write(document, text, size, &problem);
     return status == BAT_OK ? EXIT_DONE : fail_problem(name, status, &problem);
 }
+
+int drawing_print_svg(const bat_document *document, bool native, double precision, const drawing_writing *how,
+                      char **text, size_t *size) {
+    bat_status status = bat_svg_write_kept(document, native, precision, text, size);
+    if (status == BAT_UNSUPPORTED && !how->lossy && is_same_file(how->in, how->out))
+        return fail_data(
+            how->out, NULL,
+            "this edit cannot be said in the file, which would be written anew, without what the "
+            "drawing does not hold of it; --lossy allows it");
+    if (status == BAT_UNSUPPORTED)
+        remark("%s: this edit cannot be said in the file: it is written anew, without what the drawing does "
+               "not hold of it",
+               how->in);
+    if (status == BAT_UNSUPPORTED || status == BAT_STATE)
+        status = bat_svg_write_within(document, native, precision, text, size);
+    return status == BAT_OK ? EXIT_DONE : fail_data(how->in, NULL, "%s", bat_status_message(status));
+}
+
+int drawing_print_over(const bat_document *document, const bat_format *format, const drawing_writing *how,
+                       char **text, size_t *size) {
+    if (strcmp(format->name, "svg") == 0)
+        return drawing_print_svg(document, true, BAT_SVG_UNSEEN, how, text, size);
+    return drawing_print(document, format, how->in, text, size);
+}

@@ -48,6 +48,19 @@ int drawing_may_replace(bool lossy, const drawing_file *drawing, const char *in,
 int drawing_print(const bat_document *document, const bat_format *format, const char *name, char **text,
                   size_t *size);
 
+typedef struct drawing_writing {
+    const char *in, *out; /* may be the same file */
+    bool lossy;           /* then, too, all of it may be written anew */
+} drawing_writing;
+
+/* The same as SVG, in the file that the document keeps. Where an edit cannot be said in that file, it is written anew, which is
+ * said in one line; over IN only if lossy. native, precision: as of bat_svg_write_within. */
+int drawing_print_svg(const bat_document *document, bool native, double precision, const drawing_writing *how,
+                      char **text, size_t *size);
+/* As drawing_print, or drawing_print_svg where the format is SVG. */
+int drawing_print_over(const bat_document *document, const bat_format *format, const drawing_writing *how,
+                       char **text, size_t *size);
+
 /* The drawing as a result: to the file of -o, or in its own format to standard output. */
 int drawing_put(const struct cli_arguments *arguments, const drawing_file *drawing);
 

@@ -11,10 +11,9 @@ int drawing_put(const cli_arguments *arguments, const drawing_file *drawing) {
     char *text = NULL;
     size_t size;
     if (!format) format = drawing->format;
-    int failed = out ? drawing_may_replace(arguments_value(arguments, OPTION_LOSSY) != NULL, drawing, name,
-                                           out, false)
-                     : EXIT_DONE;
-    if (!failed) failed = drawing_print(drawing->document, format, name, &text, &size);
+    const drawing_writing how = {name, out ? out : "-", arguments_value(arguments, OPTION_LOSSY) != NULL};
+    int failed = out ? drawing_may_replace(how.lossy, drawing, name, out, false) : EXIT_DONE;
+    if (!failed) failed = drawing_print_over(drawing->document, format, &how, &text, &size);
     if (failed) return failed;
     failed = io_write(out ? out : "-", text, size);
     bat_free(text);

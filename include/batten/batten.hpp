@@ -751,6 +751,7 @@ class Document : public detail::Handle<bat_document, bat_document_free> {
     [[nodiscard]] std::string to_gcode(const bat_gcode_options *options = nullptr) const;
     [[nodiscard]] std::string to_svg(bool native = true) const;
     [[nodiscard]] std::string to_svg_within(double precision, bool native = true) const;
+    [[nodiscard]] std::string to_svg_kept(bool native = true, double precision = -1) const;
     [[nodiscard]] bool is_kept() const;
 };
 
@@ -3334,6 +3335,15 @@ inline std::string Document::to_svg_within(double precision, bool native) const 
     char *text_ = nullptr;
     size_t size_{};
     const bat_status status = bat_svg_write_within(get(), native, precision, &text_, &size_);
+    std::string made = detail::taken_text(text_, size_);
+    detail::check(status);
+    return made;
+}
+
+inline std::string Document::to_svg_kept(bool native, double precision) const {
+    char *text_ = nullptr;
+    size_t size_{};
+    const bat_status status = bat_svg_write_kept(get(), native, precision, &text_, &size_);
     std::string made = detail::taken_text(text_, size_);
     detail::check(status);
     return made;

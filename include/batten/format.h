@@ -262,6 +262,11 @@ BAT_API bat_status bat_svg_write(const bat_document *document, bool with_native,
 #define BAT_SVG_UNSEEN (-1.0)
 BAT_API bat_status bat_svg_write_within(const bat_document *document, bool with_native, double precision,
                                         char **text, size_t *size);
+/* The same only where nothing but what was edited has to change in the file that it was read from. BAT_STATE: it keeps none;
+ * BAT_UNSUPPORTED: an edit cannot be said in it, so that all of it has to be written anew, as the two above do: what the drawing
+ * does not hold of it (its sheets, scripts, comments, metadata) would be gone. */
+BAT_API bat_status bat_svg_write_kept(const bat_document *document, bool with_native, double precision,
+                                      char **text, size_t *size);
 /* Whether it keeps the text of its file, so that writing loses nothing of what its reader counted as lost. */
 BAT_API bool bat_svg_is_kept(const bat_document *document);
 

@@ -87,6 +87,21 @@ class Addresses(ProgramTest):
             self.done("curve", "reverse", f"{path}#{curve}", "-o", path, "--lossy")
             self.assertNotEqual(path.read_bytes(), data)
 
+    def test_a_kept_file_is_not_written_anew_unasked(self):
+        """An edit that the file cannot say: what lies flat by a transform is to leave its line."""
+        data = DRAWING.replace("<path", '<g transform="matrix(1 0 0 0 0 60)"><path id="flat" d="M60 0C140 20 220 100 320 60"/></g><path', 1).encode()
+        path = pathlib.Path(self.file("flat.svg", data))
+        stroke = self.file("bow.csv", "x,y\n100,62\n150,70\n200,80\n250,70\n300,61\n")
+        for words in ((f"{path}#flat", stroke), (f"{path}#flat", stroke, "-o", path)):
+            result = self.run_program("sketch", *words)
+            self.assertEqual(result.returncode, int("-o" in words), result.stderr)
+        self.assertIn(b"--lossy", result.stderr)
+        self.assertEqual(path.read_bytes(), data)
+        result = self.run_program("sketch", f"{path}#flat", stroke, "-o", self.folder / "other.svg")
+        self.assertEqual((result.returncode, result.stderr.count(b"written anew")), (0, 1))
+        self.assertEqual(self.run_program("sketch", f"{path}#flat", stroke, "-o", path, "--lossy").returncode, 0)
+        self.assertNotEqual(path.read_bytes(), data)
+
     def test_simplify_writes_a_drawing_to_a_file(self):
         self.done("curve", "insert", f"{self.drawing}#roof", "--at", "0.2,0.4,0.6,0.8", "-o", "many.svg")
         result = self.run_program("simplify", "many.svg", "-o", "few.svg", "--tolerance", "1e-6")

@@ -475,6 +475,8 @@ static void of_objects_and_documents(void **state) {
     ARGUMENT(bat_svg_write(document, true, NULL, &size));
     ARGUMENT(bat_svg_write_within(NULL, true, 0, &text, &size));
     ARGUMENT(bat_svg_write_within(document, true, NAN, &text, &size));
+    ARGUMENT(bat_svg_write_kept(NULL, true, 0, &text, &size));
+    ARGUMENT(bat_svg_write_kept(document, true, NAN, &text, &size));
     ARGUMENT(bat_svg_write(document, true, &text, NULL));
     ARGUMENT(bat_curve_write(NULL, &text, &size));
     ARGUMENT(bat_curve_write(curve, NULL, &size));

@@ -1,5 +1,5 @@
-"""Files of shapes in space as programs read them that are not Batten: admesh, assimp (Debian), OCCT's Draw (occt-draw) and the
-glTF validator of Khronos (npm gltf-validator, found through NODE_PATH). Each gives what it finds: low and high of a box, triangles' volume and open edges."""
+"""Files of shapes in space as programs read them that are not Batten: admesh, assimp, Blender (Debian), OCCT's Draw (occt-draw) and
+the glTF validator of Khronos (npm gltf-validator, found through NODE_PATH). Each gives what it finds: low and high of a box, triangles' volume and open edges."""
 import json
 import os
 import pathlib
@@ -62,6 +62,36 @@ def gltf(file):
     return {"wrong": json.dumps(bad[:2])} if bad else {}
 
 
+# Blender's z is up: what imports a file whose y is up turns it, so it is turned back. Vertices are merged, as seams may be apart.
+BLENDER = """
+import bpy, bmesh, json, numpy, sys
+numpy.bool = bool  # which the glTF importer of Blender 3.4 asks newer numpy for
+file, turned = sys.argv[-2], sys.argv[-1] == 'y'
+bpy.ops.wm.read_factory_settings(use_empty=True)
+kind = file.rsplit('.', 1)[1]
+{'stl': bpy.ops.import_mesh.stl, 'ply': bpy.ops.import_mesh.ply, 'obj': bpy.ops.wm.obj_import}.get(kind, bpy.ops.import_scene.gltf)(filepath=file)
+places, volume, loose = [], 0.0, 0
+for item in [one for one in bpy.data.objects if one.type == 'MESH']:
+    mesh = bmesh.new()
+    mesh.from_mesh(item.data)
+    mesh.transform(item.matrix_world)
+    places += [tuple(v.co) for v in mesh.verts]
+    size = max((max(v.co[k] for v in mesh.verts) - min(v.co[k] for v in mesh.verts)) for k in range(3))
+    bmesh.ops.remove_doubles(mesh, verts=mesh.verts, dist=1e-6 * size)
+    loose += sum(not edge.is_manifold for edge in mesh.edges if edge.link_faces)
+    volume += mesh.calc_volume(signed=True) if mesh.faces else 0.0
+places = [(x, z, -y) for x, y, z in places] if turned else places
+print('FOUND', json.dumps({'low': [min(p[k] for p in places) for k in range(3)], 'high': [max(p[k] for p in places) for k in range(3)],
+                           'open': loose, 'volume': volume}))
+"""
+
+
+def blender(file):
+    text = said("blender", "-b", "--factory-startup", "--python-expr", BLENDER, "--", file, "y" if pathlib.Path(file).suffix in (".glb", ".gltf", ".obj") else "z")
+    found = re.search(r"(?m)^FOUND (.*)$", text)
+    return json.loads(found[1]) if found else {"wrong": text.strip()[-300:]}
+
+
 def has_validator():
     return shutil.which("node") is not None and said("node", "-e", "require('gltf-validator')") == ""
 
@@ -78,4 +108,5 @@ def occt(file, folder, kind):
 
 
 READERS = {"admesh": (shutil.which("admesh"), ("stl",)), "assimp": (shutil.which("assimp"), ("stl", "glb", "gltf", "obj", "ply", "3mf")),
+           "blender": (shutil.which("blender"), ("stl", "glb", "gltf", "obj", "ply")),
            "gltf-validator": (has_validator(), ("glb", "gltf")), "occt": (DRAW, ("step", "iges"))}

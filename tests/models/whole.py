@@ -43,7 +43,7 @@ def read(reader, file, kind, closed, folder):
         if closed and kind == "step" and not found.get("solids") and "wrong" not in found:
             found["wrong"] = "no solid"
     else:
-        found = {"admesh": readers.admesh, "assimp": readers.assimp, "gltf-validator": readers.gltf}[reader](file)
+        found = {"admesh": readers.admesh, "assimp": readers.assimp, "blender": readers.blender, "gltf-validator": readers.gltf}[reader](file)
     if closed and found.get("open"):
         found["wrong"] = f"{found['open']} open edges"
     if closed and not found.get("volume", 1) > 0:

@@ -77,6 +77,43 @@ test('asked once, before the first save that would lose something', async (t) =>
   await context.close();
 });
 
+/** What the transform lays flat cannot leave its line in this file. */
+const FLAT = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><!-- by hand --><g transform="matrix(1 0 0 0 0 60)">
+  <path id="flat" fill="none" stroke="#000" d="M60 0C140 20 220 100 320 60"/></g></svg>`;
+const BOW = bezier([80, 62], [160, 90], [230, 90], [300, 61]);
+
+test('a kept file is not written anew without asking', async (t) => {
+  const server = await serve({ name: 'flat.svg', bytes: Buffer.from(FLAT) });
+  t.after(() => server.close());
+  const { page, hand, context } = await open(browser, server.address);
+  await hand.stroke(await Promise.all(BOW.map(([x, y]) => place(page, x, y))));
+  for (const choice of ['', 'copy']) {
+    await page.keyboard.press('Control+S');
+    await page.waitForSelector('#anew[open]');
+    assert.match(await page.textContent('#anew-text'), /“flat.svg”.*written anew/);
+    if (choice) {
+      await page.screenshot({ path: path.join(SCREENSHOTS, 'anew.png') });
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click('#anew button[value=copy]')]);
+      assert.match(String(await downloaded(download)), /<path/);
+    } else {
+      await page.keyboard.press('Escape');
+    }
+    await page.waitForSelector('#anew', { state: 'detached' });
+    assert.equal(server.bytes.toString(), FLAT);
+    assert.equal((await state(page)).unsaved, true);
+  }
+  await page.keyboard.press('Control+S');
+  await page.click('#anew button[value=save]');
+  await saved(server, 1);
+  await page.waitForFunction(() => document.getElementById('unsaved').hidden);
+  assert.doesNotMatch(server.bytes.toString(), /by hand/);
+  await draw(page, hand);
+  await page.keyboard.press('Control+S');
+  await saved(server, 2);
+  assert.equal(await page.isVisible('#anew'), false, 'asked once');
+  await context.close();
+});
+
 /** Two objects that do not look as they do in the file; a line that does. */
 const BLENDED = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><path id="hill" d="M40 200Q100 60 200 200" fill="#c84"
   style="mix-blend-mode:multiply"/><path id="road" d="M20 220H300" stroke="#333" stroke-width="6" fill="none"/>

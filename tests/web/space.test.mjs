@@ -313,6 +313,8 @@ test('a drawing in space opens from three quarters, and later as it was left', a
   await page.goto(server.address);
   await opened('30,65,0');
   await page.screenshot({ path: path.join(SCREENSHOTS, 'space-opened.png') });
+  const [dial, looks, deep] = await Promise.all(['.dial', '.looks button', '.deep'].map((one) => page.locator(one).boundingBox()));
+  assert.ok(looks.y >= dial.y + dial.height && deep.x + deep.width <= dial.x, 'what is beside the dial does not lie over it');
   await page.keyboard.press('Shift+Alt+ArrowLeft');
   await opened('45,65,0');
   await page.reload();

@@ -1,9 +1,9 @@
 // The engine: the calls into batten.wasm, as a plain class. Its base class in instance.js looks after the module's
 // memory and recovers from traps.
 
-import { Refusal, word } from '../page/words.js';
+import { Anew, Refusal, word } from '../page/words.js';
 import { readFrame } from './frame.js';
-import { EVENTS, Instance, NO_MEMORY, OK } from './instance.js';
+import { EVENTS, Instance, NO_MEMORY, OK, UNSUPPORTED } from './instance.js';
 import { readLosses, writeLosses } from './losses.js';
 import { readSvg } from './svg_reader.js';
 
@@ -333,20 +333,24 @@ export class Engine extends Instance {
   /**
    * The document as the bytes of a file.
    * @param {boolean} native native format; otherwise SVG
+   * @param {boolean} [kept] throws Anew where the file that the drawing was read from would have to be written anew
    * @returns {Uint8Array}
    */
-  save(native) {
-    const bytes = this.#write(native) ?? this.#salvage(native);
+  save(native, kept = false) {
+    const bytes = this.#write(native, kept) ?? this.#salvage(native);
     if (!bytes) {
       throw new Refusal(word(this.dead ? 'shell.no-copy' : 'shell.not-written'));
     }
     return bytes;
   }
 
-  /** @param {boolean} native @returns {Uint8Array | null} null: the module broke, or has no memory left */
-  #write(native) {
+  /** @param {boolean} native @param {boolean} kept @returns {Uint8Array | null} null: the module broke, or has no memory left */
+  #write(native, kept) {
     return this.guard(() => {
-      const status = this.wasm.editor_save(this.editor, native ? 1 : 0, this.scratch);
+      const status = this.wasm.editor_save(this.editor, native ? 1 : 0, kept ? 1 : 0, this.scratch);
+      if (kept && status === UNSUPPORTED) {
+        throw new Anew();
+      }
       if (status !== OK && status !== NO_MEMORY) {
         throw new Refusal(this.string(this.wasm.status_message(status)));
       }
@@ -358,7 +362,7 @@ export class Engine extends Instance {
   #salvage(native) {
     try {
       const other = new Engine(this.module);
-      return other.replay(this.journal) ? other.#write(native) : null;
+      return other.replay(this.journal) ? other.#write(native, false) : null;
     } catch (error) {
       console.error(error);
       return null;

@@ -14,6 +14,7 @@ const SCRATCH = 1024; // bytes for a call's results
 export const EVENTS = 64; // pointer events for which there is always room
 export const OK = 0;
 export const NO_MEMORY = 1; // as BAT_MEMORY
+export const UNSUPPORTED = 14; // as BAT_UNSUPPORTED
 const SOON = 200; // milliseconds after which a long journal is compacted: not while the pen is lifted
 const SHORT = 1 << 20; // bytes that a journal may always grow by before it is compacted
 const HOPELESS = 8; // after so many traps in a row in calls of a kind the editor is given up

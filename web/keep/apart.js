@@ -2,7 +2,7 @@
 
 import { adopt, imageOf } from '../engine/image.js';
 import { addressOf, miss, Missing, want } from '../page/build.js';
-import { Refusal, spoken, word } from '../page/words.js';
+import { Anew, Refusal, spoken, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../engine/image.js').Image} Image */
@@ -15,9 +15,10 @@ import { Refusal, spoken, word } from '../page/words.js';
  * @property {'open' | 'add' | 'paste'} how in place of the drawing, or added to it: as a group, or as it is
  * @property {boolean} asked what it holds is to be told
  * @property {boolean} [native] the drawing is to be written, in the native format or as SVG, and nothing is read
+ * @property {boolean} [kept] not where the file that it was read from would have to be written anew
  */
 /** @typedef {{ image: Image, bytes: Uint8Array<ArrayBuffer>, content: Content | null }} Answer */
-/** @typedef {{ share?: number, answer?: Answer, written?: Uint8Array, refused?: string }} Said */
+/** @typedef {{ share?: number, answer?: Answer, written?: Uint8Array, anew?: boolean, refused?: string }} Said */
 
 const PATIENCE = 300; // milliseconds before progress is shown
 const ID = 'opening';
@@ -82,13 +83,13 @@ async function work(engine, what, tell, cancelled = new Promise(() => {})) {
   try {
     const done = new Promise((resolve, reject) => {
       worker.addEventListener('message', ({ data }) => {
-        const { share, answer: made, written, refused } = /** @type {Said} */ (data);
+        const { share, answer: made, written, anew, refused } = /** @type {Said} */ (data);
         if (share !== undefined) {
           tell(share);
         } else if (made ?? written) {
           resolve(made ?? written);
         } else {
-          reject(new Refusal(refused));
+          reject(anew ? new Anew() : new Refusal(refused));
         }
       });
       worker.addEventListener('error', (event) => {
@@ -151,10 +152,10 @@ export async function addApart(engine, file, name, grouped) {
 }
 
 /**
- * The drawing as the bytes of a file, written while the page goes on. Throws if that cannot be.
- * @param {Engine} engine @param {boolean} native
+ * The drawing as the bytes of a file, written while the page goes on. Throws if that cannot be, as Engine.save does.
+ * @param {Engine} engine @param {boolean} native @param {boolean} kept
  */
-export async function writeApart(engine, native) {
+export async function writeApart(engine, native, kept) {
   await engine.module.complete();
-  return /** @type {Uint8Array} */ (await work(engine, { native }, () => {}));
+  return /** @type {Uint8Array} */ (await work(engine, { native, kept }, () => {}));
 }

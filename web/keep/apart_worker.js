@@ -8,7 +8,7 @@ import { Module } from '../engine/module.js';
 import { addTo, readInto } from '../engine/reading.js';
 import { XmlBomb } from '../engine/xml.js';
 import '../engine/xml_types.js';
-import { speakAs } from '../page/words.js';
+import { Anew, speakAs } from '../page/words.js';
 import { bytesOf } from './gzip.js';
 
 /** @typedef {import('./apart.js').Order} Order */
@@ -79,11 +79,11 @@ function copied({ first, second, image, texts }) {
   return engine;
 }
 
-/** @param {Order} order @param {boolean} native */
-function write(order, native) {
+/** @param {Order} order @param {boolean} native @param {boolean} kept */
+function write(order, native, kept) {
   const engine = copied(order);
   engine.onrecovery = (_, error) => { throw error; }; // the page has the journal
-  return engine.save(native);
+  return engine.save(native, kept);
 }
 
 /** @param {Order} order @returns {Promise<Answer>} */
@@ -105,13 +105,17 @@ async function read(order) {
 addEventListener('message', async ({ data }) => {
   try {
     if (data.native !== undefined) {
-      const written = write(data, data.native);
+      const written = write(data, data.native, data.kept);
       postMessage({ written }, { transfer: [written.buffer] });
       return;
     }
     const answer = await read(data);
     postMessage({ answer }, { transfer: [answer.image.memory.buffer, answer.bytes.buffer] });
   } catch (error) {
+    if (error instanceof Anew) {
+      postMessage({ anew: true });
+      return;
+    }
     const told = error instanceof XmlBomb ? beyond('expanded') : error;
     postMessage({ refused: told instanceof Error ? told.message : String(told) });
   }

@@ -3,7 +3,7 @@
 import { want } from '../page/build.js';
 import { Changed } from './server.js';
 import { isNative, isPlain, isQuick, readInto } from '../engine/reading.js';
-import { counted, word } from '../page/words.js';
+import { Anew, counted, word } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../page/notice.js').Notices} Notices */
@@ -58,6 +58,8 @@ export class Files {
     this.losses = {};
     /** Whether the user was asked about what is not shown as it is in the file. */
     this.asked = false;
+    /** Whether the user has let the file be written anew. */
+    this.anew = false;
     /** The document is the file of its place, and is saved there. */
     this.bound = false;
     this.unsaved = false;
@@ -199,7 +201,7 @@ export class Files {
       this.notices.over('unsaved', 'uncopied'); // of another drawing
       this.name = name;
       this.opened = bytes;
-      this.asked = this.given = false;
+      this.asked = this.anew = this.given = false;
       return true;
     } catch (error) {
       this.refuse(name, error);
@@ -245,7 +247,10 @@ export class Files {
       slow = setTimeout(() => this.notices.ask('saving', word('shell.saving.help', this.name), [], true), PATIENCE);
       // Another drawing may be opened meanwhile.
       const { place, engine: { drawing } } = this;
-      const bytes = await this.#written(native);
+      const bytes = await (over ? this.#written(native) : this.#over(native));
+      if (!bytes) {
+        return;
+      }
       // The engine remembers the state that it asked to have saved: anything drawn meanwhile stays unsaved.
       await place.save(bytes, native ? JSON_TYPE : SVG, over);
       if (drawing !== this.engine.drawing) {
@@ -267,21 +272,42 @@ export class Files {
     }
   }
 
-  /** The drawing as the bytes of a file: made at once if that takes no time, else while the page goes on. @param {boolean} native */
-  async #written(native) {
+  /** What its own file is to hold; null: that would have to be written anew, which the user does not want. @param {boolean} native */
+  async #over(native) {
+    try {
+      return await this.#written(native, !this.anew);
+    } catch (error) {
+      if (!(error instanceof Anew)) {
+        throw error;
+      }
+      const { askAnew } = await want(import('../sheets/losses.js'));
+      const answer = await askAnew(this.name, this.engine.losses);
+      if (answer === 'copy') {
+        await this.download(false);
+      }
+      this.anew = answer === 'save';
+      return this.anew ? this.#written(native) : null;
+    }
+  }
+
+  /**
+   * The drawing as the bytes of a file: made at once if that takes no time, else while the page goes on.
+   * @param {boolean} native @param {boolean} [kept] as of Engine.save
+   */
+  async #written(native, kept = false) {
     const { drawing } = this.engine;
     if (this.engine.journal.length > LIGHT) {
       try {
         const { writeApart } = await want(import('./apart.js'));
-        return await writeApart(this.engine, native);
+        return await writeApart(this.engine, native, kept);
       } catch (error) {
-        if (drawing !== this.engine.drawing) {
+        if (error instanceof Anew || drawing !== this.engine.drawing) {
           throw error;
         }
         console.error(error); // no memory for a copy, or no worker
       }
     }
-    return this.engine.save(native);
+    return this.engine.save(native, kept);
   }
 
   /** Tells the user at once that the file changed on disk, not at the next save. @param {string} tag of the file now */

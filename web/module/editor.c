@@ -95,7 +95,7 @@ MODULE_EXPORT(editor_add_picture)
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name);
 MODULE_EXPORT(editor_picture)
 const void *editor_picture(const bat_editor *editor, uint32_t picture, size_t *size);
-MODULE_EXPORT(editor_save) int editor_save(const bat_editor *editor, int native, module_bytes *out);
+MODULE_EXPORT(editor_save) int editor_save(const bat_editor *editor, int native, int kept, module_bytes *out);
 MODULE_EXPORT(editor_losses) const bat_losses *editor_losses(const bat_editor *editor);
 MODULE_EXPORT(editor_lost) int editor_lost(const bat_editor *editor);
 MODULE_EXPORT(editor_keeps) int editor_keeps(const bat_editor *editor);
@@ -457,12 +457,15 @@ const void *editor_picture(const bat_editor *editor, uint32_t picture, size_t *s
     return found ? bat_picture_bytes(found, size) : NULL;
 }
 
-/* The document as a file: native JSON, or SVG with the native document inside. */
-int editor_save(const bat_editor *editor, int native, module_bytes *out) {
+/* The document as a file: native JSON, or SVG with what SVG cannot hold inside. kept: BAT_UNSUPPORTED where the file that it keeps
+ * would have to be written anew. */
+int editor_save(const bat_editor *editor, int native, int kept, module_bytes *out) {
     MODULE_CHECK(editor && out);
     const bat_document *document = bat_editor_document(editor);
-    return (int)(native ? bat_document_write(document, &out->data, &out->size)
-                        : bat_svg_write(document, true, &out->data, &out->size));
+    bat_status status = BAT_STATE;
+    if (native) return (int)bat_document_write(document, &out->data, &out->size);
+    if (kept) status = bat_svg_write_kept(document, true, BAT_SVG_UNSEEN, &out->data, &out->size);
+    return (int)(status == BAT_STATE ? bat_svg_write(document, true, &out->data, &out->size) : status);
 }
 
 /* Losses counted by kind; NULL: saving loses nothing any more. */

@@ -21,6 +21,9 @@ let shortcuts = {};
 /** Something that cannot be done, with a message for the user. */
 export class Refusal extends Error {}
 
+/** An edit cannot be said in the file that the drawing was read from: all of it would have to be written anew. */
+export class Anew extends Error {}
+
 /** All texts, for a worker, which speaks as its page does; also those that the page has not fetched yet. */
 export async function spoken() {
   const language = document.documentElement.lang;

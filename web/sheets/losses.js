@@ -77,6 +77,15 @@ export function askInexact(name, unshown) {
     answer('copy', word('shell.save-copy')), answer('', word('command.cancel'))]);
 }
 
+/**
+ * Before an edit that the file cannot hold as it is. @param {string} name @param {Losses} losses
+ * @returns {Promise<string>} 'save', 'copy', or '' for neither
+ */
+export function askAnew(name, losses) {
+  return question('anew', word('shell.save-anew.help', name), [lossList(losses)], [answer('copy', word('shell.save-copy')),
+    answer('save', word('shell.save-anew')), answer('', word('command.cancel'))]);
+}
+
 /** Shows the lists alone. @param {Engine} engine @param {() => void} wake */
 export function show(engine, wake) {
   const old = document.getElementById('losses');

@@ -13,6 +13,7 @@
 #include "base/vec.h"
 #include "editor/choice/choice.h"
 #include "editor/choice/selection.h"
+#include "editor/pick/front.h"
 #include "editor/pick/pick.h"
 #include "editor/pick/snap.h"
 #include "editor/scene/path.h"
@@ -90,10 +91,7 @@ static int handle_at(const bat_context *c, const double pixel[2], bat_device dev
 
 /* What a click here selects: the whole group, or with `deep` the object itself. 0: nothing. */
 static bat_id object_at(bat_context *c, const double pixel[2], bat_device device, bool deep) {
-    double point[2];
-    bat_seen_sync(c);
-    bat_stage_seen(c->stage, pixel, point);
-    int index = bat_pick_object(c->scene, point, reach(device) * bat_stage_pixel(c->stage));
+    int index = bat_pick_front(c, pixel, reach(device));
     if (index < 0) return 0;
     if (!deep) index = bat_arrange_whole(c, index);
     return bat_object_id(bat_document_at(c->session->document, index));

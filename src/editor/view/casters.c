@@ -11,13 +11,15 @@ static void forget(bat_casting *casting) {
 bat_status bat_casters_find(bat_casters *casters, bat_id object, int curve, const double along[3],
                             bat_casting **out) {
     if (!casters) return BAT_STATE;
-    bat_casting *kept = &casters->kept;
     const bat_document *document = *casters->document;
     const bat_object *found = bat_document_at(document, bat_document_find(document, object));
     if (!found || curve >= bat_object_curve_count(found)) return BAT_STATE;
-    *out = kept;
-    if (kept->object == found && kept->curve == curve && memcmp(kept->along, along, sizeof kept->along) == 0)
-        return BAT_OK;
+    for (int i = 0; i < BAT_CASTINGS; i++) {
+        bat_casting *kept = *out = &casters->kept[i];
+        if (kept->object == found && kept->curve == curve &&
+            memcmp(kept->along, along, sizeof kept->along) == 0)
+            return BAT_OK;
+    }
     bat_casting made = {.object = bat_object_retain(found),
                         .curve = curve,
                         .along = {along[0], along[1], along[2]},
@@ -28,12 +30,16 @@ bat_status bat_casters_find(bat_casters *casters, bat_id object, int curve, cons
                          .surface = (bat_surface *)made.surface};
     bat_status status = made.line || made.surface ? bat_caster_create(&canvas, &made.caster) : BAT_STATE;
     if (status == BAT_OK) {
-        forget(kept);
-        *kept = made;
+        *out = &casters->kept[casters->next];
+        casters->next = (casters->next + 1) % BAT_CASTINGS;
+        forget(*out);
+        **out = made;
     } else {
         forget(&made);
     }
     return status;
 }
 
-void bat_casters_free(bat_casters *casters) { forget(&casters->kept); }
+void bat_casters_free(bat_casters *casters) {
+    for (int i = 0; i < BAT_CASTINGS; i++) forget(&casters->kept[i]);
+}

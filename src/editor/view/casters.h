@@ -1,5 +1,5 @@
-/* Casters: curves and surfaces of the document made ready as grounds. The last one is kept, for as long as its object is
- * as it was. */
+/* Casters: curves and surfaces of the document made ready as grounds. The last few are kept, for as long as their objects are
+ * as they were. */
 #ifndef BATTEN_EDITOR_VIEW_CASTERS_H
 #define BATTEN_EDITOR_VIEW_CASTERS_H
 
@@ -15,9 +15,12 @@ typedef struct bat_casting {
     bat_caster *caster;
 } bat_casting;
 
+enum { BAT_CASTINGS = 4 };
+
 typedef struct bat_casters {
     bat_document *const *document; /* the session's */
-    bat_casting kept;
+    bat_casting kept[BAT_CASTINGS];
+    int next; /* the one that gives way */
 } bat_casters;
 
 /* The ruled surface along `along` of a curve of the object, or its surface (curve -1). The result is borrowed until the

@@ -120,7 +120,8 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
     bat_status status = bat_svg_tree_index(&reader->tree);
     if (status == BAT_OK) status = bat_svg_sheet_parse(reader->styles.data, reader->styles.size, &sheet);
     if (status != BAT_OK) return status;
-    status = bat_document_create(&document);
+    if (sheet.ranks) status = bat_svg_tree_number(&reader->tree);
+    if (status == BAT_OK) status = bat_document_create(&document);
     bat_svg_walk *w = status == BAT_OK ? malloc(sizeof *w) : NULL;
     if (!w) {
         bat_svg_sheet_free(&sheet);

@@ -1,11 +1,12 @@
-/* Selectors of style sheets (Selectors 4): compounds of types, classes, ids, attributes, :not(), :root, :first-child and
- * :last-child, within each other (A B) or directly so (A > B), behind each other (A ~ B) or directly so (A + B). A rule with any
- * other selector is left out. */
+/* Selectors of style sheets (Selectors 4): compounds of types, classes, ids, attributes, :not(), :is(), :where() and places among
+ * siblings (rank.c), within each other (A B) or directly so (A > B), behind each other (A ~ B) or directly so (A + B). A
+ * pseudo-class that is not known here, such as :has(), is a guess: it may match. One of what a pointer or a key does, such as
+ * :hover, never matches. A rule with any other selector is left out. */
 #include "format/svg/style.h"
 
 #include <string.h>
 
-enum { COMPOUNDS_MAX = 16, NAME_MAX_SIZE = 64, STEPS_MAX = 4096 };
+enum { COMPOUNDS_MAX = 16, NAME_MAX_SIZE = 64, STEPS_MAX = 4096, LISTS_DEEP = 4 };
 
 static bool is_joint(char c) { return c == '>' || c == '+' || c == '~'; }
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
@@ -15,12 +16,14 @@ bool bat_svg_is_name(char c) {
            c == '_' || (unsigned char)c >= 0x80;
 }
 
-/* kind: 't' a type, '*', '.', '#', '[' an attribute, '!' what must not match, ':' a place. */
+/* kind: 't' a type, '*', '.', '#', '[' an attribute, ':' a place, '?' a guess, '0' what never matches; of a list '!' none may
+ * match, '|' one must, 'w' one must, which weighs nothing. */
 typedef struct simple {
     char kind,
         test; /* test, of an attribute: 0 it is there, '=' it is the value, '~', '^', '$', '*' as in CSS */
-    const char *name, *value;
+    const char *name, *value; /* value: of an attribute; a list */
     size_t size, value_size;
+    bat_svg_rank rank;
 } simple;
 
 static const char *name_end(const char *s, const char *end) {
@@ -49,29 +52,57 @@ static const char *read_attribute(const char *s, const char *end, simple *out) {
     return bare && (out->value_size == 0 || name_end(from, close) != close) ? NULL : close + 1;
 }
 
-/* What follows ":". */
-static const char *read_place(const char *s, const char *end, simple *out) {
-    const char *to = name_end(s, end);
-    out->name = s;
-    out->size = (size_t)(to - s);
-    if (out->size == 3 && memcmp(s, "not", 3) == 0 && to < end && *to == '(') {
-        const char *close = memchr(to, ')', (size_t)(end - to));
-        *out = (simple){.kind = '!', .name = to + 1, .size = close ? (size_t)(close - to - 1) : 0};
-        while (out->size > 0 && is_space(*out->name)) out->name++, out->size--;
-        while (out->size > 0 && is_space(out->name[out->size - 1])) out->size--;
-        return out->size > 0 ? close + 1 : NULL;
+static const struct {
+    const char *name;
+    char kind;
+} pseudo_classes[] = {{"not", '!'},       {"is", '|'},     {"where", 'w'},         {"hover", '0'},
+                      {"active", '0'},    {"focus", '0'},  {"focus-visible", '0'}, {"focus-within", '0'},
+                      {"visited", '0'},   {"target", '0'}, {"has", '?'},           {"lang", '?'},
+                      {"dir", '?'},       {"empty", '?'},  {"link", '?'},          {"any-link", '?'},
+                      {"nth-child", '?'}, {"scope", '?'},  {"nth-last-child", '?'} /* with "of" */};
+
+/* The bracket that closes the one at s, or NULL. */
+static const char *closing(const char *s, const char *end) {
+    int depth = 0;
+    for (; s < end; s++) {
+        depth += (*s == '(') - (*s == ')');
+        if (depth == 0) return s;
     }
-    const bool known = (out->size == 4 && memcmp(s, "root", 4) == 0) ||
-                       (out->size == 11 && memcmp(s, "first-child", 11) == 0) ||
-                       (out->size == 10 && memcmp(s, "last-child", 10) == 0);
-    return known ? to : NULL;
+    return NULL;
+}
+
+/* What follows ":". */
+static const char *read_pseudo(const char *s, const char *end, simple *out) {
+    const char *to = name_end(s, end), *close = NULL;
+    *out = (simple){.name = s, .size = (size_t)(to - s)};
+    if (to < end && *to == '(') {
+        close = closing(to, end);
+        if (!close) return NULL;
+        const char *from = to + 1, *last = close;
+        while (from < last && is_space(*from)) from++;
+        while (last > from && is_space(last[-1])) last--;
+        if (from == last) return NULL;
+        out->value = from, out->value_size = (size_t)(last - from);
+    }
+    to = close ? close + 1 : to;
+    if (bat_svg_rank_read(out->name, out->size, out->value, out->value_size, &out->rank)) {
+        out->kind = ':';
+        return to;
+    }
+    for (size_t i = 0; i < sizeof pseudo_classes / sizeof *pseudo_classes; i++) {
+        const char *name = pseudo_classes[i].name;
+        if (strlen(name) != out->size || memcmp(name, out->name, out->size) != 0) continue;
+        out->kind = pseudo_classes[i].kind;
+        return !strchr("!|w", out->kind) || close ? to : NULL;
+    }
+    return NULL;
 }
 
 /* Reads one part of a compound; NULL: it is none that is known. */
 static const char *read_simple(const char *s, const char *end, bool first, simple *out) {
     *out = (simple){.kind = *s, .name = s + 1};
     if (*s == '[') return read_attribute(s + 1, end, out);
-    if (*s == ':') return read_place(s + 1, end, out);
+    if (*s == ':') return read_pseudo(s + 1, end, out);
     if (*s == '*') return first ? s + 1 : NULL;
     if (*s != '.' && *s != '#') {
         out->kind = 't';
@@ -114,35 +145,79 @@ static int split(const char *s, const char *end, compound *list) {
     return joint == ' ' ? count : 0;
 }
 
-/* Adds to the counts of ids, classes and types; false: :not() holds something that is not known. */
-static bool count_parts(const char *s, const char *end, uint32_t count[3]) {
-    const char *from = s;
-    simple part;
-    while (s < end) {
-        s = read_simple(s, end, s == from, &part);
-        if (!s) return false;
-        if (part.kind == '!') {
-            for (const char *at = part.name, *to = at + part.size; at < to;) {
-                simple inner;
-                at = read_simple(at, to, at == part.name, &inner);
-                if (!at || inner.kind == '!' || is_space(at < to ? *at : 'x')) return false;
-                if (inner.kind != '*') count[inner.kind == '#' ? 0 : inner.kind == 't' ? 2 : 1]++;
-            }
-        } else if (part.kind != '*')
-            count[part.kind == '#' ? 0 : part.kind == 't' ? 2 : 1]++;
+const char *bat_svg_list_end(const char *from, const char *end) {
+    int depth = 0;
+    char quote = 0;
+    for (; from < end; from++) {
+        const char c = *from;
+        if (quote)
+            quote = c == quote ? 0 : quote;
+        else if (c == '"' || c == '\'')
+            quote = c;
+        else if (c == '(' || c == '[')
+            depth++;
+        else if (c == ')' || c == ']')
+            depth--;
+        else if (c == ',' && depth <= 0)
+            return from;
     }
+    return end;
+}
+
+/* The next of a list of compounds: [*from, *to); false: there is none. */
+static bool next_of_list(const char **at, const char *end, const char **from, const char **to) {
+    if (*at >= end) return false;
+    *from = *at;
+    *to = bat_svg_list_end(*at, end);
+    *at = *to + 1;
+    while (*from < *to && is_space(**from)) ++*from;
+    while (*to > *from && is_space((*to)[-1])) --*to;
     return true;
 }
 
-uint32_t bat_svg_selector_weigh(const char *selector, size_t size, uint32_t *subject) {
+static uint32_t weight_of(const uint32_t count[3]) { return count[2] + (count[1] << 8) + (count[0] << 16); }
+
+/* Adds to the counts of ids, classes and types; *guess: it holds one. */
+static void count_parts(const char *s, const char *end, int deep, uint32_t count[3], bool *guess);
+
+/* A list counts as the weightiest in it. */
+static void count_list(const simple *part, int deep, uint32_t count[3], bool *guess) {
+    uint32_t most[3] = {0, 0, 0};
+    const char *at = part->value, *end = at + part->value_size, *from, *to;
+    while (next_of_list(&at, end, &from, &to)) {
+        uint32_t one[3] = {0, 0, 0};
+        if (deep == LISTS_DEEP || compound_end(from, to) != to) {
+            *guess = true;
+            continue;
+        }
+        count_parts(from, to, deep + 1, one, guess);
+        if (weight_of(one) > weight_of(most)) memcpy(most, one, sizeof most);
+    }
+    for (int k = 0; k < 3 && part->kind != 'w'; k++) count[k] += most[k];
+}
+
+static void count_parts(const char *s, const char *end, int deep, uint32_t count[3], bool *guess) {
+    const char *from = s;
+    simple part;
+    while (s && s < end) {
+        s = read_simple(s, end, s == from, &part);
+        if (!s) return;
+        if (strchr("!|w", part.kind))
+            count_list(&part, deep, count, guess);
+        else if (part.kind != '*')
+            count[part.kind == '#' ? 0 : part.kind == 't' ? 2 : 1]++;
+        *guess = *guess || part.kind == '?';
+    }
+}
+
+uint32_t bat_svg_selector_weigh(const char *selector, size_t size, uint32_t *subject, bool *guess) {
     compound list[COMPOUNDS_MAX];
     uint32_t parts[3] = {0, 0, 0};
     const int count = split(selector, selector + size, list);
-    for (int i = 0; i < count; i++)
-        if (!count_parts(list[i].from, list[i].to, parts)) return 0;
+    for (int i = 0; i < count; i++) count_parts(list[i].from, list[i].to, 0, parts, guess);
     if (count == 0 || parts[0] > 100 || parts[1] > 100 || parts[2] > 100) return 0;
     *subject = (uint32_t)(list[count - 1].from - selector);
-    return 1 + parts[2] + (parts[1] << 8) + (parts[0] << 16);
+    return 1 + weight_of(parts);
 }
 
 static bat_svg_key key_of(const simple *part) {
@@ -212,41 +287,38 @@ static bool attribute_matches(const bat_svg_tree *tree, uint32_t element, const 
     return contains(text, part->value, size);
 }
 
-static bool place_matches(const bat_svg_tree *tree, uint32_t element, const simple *part) {
-    const uint32_t parent = tree->elements[element].parent;
-    if (part->name[0] == 'r') return parent == 0;
-    if (part->name[0] == 'l') return parent != 0 && tree->elements[element].next == 0;
-    return parent != 0 && tree->elements[parent].first == element;
-}
+static bool compound_matches(const char *s, const char *end, const bat_svg_tree *tree, uint32_t element);
 
-static bool part_matches(const bat_svg_tree *tree, uint32_t element, const simple *part) {
-    switch (part->kind) {
-    case '*': return true;
-    case 't': return same(bat_svg_tree_name(tree, element), part->name, part->size);
-    case '#': return same(bat_svg_tree_attribute(tree, element, "id"), part->name, part->size);
-    case '.': return has_word(bat_svg_tree_attribute(tree, element, "class"), part->name, part->size);
-    case '[': return attribute_matches(tree, element, part);
-    default: return place_matches(tree, element, part);
-    }
-}
-
-/* What stands in :not() holds no other :not(). */
-static bool not_matches(const bat_svg_tree *tree, uint32_t element, const simple *part) {
-    simple inner;
-    for (const char *at = part->name, *end = at + part->size; at && at < end;) {
-        at = read_simple(at, end, at == part->name, &inner);
-        if (at && !part_matches(tree, element, &inner)) return true;
+/* Whether one of the list matches; one that cannot be read may, so that it is a guess. */
+static bool list_matches(const simple *part, const bat_svg_tree *tree, uint32_t element) {
+    const char *at = part->value, *end = at + part->value_size, *from, *to;
+    while (next_of_list(&at, end, &from, &to)) {
+        const bool known = compound_end(from, to) == to;
+        if (known ? compound_matches(from, to, tree, element) : part->kind != '!') return true;
     }
     return false;
 }
 
-static bool compound_matches(const compound *c, const bat_svg_tree *tree, uint32_t element) {
+static bool part_matches(const bat_svg_tree *tree, uint32_t element, const simple *part) {
+    switch (part->kind) {
+    case '*':
+    case '?': return true;
+    case '0': return false;
+    case 't': return same(bat_svg_tree_name(tree, element), part->name, part->size);
+    case '#': return same(bat_svg_tree_attribute(tree, element, "id"), part->name, part->size);
+    case '.': return has_word(bat_svg_tree_attribute(tree, element, "class"), part->name, part->size);
+    case '[': return attribute_matches(tree, element, part);
+    case ':': return bat_svg_rank_holds(&part->rank, tree, element);
+    default: return list_matches(part, tree, element) == (part->kind != '!');
+    }
+}
+
+static bool compound_matches(const char *s, const char *end, const bat_svg_tree *tree, uint32_t element) {
+    const char *from = s;
     simple part;
-    for (const char *s = c->from; s && s < c->to;) {
-        s = read_simple(s, c->to, s == c->from, &part);
-        const bool good = part.kind == '!' ? not_matches(tree, element, &part)
-                                           : part_matches(tree, element, &part);
-        if (!good) return false;
+    while (s && s < end) {
+        s = read_simple(s, end, s == from, &part);
+        if (!s || !part_matches(tree, element, &part)) return false;
     }
     return true;
 }
@@ -275,7 +347,7 @@ static outcome match(search *s, int last, uint32_t element) {
     const char joint = s->list[last].joint;
     outcome found = FAILS_HERE;
     if (--s->left < 0) return FAILS;
-    if (!compound_matches(&s->list[last], s->tree, element)) return FAILS_HERE;
+    if (!compound_matches(s->list[last].from, s->list[last].to, s->tree, element)) return FAILS_HERE;
     if (last == 0) return MATCHES;
     if (joint == '>') {
         if (elements[element].parent) found = match(s, last - 1, elements[element].parent);

@@ -100,57 +100,67 @@ static size_t skip_block(const char *text, size_t size, size_t at) {
     return size;
 }
 
-/* Whether "@media ..." holds for a picture on a screen: one of its queries is "screen" or "all", without conditions. */
-static bool is_shown_media(const char *at, const char *end) {
+static bool begins(const char *at, const char *end, const char *word) {
+    const size_t size = strlen(word);
+    return (size_t)(end - at) >= size && memcmp(at, word, size) == 0;
+}
+
+/* Whether rules within an "@" block hold. */
+typedef enum holds { NEVER, MAYBE, ALWAYS } holds;
+
+/* Whether a media query holds for a picture on a screen whose colours are light. */
+static holds query_holds(const char *at, const char *end) {
     static const char *const shown[] = {"screen", "all", "only screen", "only all"};
-    if (end - at < 6 || memcmp(at, "@media", 6) != 0 || bat_svg_is_name(at[6])) return false;
-    for (at += 6; at <= end;) {
-        const char *comma = memchr(at, ',', (size_t)(end - at)), *to = comma ? comma : end;
-        const char *next = to + 1;
-        while (at < to && is_space(*at)) at++;
-        while (to > at && is_space(to[-1])) to--;
-        if (at == to && !comma) return true; /* nothing is said */
-        for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
-            if (strlen(shown[i]) == (size_t)(to - at) && memcmp(at, shown[i], (size_t)(to - at)) == 0)
-                return true;
-        at = next;
-    }
-    return false;
+    static const char *const unseen[] = {"print",       "speech",  "only print",
+                                         "only speech", "not all", "not screen"};
+    while (at < end && is_space(*at)) at++;
+    while (end > at && is_space(end[-1])) end--;
+    for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
+        if (strlen(shown[i]) == (size_t)(end - at) && begins(at, end, shown[i])) return ALWAYS;
+    for (size_t i = 0; i < sizeof unseen / sizeof *unseen; i++)
+        if (begins(at, end, unseen[i])) return NEVER;
+    for (const char *s = at; s < end; s++)
+        if (begins(s, end, "prefers-")) {
+            for (const char *light = s; light < end; light++)
+                if (begins(light, end, "light")) return MAYBE;
+            return NEVER;
+        }
+    return MAYBE;
 }
 
-/* The next comma, or `end`; not one in brackets or quotes. */
-static size_t list_end(const char *text, size_t from, size_t end) {
-    int depth = 0;
-    char quote = 0;
-    for (; from < end; from++) {
-        const char c = text[from];
-        if (quote)
-            quote = c == quote ? 0 : quote;
-        else if (c == '"' || c == '\'')
-            quote = c;
-        else if (c == '(' || c == '[')
-            depth++;
-        else if (c == ')' || c == ']')
-            depth--;
-        else if (c == ',' && depth <= 0)
-            return from;
+/* The same of a block's "@..."; NEVER also where it holds no rules. */
+static holds block_holds(const char *at, const char *end) {
+    static const char *const others[] = {"@supports", "@layer", "@container", "@scope"};
+    holds best = NEVER;
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (begins(at, end, others[i])) return MAYBE;
+    if (!begins(at, end, "@media") || bat_svg_is_name(at[6])) return NEVER;
+    for (at += 6; at < end && is_space(*at);) at++;
+    if (at == end) return ALWAYS; /* nothing is said */
+    while (at <= end) {
+        const char *to = bat_svg_list_end(at, end);
+        const holds found = query_holds(at, to);
+        if (found > best) best = found;
+        at = to + 1;
     }
-    return end;
+    return best;
 }
 
-/* Adds a rule for each selector from `at` on, of the block that opens at `open`. */
-static bat_status add_rules(bat_svg_sheet *sheet, size_t *room, size_t at, size_t open, size_t close) {
+/* Adds a rule for each selector from `at` on, of the block that opens at `open`; guess: it may hold. */
+static bat_status add_rules(bat_svg_sheet *sheet, size_t *room, size_t at, size_t open, size_t close,
+                            bool guess) {
     const char *text = sheet->text;
     for (size_t from = at; from < open;) {
-        size_t to = list_end(text, from, open);
+        size_t to = (size_t)(bat_svg_list_end(text + from, text + open) - text);
         const size_t next = to + 1;
         while (from < to && is_space(text[from])) from++;
         while (to > from && is_space(text[to - 1])) to--;
         bat_svg_rule rule = {.selector = (uint32_t)from,
                              .selector_size = (uint32_t)(to - from),
                              .body = (uint32_t)(open + 1),
-                             .body_size = (uint32_t)(close - open - 1)};
-        rule.weight = bat_svg_selector_weigh(text + from, to - from, &rule.subject);
+                             .body_size = (uint32_t)(close - open - 1),
+                             .guess = guess};
+        rule.weight = bat_svg_selector_weigh(text + from, to - from, &rule.subject, &rule.guess);
         const bat_status status = from < to && rule.weight ? add_rule(sheet, room, rule) : BAT_OK;
         if (status != BAT_OK) return status;
         from = next;
@@ -160,7 +170,7 @@ static bat_status add_rules(bat_svg_sheet *sheet, size_t *room, size_t at, size_
 
 static bat_status parse(bat_svg_sheet *sheet, size_t size) {
     const char *text = sheet->text;
-    size_t room = 0, at = 0;
+    size_t room = 0, at = 0, doubtful = 0; /* up to there rules may hold */
     while (at < size) {
         if (is_space(text[at]) || text[at] == '}') { /* also that of @media */
             at++;
@@ -171,8 +181,10 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
         sheet->blocks++;
         if (text[at] == '@') {
             const bool block = open < size && text[open] == '{';
-            const bool shown = block && is_shown_media(text + at, text + open);
-            at = block && !shown ? skip_block(text, size, open) : open + 1;
+            const holds held = block ? block_holds(text + at, text + open) : NEVER;
+            const size_t end = block ? skip_block(text, size, open) : open + 1;
+            if (held == MAYBE && end > doubtful) doubtful = end;
+            at = held == NEVER ? end : open + 1;
             continue;
         }
         if (open >= size || text[open] != '{') {
@@ -181,7 +193,7 @@ static bat_status parse(bat_svg_sheet *sheet, size_t size) {
         }
         size_t close = open + 1;
         while (close < size && text[close] != '}') close++;
-        const bat_status status = add_rules(sheet, &room, at, open, close);
+        const bat_status status = add_rules(sheet, &room, at, open, close, at < doubtful);
         if (status != BAT_OK) return status;
         at = close + 1;
     }
@@ -197,6 +209,7 @@ bat_status bat_svg_sheet_parse(const char *text, size_t size, bat_svg_sheet *she
     size = drop_comments(sheet->text, size);
     sheet->text[size] = '\0';
     sheet->variables = strstr(sheet->text, "--") != NULL;
+    sheet->ranks = strstr(sheet->text, "-child") || strstr(sheet->text, "-of-type");
     sheet->important = strchr(sheet->text, '!') != NULL;
     bat_status status = parse(sheet, size);
     if (status != BAT_OK) bat_svg_sheet_free(sheet);

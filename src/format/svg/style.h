@@ -92,6 +92,8 @@ typedef struct bat_svg_rule {
     uint32_t selector, selector_size, body, body_size; /* in the sheet's text */
     uint32_t subject;                                  /* where in the selector its last compound begins */
     uint32_t weight;                                   /* specificity */
+    bool
+        guess; /* that it holds: of a selector or a condition that is not known here. It is not obeyed, but said */
 } bat_svg_rule;
 
 /* What an element must have for a rule to match it. mark: '#' an id, '.' a class, 't' a type or "*", '=' an attribute of that
@@ -111,6 +113,7 @@ typedef struct bat_svg_sheet {
     int blocks;                  /* number of "{ ... }" blocks and "@" rules */
     bool variables, important;   /* it may set some; it may hold declarations that are !important */
     bool by_attributes, by_ends; /* keys ask for attributes; for how they begin or end */
+    bool ranks;                  /* selectors may ask where elements stand among their siblings */
 } bat_svg_sheet;
 
 enum {
@@ -135,10 +138,27 @@ bat_status bat_svg_candidates_find(const bat_svg_sheet *sheet, const bat_svg_tre
                                    bat_svg_candidates *out);
 void bat_svg_candidates_free(bat_svg_candidates *candidates);
 
+/* ---- rank.c: places among siblings (Selectors 4, 13) ---- */
+
+/* Of a pseudo-class: step n + offset, n >= 0, is the number from 1 on. */
+typedef struct bat_svg_rank {
+    uint8_t number; /* in the list of ranks */
+    int32_t step, offset;
+} bat_svg_rank;
+
+/* argument: what stands in its brackets, NULL: it has none. False: it is no place, or its argument is not An+B. */
+bool bat_svg_rank_read(const char *name, size_t size, const char *argument, size_t argument_size,
+                       bat_svg_rank *out);
+/* After bat_svg_tree_number. O(1). */
+bool bat_svg_rank_holds(const bat_svg_rank *rank, const bat_svg_tree *tree, uint32_t element);
+
 /* ---- select.c ---- */
 bool bat_svg_is_name(char c);
-/* The specificity of a selector, and where its last compound begins; 0: it is not supported. */
-uint32_t bat_svg_selector_weigh(const char *selector, size_t size, uint32_t *subject);
+/* The next comma of a list that is not in brackets or quotes, or `end`. */
+const char *bat_svg_list_end(const char *from, const char *end);
+/* The specificity of a selector, and where its last compound begins; 0: it is not supported. *guess becomes true where it holds
+ * one; else it stays as it is. */
+uint32_t bat_svg_selector_weigh(const char *selector, size_t size, uint32_t *subject, bool *guess);
 /* The key of that compound; `rule` is not set. */
 bat_svg_key bat_svg_selector_key(const char *compound, const char *end);
 /* Adds to *steps, by at most some thousands, how many elements were looked at: of those around and before the element, when the

@@ -60,6 +60,8 @@ static const sort sorts[] = {
     {"style", BAT_SVG_STYLE, BAT_LOSS_COUNT},
 };
 
+enum { TYPES = 1 + sizeof sorts / sizeof *sorts };
+
 /* Remembers which prefixes stand for SVG and for Batten's own namespace. */
 static void note_prefixes(bat_svg_tree *tree, const char *const *attributes) {
     for (; attributes[0] && attributes[1]; attributes += 2) {
@@ -140,6 +142,7 @@ bat_status bat_svg_tree_open(bat_svg_tree *tree, const char *name, const char *c
     const sort *found = sort_of(tree, name, &local);
     made.kind = (uint8_t)found->kind;
     made.loss = (uint8_t)found->loss;
+    made.type = found >= sorts && found < sorts + TYPES - 1 ? (uint8_t)(1 + (found - sorts)) : 0;
     made.name = keep(tree, local);
     for (size_t i = 0; i < 2 * count; i++)
         tree->attributes[tree->attribute_count++] = keep(tree, attributes[i]);
@@ -208,6 +211,25 @@ bat_status bat_svg_tree_index(bat_svg_tree *tree) {
     return BAT_OK;
 }
 
+bat_status bat_svg_tree_number(bat_svg_tree *tree) {
+    bat_svg_element *elements = tree->elements;
+    bat_svg_standing *standings = calloc((size_t)tree->count + 1, sizeof *standings);
+    if (!standings) return BAT_MEMORY;
+    for (uint32_t i = 1; i < tree->count; i++) {
+        uint32_t all = 0, alike[TYPES] = {0};
+        for (uint32_t at = elements[i].first; at; at = elements[at].next) {
+            standings[at].before[0] = all++;
+            standings[at].before[1] = alike[elements[at].type]++;
+        }
+        for (uint32_t at = elements[i].first; at; at = elements[at].next) {
+            standings[at].after[0] = all - 1 - standings[at].before[0];
+            standings[at].after[1] = alike[elements[at].type] - 1 - standings[at].before[1];
+        }
+    }
+    tree->standings = standings;
+    return BAT_OK;
+}
+
 uint32_t bat_svg_tree_find(const bat_svg_tree *tree, const char *id) {
     uint32_t low = 0, high = tree->id_count;
     while (low < high) {
@@ -238,5 +260,6 @@ void bat_svg_tree_free(bat_svg_tree *tree) {
     free(tree->elements);
     free(tree->attributes);
     free(tree->ids);
+    free(tree->standings);
     bat_text_free(&tree->strings);
 }

@@ -38,7 +38,13 @@ typedef struct bat_svg_element {
     uint32_t parent, first, next;
     uint8_t kind;
     uint8_t loss; /* bat_loss of the element as such; BAT_LOSS_COUNT: none */
+    uint8_t type; /* of those with known names the same for the same name; 0: another */
 } bat_svg_element;
+
+/* How many siblings stand before and after an element: [0] of all, [1] of those of its type. */
+typedef struct bat_svg_standing {
+    uint32_t before[2], after[2];
+} bat_svg_standing;
 
 typedef struct bat_svg_tree {
     bat_svg_element *elements; /* element 1 is the root */
@@ -50,6 +56,7 @@ typedef struct bat_svg_tree {
     int depth;
     uint32_t *ids; /* elements that have an id, sorted by it; set by bat_svg_tree_index */
     uint32_t id_count;
+    bat_svg_standing *standings; /* of each element; NULL until bat_svg_tree_number */
     char drawing_prefix[16], native_prefix[16];
 } bat_svg_tree;
 
@@ -57,6 +64,8 @@ typedef struct bat_svg_tree {
 bat_status bat_svg_tree_open(bat_svg_tree *tree, const char *name, const char *const *attributes);
 bat_status bat_svg_tree_close(bat_svg_tree *tree);
 bat_status bat_svg_tree_index(bat_svg_tree *tree);
+/* Finds the standings; once. O(elements). */
+bat_status bat_svg_tree_number(bat_svg_tree *tree);
 void bat_svg_tree_free(bat_svg_tree *tree);
 
 const char *bat_svg_tree_name(const bat_svg_tree *tree, uint32_t element);

@@ -1,6 +1,7 @@
 /* Functions used by every part of the walk through a drawing. */
 #include "document/document.h"
 #include "document/kind.h"
+#include "format/svg/digest.h"
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
 #include "text/base64.h"
@@ -60,6 +61,27 @@ const char *bat_svg_find_name(const bat_svg_walk *w, uint32_t element) {
     return "";
 }
 
+/* ---- what is drawn in a marker: shapes, apart from the document ---- */
+
+static bat_marker_ink ink_of(const bat_svg_paint *paint) {
+    return paint->kind == BAT_PAINT_CONTEXT_FILL     ? BAT_INK_FILL
+           : paint->kind == BAT_PAINT_CONTEXT_STROKE ? BAT_INK_STROKE
+                                                     : BAT_INK_OWN;
+}
+
+void bat_svg_collect(bat_svg_walk *w, const bat_svg_scope *s, bat_object *object) {
+    bat_svg_collected *to = w->collected;
+    if (!s || !bat_object_is_made_of_curves(object) || to->count == BAT_MARKER_PARTS_MAX) {
+        to->whole = false;
+        bat_object_release(object);
+        return;
+    }
+    w->digest = bat_svg_digest_inks(w->digest, ink_of(&s->style.fill), ink_of(&s->style.stroke));
+    to->list[to->count++] = (bat_marker_part){object, ink_of(&s->style.fill), ink_of(&s->style.stroke)};
+}
+
+/* ---- objects ---- */
+
 void bat_svg_put_object(bat_svg_walk *w, uint32_t element, bool shown, bat_object *object) {
     const char *locked = bat_svg_attribute_of(w, element, "data-locked"),
                *insensitive = bat_svg_attribute_of(w, element, "sodipodi:insensitive");
@@ -105,15 +127,20 @@ static void declare(const bat_svg_scope *outer, const char *text, size_t size, t
         bat_svg_style_declarations(style, &outer->style, diagonal(outer), text, size, what == IMPORTANT);
 }
 
-/* Finds the rules that match, for declare_rules. */
-static void match_rules(bat_svg_walk *w, uint32_t element) {
+/* Finds the rules that match, for declare_rules, and notes one that may. */
+static void match_rules(bat_svg_walk *w, uint32_t element, bat_svg_style *style) {
     bat_svg_candidates *c = &w->candidates;
     const bat_status status = bat_svg_candidates_find(w->sheet, w->tree, element, c);
     size_t kept = 0;
     if (status != BAT_OK) w->status = status;
-    for (size_t i = 0; i < c->count; i++)
-        if (bat_svg_rule_matches(w->sheet, &w->sheet->rules[c->rules[i]], w->tree, element, &w->tried))
+    for (size_t i = 0; i < c->count; i++) {
+        const bat_svg_rule *rule = &w->sheet->rules[c->rules[i]];
+        if (!bat_svg_rule_matches(w->sheet, rule, w->tree, element, &w->tried)) continue;
+        if (rule->guess)
+            style->odd |= BAT_SVG_BIT(BAT_SVG_ODD_VALUE);
+        else
             c->rules[kept++] = c->rules[i];
+    }
     c->count = kept;
     w->tried++;
 }
@@ -132,7 +159,7 @@ void bat_svg_cascade(bat_svg_walk *w, uint32_t element, const bat_svg_scope *out
     const bat_svg_element *e = &w->tree->elements[element];
     const uint32_t *pair = w->tree->attributes + e->attributes;
     const char *strings = w->tree->strings.data, *own = bat_svg_attribute_of(w, element, "style");
-    match_rules(w, element);
+    match_rules(w, element, style);
     if (w->sheet->variables) declare_rules(w, outer, VARIABLES, style);
     if (own) bat_svg_style_variables(style, own, strlen(own));
     for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {

@@ -176,7 +176,7 @@ bat_markers *bat_svg_markers(bat_svg_walk *w, uint32_t element, const bat_svg_sc
 double bat_svg_marker_reach(const bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 void bat_svg_markers_free(bat_svg_walk *w);
 
-/* ---- collect.c ---- */
+/* ---- walk.c: what is drawn in a marker ---- */
 /* Takes over an object that is drawn in a marker; s: the scope of a shape, else NULL. */
 void bat_svg_collect(bat_svg_walk *w, const bat_svg_scope *s, bat_object *object);
 

@@ -119,6 +119,15 @@ static void every_kind_is_found(void **state) {
          "{\"foreign\":3}"},
         {"<style>.a,.b{fill:red} rect>g{fill:blue} @media print{g{fill:red}}</style>" BOX "class='a'/>",
          "{\"rules\":3}"},
+        /* what may hold is said of each that it may hold for; what never does at rest is not */
+        {"<style>g:has(x) rect,rect:empty{fill:red} .a:not(:lang(en)){stroke:red} circle:has(g){fill:red} "
+         "@media (min-width:1px){path{fill:red}} @supports (x:y){.b{fill:red}}</style>" BOX
+         "class='a'/><path d='M0 0h1'/>" BOX "class='b'/><line x2='9'/>",
+         "{\"broken\":3,\"rules\":7}"},
+        {"<style>rect:hover,rect::before,rect:frob{fill:red} @media "
+         "(prefers-color-scheme:dark){rect{fill:red}} "
+         "@font-face{src:x}</style>" BOX "/>",
+         "{\"rules\":3}"},
         /* drawn often, counted once */
         {"<defs><g id='a'>" LINE
          "stroke-dasharray='1'><title>t</title></path></g></defs><use href='#a'/><use href='#a'/>",

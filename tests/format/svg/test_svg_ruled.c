@@ -38,6 +38,13 @@ static const char *const RULED[] = {
     "height='30'/>",
     "<style>path,line{marker-end:url(#m)} .box{fill:#eef}</style>" MARKER
     "<rect class='box' width='30' height='30'/><line x1='60' y1='10' x2='100' y2='50' stroke='red'/>",
+    "<style>rect:nth-of-type(2){fill:red} rect:last-of-type{stroke:blue} "
+    "path:first-of-type{fill:lime}</style>"
+    "<rect width='30' height='30'/><rect x='60' width='30' height='30'/><path d='M150 50h20v20z'/>",
+    "<style>g rect:only-child{fill:red} circle:only-of-type{fill:blue} :is(rect,x){stroke:red}</style>"
+    "<g><rect width='30' height='30'/></g><circle cx='100' cy='50' r='20'/>",
+    "<style>svg :not(rect,path){fill:blue} rect:nth-last-child(2){opacity:.5}</style>"
+    "<rect width='30' height='30'/><circle cx='100' cy='50' r='20'/>",
     MARKER "<g marker-end='url(#m)' stroke='black'><rect width='30' height='30'/></g>",
 };
 
@@ -142,10 +149,38 @@ static void shapes_stay_what_they_are(void **state) {
     }
 }
 
+/* What a transform lays flat can leave its line only in a file that is written anew. */
+static void what_the_file_cannot_say_is_told(void **state) {
+    (void)state;
+    static const double slide[6] = {1, 0, 5, 0, 1, 0}, rise[6] = {1, 0, 0, .5, 1, 0};
+    static const char flat[] = "<g transform='matrix(1 0 0 0 0 60)'><path d='M60 0C140 20 220 100 320 60' "
+                               "stroke='red'/></g>";
+    char *text = NULL;
+    size_t size;
+    bat_document *document = opened("<rect width='30' height='10'/>"), *plain = NULL;
+    map(document, 0, slide);
+    assert_int_equal(bat_svg_write_kept(document, true, BAT_SVG_UNSEEN, &text, &size), BAT_OK);
+    assert_non_null(strstr(text, "<title>T</title>"));
+    bat_free(text), text = NULL;
+    bat_document_free(document);
+    document = opened(flat);
+    map(document, bat_document_count(document) - 1, rise);
+    assert_int_equal(bat_svg_write_kept(document, true, BAT_SVG_UNSEEN, &text, &size), BAT_UNSUPPORTED);
+    assert_null(text);
+    assert_int_equal(bat_svg_write(document, true, &text, &size), BAT_OK);
+    assert_null(strstr(text, "<title>T</title>"));
+    bat_free(text), text = NULL;
+    bat_document_free(document);
+    assert_int_equal(bat_document_create(&plain), BAT_OK);
+    assert_int_equal(bat_svg_write_kept(plain, true, BAT_SVG_UNSEEN, &text, &size), BAT_STATE);
+    bat_document_free(plain);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ruled_shapes_keep_their_look),
         cmocka_unit_test(shapes_stay_what_they_are),
+        cmocka_unit_test(what_the_file_cannot_say_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

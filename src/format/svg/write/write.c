@@ -263,19 +263,24 @@ bat_status bat_svg_write(const bat_document *document, bool with_native, char **
     return bat_svg_write_within(document, with_native, BAT_SVG_UNSEEN, out, size);
 }
 
+bat_status bat_svg_write_kept(const bat_document *document, bool with_native, double precision, char **out,
+                              size_t *size) {
+    if (!document || !out || !size || isnan(precision)) return BAT_ARGUMENT;
+    if (!bat_svg_is_kept(document)) return BAT_STATE;
+    bat_text text = {0};
+    const bat_status status = bat_svg_patch_write(document, with_native, precision, &text);
+    if (status == BAT_OK) return bat_text_finish(&text, out, size);
+    bat_text_free(&text);
+    return status == BAT_MEMORY ? status : BAT_UNSUPPORTED;
+}
+
 bat_status bat_svg_write_within(const bat_document *document, bool with_native, double precision, char **out,
                                 size_t *size) {
-    if (!document || !out || !size || isnan(precision)) return BAT_ARGUMENT;
+    bat_status status = bat_svg_write_kept(document, with_native, precision, out, size);
+    if (status != BAT_STATE && status != BAT_UNSUPPORTED) return status;
     bat_text text = {0};
-    if (bat_document_origin(document)) {
-        const bat_status kept = bat_svg_patch_write(document, with_native, precision, &text);
-        if (kept == BAT_OK) return bat_text_finish(&text, out, size);
-        bat_text_free(&text);
-        if (kept == BAT_MEMORY) return kept;
-        text = (bat_text){0};
-    }
     const bat_viewpoint *view = bat_seen_shown(document);
-    bat_status status = write_anew(document, view, with_native, precision, &text);
+    status = write_anew(document, view, with_native, precision, &text);
     if (view && status != BAT_OK && status != BAT_MEMORY) /* more than can be drawn: the page */
         status = write_anew(document, NULL, with_native, precision, &text);
     if (status == BAT_OK) return bat_text_finish(&text, out, size);
