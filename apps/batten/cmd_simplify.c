@@ -165,7 +165,10 @@ const cli_command command_simplify = {
     .summary = "A curve, or every curve of a drawing, with as few points as keep it within a tolerance.",
     .details = "Corners and ends stay. The result has the format of the input. A CURVE gets a \"report\":\n"
                "\"max_error\", \"points_before\", \"points_after\"; of a drawing the report is a line on "
-               "standard error.\n-o FILE writes a whole drawing there, too.",
+               "standard error.\n-o FILE writes a whole drawing there, too.\n"
+               "Cubics that meet with one tangent (G1) are for path editors; those that meet where a planar "
+               "curve turns\n"
+               "back, with level and upright handles (extremes), are for fonts.",
     .example = "batten simplify drawing.svg --tolerance 0.1 > simple.svg\n"
                "batten simplify curve.json > few.json",
     .operands = 1,
@@ -173,10 +176,8 @@ const cli_command command_simplify = {
         {{"--tolerance", "T",
           "in units of the drawing, 1/1000 of its longer side by default; 0: only what changes nothing"},
          {"--continuity", "C2|G1|extremes",
-          "C2, by default: fewest points; G1: fewest cubics, which meet with one tangent, for path editors; "
-          "extremes: "
-          "cubics that meet where a planar curve turns back, with level and upright handles, as fonts have "
-          "them"},
+          "C2, by default: fewest points; G1: fewest cubics, for path editors; extremes: cubics as fonts "
+          "have"},
          {"--grid", "G", "with extremes: all points are multiples of it; 1: whole numbers"}},
     .lines = true,
     .puts_back = true,

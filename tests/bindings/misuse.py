@@ -193,6 +193,8 @@ def table(batten):
             made["Curve"] = made["Space"]
         if kind == "Object":
             made["Object"] = object_for(batten, made, name)
+        if name == "to_svg_kept":
+            made["Document"] = batten.read_svg(SVG)
 
         def value(argument, kind=kind, name=name, right=right):
             return next((right[key] for key in (f"{kind}.{name}.{argument}", f"{name}.{argument}", argument) if key in right), None)

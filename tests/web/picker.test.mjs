@@ -157,7 +157,7 @@ test('a colour of the drawing, as the file has it, in light and dark', async () 
 test('palettes: of the drawing, opened, kept, saved, taken away and back', async () => {
   const { page, context } = await begin();
   const swatches = () => page.locator('#picker-sheet .swatches button').evaluateAll((all) => all.map((one) => one.title));
-  assert.deepEqual((await swatches()).toSorted(), ['#2040c0', '#e07b3980']);
+  assert.deepEqual([...await swatches()].sort(), ['#2040c0', '#e07b3980']);
   // One that is dropped on the page is there, too, beside the drawing that is open.
   await page.keyboard.press('Escape');
   const { digest } = await state(page);

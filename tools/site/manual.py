@@ -69,14 +69,14 @@ def tool_page(name, title, text, key, shown, manual):
     return "\n".join(body)
 
 
-def home(manual):
+def home(manual, bare):
     rows = []
     for address, page in manual.pages.items():
         if address != "index.html":
             rows.append((page["section"], f'<a href="{address}">{html.escape(page["title"])}</a>'))
     sections = list(dict.fromkeys(section for section, _ in rows))
     return ("<h1>Batten: the manual</h1><p>A pen-first editor for curves and surfaces, a C library, and a program for the shell.</p>"
-            '<p><a href="../race.html">Compare curve fitting</a>: your own stroke, fitted by Batten and by two other libraries.</p>'
+            + ("" if bare else '<p><a href="../race.html">Compare curve fitting</a>: your own stroke, fitted by Batten and by two other libraries.</p>')
             + "".join(f'<h2>{section}</h2><p>{", ".join(link for other, link in rows if other == section)}</p>' for section in sections))
 
 
@@ -107,7 +107,7 @@ def main(program, folder, bare):
         for source in sources:
             manual.plan(address_of(source), title_of(source), section, source)
     missing = headers.plan(manual, ROOT)
-    manual.pages["index.html"]["body"] = home(manual)
+    manual.pages["index.html"]["body"] = home(manual, bare)
     manual.write()
     for name in ("manual.css", "search.js"):
         shutil.copyfile(ROOT / "tools" / "site" / name, folder / name)

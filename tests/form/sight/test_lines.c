@@ -16,8 +16,8 @@
 #include "support/solids.h"
 #include "support/views.h"
 
-static const double APART = FEWER ? 4 : 0.5; /* pixels between rays */
-static const double APART_ON_OUTLINES = FEWER ? 16 : 4;   /* rays that touch take long */
+static const double APART = FEWER ? 4 : 0.5;            /* pixels between rays */
+static const double APART_ON_OUTLINES = FEWER ? 16 : 4; /* rays that touch take long */
 static const double origin[3] = {0, 0, 0};
 static double wave(double x, double y) { return 0.2 * sin(4.1 * x + 0.3) * cos(3.3 * y - 0.2) + 0.05 * x; }
 
