@@ -176,8 +176,7 @@ const cli_command command_simplify = {
         {{"--tolerance", "T",
           "in units of the drawing, 1/1000 of its longer side by default; 0: only what changes nothing"},
          {"--continuity", "C2|G1|extremes",
-          "C2, by default: fewest points; G1: fewest cubics, for path editors; extremes: cubics as fonts "
-          "have"},
+          "C2, by default: fewest points; G1: fewest cubics; extremes: cubics as fonts have"},
          {"--grid", "G", "with extremes: all points are multiples of it; 1: whole numbers"}},
     .lines = true,
     .puts_back = true,
