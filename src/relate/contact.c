@@ -18,6 +18,7 @@ static const double DOUBTFUL =
 static const double PLAIN = 0.05; /* sine of the angle of directions beyond which a crossing is one plainly */
 static const double STEADY = 0.9998; /* cosine of what a direction may turn there */
 static const double GROWTH = 1.5;    /* of the steps that leave a contact */
+static const double BENDS = 16;      /* gaps: how far around a contact a bend confuses its sides */
 
 /* A curve; one whose ends meet goes round, closed or not. */
 typedef struct course {
@@ -205,10 +206,12 @@ static parting side_of(const track *t, double u, double v) {
     return vec_cross(vec_load(y + size, size), off).z >= 0 ? LEFT : RIGHT;
 }
 
-/* How a curve leaves the gap, from a place on and in a direction. Up to the next contact, `clear` away, the steps are short. */
-static parting part_from(const track *t, double u, double v, int direction, double clear, double gap) {
+/* How a curve leaves the gap, from a place on and in a direction. As far as another contact is, `clear`, the steps are short; the
+ * next one on this curve is `next` away: where no step before it leaves the gap, it does so between two, where it is farthest. */
+static parting part_from(const track *t, double u, double v, int direction, double clear, double next,
+                         double gap) {
     const int size = bat_curve_dimension(t->own.curve);
-    double x[2 * BAT_DIMENSION_MAX], gone = 0;
+    double x[2 * BAT_DIMENSION_MAX], gone = 0, far = 0, at = u, foot = v;
     const double period = t->own.to - t->own.from;
     bat_curve_eval(t->own.curve, u, 1, x);
     const double speed = vec_norm(vec_load(x + size, size));
@@ -216,9 +219,11 @@ static parting part_from(const track *t, double u, double v, int direction, doub
     for (int i = 0; i < WALK_STEPS; i++, step *= GROWTH) {
         const double before = u, most = gone < clear ? fmin(0.125 * period, clear / PLACES) : 0.125 * period;
         u = brought_in(&t->own, u + direction * fmin(step, most)), gone += fmin(step, most);
-        if (away(t, u, &v) > gap)
-            return is_end(&t->other, v) && !t->other.round ? OTHER_END : side_of(t, u, v);
+        if (gone >= next) return side_of(t, at, foot);
+        const double off = away(t, u, &v);
+        if (off > gap) return is_end(&t->other, v) && !t->other.round ? OTHER_END : side_of(t, u, v);
         if (u == before && is_end(&t->own, u)) return OWN_END;
+        if (off > far) far = off, at = u, foot = v;
     }
     return OWN_END;
 }
@@ -246,10 +251,10 @@ static bool is_plain(const track t[2], const bat_touching *c, double gap, double
 }
 
 /* The kind as it is seen along one of the curves, from `ends` on; *sign as there. */
-static bat_contact_kind kind_along(const track *t, const double ends[2][2], const double clear[2], bool plane,
-                                   double gap, int *sign) {
-    const parting before = part_from(t, ends[0][0], ends[0][1], -1, clear[0], gap),
-                  after = part_from(t, ends[1][0], ends[1][1], 1, clear[1], gap);
+static bat_contact_kind kind_along(const track *t, const double ends[2][2], const double clear[2],
+                                   const double next[2], bool plane, double gap, int *sign) {
+    const parting before = part_from(t, ends[0][0], ends[0][1], -1, clear[0], next[0], gap),
+                  after = part_from(t, ends[1][0], ends[1][1], 1, clear[1], next[1], gap);
     *sign = 0;
     if (before == OWN_END && after == OWN_END) return BAT_CONTACT_OVERLAPS;
     if (before >= OWN_END || after >= OWN_END) return BAT_CONTACT_ENDS;
@@ -258,8 +263,22 @@ static bat_contact_kind kind_along(const track *t, const double ends[2][2], cons
     return BAT_CONTACT_CROSSES;
 }
 
-/* A tight bend within the gap looks like a crossing along one curve and like none along the other: none it is. */
-static void give_kind(const track t[2], bat_touching *c, const double clear[2][2], double gap) {
+/* Whether a curve keeps its direction, give or take sixty degrees, over the places of a contact and as far as `reach` around it. */
+static bool is_steady(const course *c, double from, double over, double to, double reach) {
+    double speed, other;
+    const vec first = direction_at(c, over, &speed);
+    const double more = speed > 0 ? reach / speed : c->to - c->from,
+                 low = fmax(fmin(fmin(from, to), over - more), c->from),
+                 high = fmin(fmax(fmax(from, to), over + more), c->to);
+    for (int k = 0; k <= PLACES; k++)
+        if (!(vec_dot(first, direction_at(c, low + (high - low) * k / PLACES, &other)) > 0.5)) return false;
+    return true;
+}
+
+/* What is seen along one curve depends on the side of the other, which a tight bend or a small loop within the gap confuses:
+ * one that keeps its direction there tells. Where neither does and the two differ it is no crossing. */
+static void give_kind(const track t[2], bat_touching *c, const double clear[2][2], const double next[2],
+                      double gap) {
     double turn = 0;
     int sign[2];
     const bool plane = bat_curve_dimension(t[0].own.curve) == 2;
@@ -271,12 +290,17 @@ static void give_kind(const track t[2], bat_touching *c, const double clear[2][2
     const bat_crossing *e = c->ends;
     const int first = e[0].v <= e[1].v ? 0 : 1;
     const bat_contact_kind along = kind_along(&t[0], (const double[2][2]){{e[0].u, e[0].v}, {e[1].u, e[1].v}},
-                                              clear[0], plane, gap, &sign[0]);
+                                              clear[0], next, plane, gap, &sign[0]);
     const bat_contact_kind other = kind_along(
         &t[1], (const double[2][2]){{e[first].v, e[first].u}, {e[1 - first].v, e[1 - first].u}}, clear[1],
-        plane, gap, &sign[1]);
-    c->at.kind = along > other ? along : other;                     /* crosses, touches, ends, overlaps */
-    if (plane && c->counted && c->at.kind <= BAT_CONTACT_TOUCHES) { /* on a hairpin sides are hard to tell */
+        (const double[2]){INFINITY, INFINITY}, plane, gap, &sign[1]);
+    c->at.kind = along > other ? along : other; /* crosses, touches, ends, overlaps */
+    if (plane && along != other && c->at.kind == BAT_CONTACT_TOUCHES) {
+        const bool a = is_steady(&t[0].own, e[0].u, c->at.u, e[1].u, BENDS * gap),
+                   b = is_steady(&t[1].own, e[0].v, c->at.v, e[1].v, BENDS * gap);
+        if (a || b) c->at.kind = b ? along : other, sign[0] = b ? sign[0] : -sign[1];
+    }
+    if (plane && c->counted && c->at.kind <= BAT_CONTACT_TOUCHES) {
         sign[0] = (c->turn > 0) - (c->turn < 0);
         c->at.kind = c->turn ? BAT_CONTACT_CROSSES : BAT_CONTACT_TOUCHES;
     }
@@ -302,7 +326,9 @@ size_t bat_contacts_settle(const bat_curve *a, const bat_curve *b, double gap, s
         clearance(both, all + (i + kept - 1) % kept, all + i, before);
         clearance(both, all + i, all + (i + 1) % kept, after);
         const double near = fmin(before[1], after[1]); /* along b either may come first */
-        give_kind(both, all + i, (const double[2][2]){{before[0], after[0]}, {near, near}}, gap);
+        const double next[2] = {i > 0 || (x.round && kept > 1) ? before[0] : INFINITY,
+                                i + 1 < kept || (x.round && kept > 1) ? after[0] : INFINITY};
+        give_kind(both, all + i, (const double[2][2]){{before[0], after[0]}, {near, near}}, next, gap);
     }
     return kept;
 }

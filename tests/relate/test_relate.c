@@ -563,8 +563,6 @@ static void curves_run_over_themselves(void **state) {
     bat_meeting_free(&meeting), bat_curve_free(fold);
 }
 
-/* ---- what is refused ---- */
-
 /* A parabola whose two sides are half a tolerance apart where they cross a line, its tip `beyond` tolerances behind it. */
 static void hairpins_cross_twice(void **state) {
     (void)state;
@@ -590,6 +588,75 @@ static void hairpins_cross_twice(void **state) {
             bat_curve_free(line);
         }
 }
+
+/* Cubics that come back within the tolerance, in a tight bend or a small loop, and lines, whose roots in exact algebra are odd or even
+ * in number: so many contacts, of which those with an odd number cross. */
+static void bends_within_the_tolerance_keep_their_sides(void **state) {
+    (void)state;
+    static const struct {
+        double tolerance;
+        size_t count;
+        int sum; /* of the signs, whichever way */
+        double x[12];
+    } rows[] = {
+        {8277420270,
+         1,
+         1,
+         {-8630027157504, 11301648662528, -12085952249856, -4341076983808, -15234436366336, 15974090801152,
+          11172086349824, -2697696903168, -35701620533484, -28199365988687, 17074937599764, 42169378188977}},
+        {25388988910,
+         1,
+         1,
+         {5801971875840, -14662946324480, -1036181241856, -16983312171008, 10997360754688, -19232158908416,
+          1597425516544, 15644349038592, -16497101285768, -42602755424474, 36279456847480, 27765988753190}},
+        {495,
+         3,
+         1,
+         {8385039826944, -15481818513408, -12186565738496, 12035293315072, 4489687334912, -29352250179584,
+          2955165106176, -13115546796032, -16559906622152, -42555651422186, 36216651511096, 27813092755478}},
+        {5273720995,
+         1,
+         1,
+         {-14821448220672, -4085686992896, -2652364144640, 1870771322880, -10449430380544, 3751072759808,
+          -10024331902976, -10292593491968, -31670971330008, -31222352891294, 21105586803240,
+          39146391286370}},
+        {10211815310,
+         1,
+         1,
+         {-5368034754560, -18060296519680, -8838328680448, -8569036734464, 5354204495872, 4507964932096,
+          -4813366362112, -6650097238016, -25941189545560, -35519689229630, 26835368587688, 34849054948034}},
+        {2845949440,
+         2,
+         0,
+         {-21933931167744, -336237166592, -11995949105152, 8393652568064, 20202230513664, 7890464407552,
+          -4808592982016, 7093206515712, -27109873945056, -34643175930008, 25666684188192, 35725568247656}},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (double size = 1e-6; size < 1e7; size *= 1e6) {
+            bat_curve *pair[2] = {NULL, NULL};
+            double x[12];
+            for (int k = 0; k < 12; k++) x[k] = size * rows[i].x[k];
+            assert_int_equal(bat_curve_create_clamped(2, 3, 4, x, &pair[0]), BAT_OK);
+            assert_int_equal(bat_curve_create_clamped(2, 1, 2, x + 8, &pair[1]), BAT_OK);
+            int sums[2] = {0, 0};
+            for (int k = 0; k < 2; k++) {
+                bat_meeting met;
+                assert_int_equal(bat_curve_intersect(pair[k], pair[1 - k], size * rows[i].tolerance, &met),
+                                 BAT_OK);
+                assert_int_equal(met.count, rows[i].count);
+                for (size_t n = 0; n < met.count; n++) {
+                    assert_int_equal(met.crossings[n].kind, BAT_CONTACT_CROSSES);
+                    sums[k] += met.crossings[n].sign;
+                }
+                bat_meeting_free(&met);
+            }
+            assert_true(abs(sums[0]) == rows[i].sum && sums[1] == -sums[0]);
+            bat_curve_free(pair[0]);
+            bat_curve_free(pair[1]);
+        }
+}
+
+/* ---- what is refused ---- */
 
 static void bad_arguments(void **state) {
     (void)state;
@@ -645,6 +712,7 @@ int main(void) {
         cmocka_unit_test(curves_run_over_themselves),
         cmocka_unit_test(own_crossings_are_those_of_fine_polylines),
         cmocka_unit_test(hairpins_cross_twice),
+        cmocka_unit_test(bends_within_the_tolerance_keep_their_sides),
         cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
