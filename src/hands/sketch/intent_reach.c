@@ -7,7 +7,7 @@
 
 enum { PROBES = 5, NEIGHBOURS = 64 };             /* so many lines beside one tell how far apart they lie */
 static const double parallel = 0.906307787036650; /* cosine of 25 degrees */
-static const double neighbour_most = 60, twin = 1.5; /* px; the first grows with large strokes */
+static const double neighbour_most = 60, twin = 1.5; /* px; the first by the size of the stroke */
 static const double as_long = 0.8; /* of the line: a stroke beside so much of it is rather a second one */
 static const double touches = 0.1; /* of the smaller of stroke and line: so near they touch */
 
@@ -50,7 +50,7 @@ double bat_intent_leave(const bat_intent *intent, const bat_foot *foot, int side
     const double a = intent->hook + (side ? intent->length : 0);
     const double *p = intent->p + (side ? 2 * (size_t)(intent->places - 1) : 0);
     double u[2];
-    bat_intent_heading(intent, a, fmin(10 * fmax(1, bat_intent_coarse(intent->size)), intent->length / 3), u);
+    bat_intent_heading(intent, a, fmin(10 * bat_intent_coarse(intent->size), intent->length / 3), u);
     const double sine = ((p[0] - foot->x[0]) * u[0] + (p[1] - foot->x[1]) * u[1]) / foot->d * (side ? 1 : -1);
     return 2 * fmin(foot->d, bat_intent_reach_most(intent, intent->size)) * fmax(0, sine);
 }
@@ -74,7 +74,7 @@ static double parallel_distance(const bat_polyline *line, const double p[2], con
 /* How far the next line lies that runs along this one, where the stroke is. */
 static double spacing(const bat_intent *intent, int index) {
     const bat_intent_near *near = &intent->line[index];
-    const double most = neighbour_most * fmax(1, bat_intent_coarse(intent->size));
+    const double most = neighbour_most * bat_intent_coarse(intent->size);
     double found[PROBES];
     for (int k = 0; k < PROBES; k++) {
         const int i = (int)((intent->places - 1) * (0.1 + 0.2 * k) + 0.5);
@@ -171,7 +171,7 @@ bool bat_intent_open(bat_intent *intent, int index, int end) {
     if (near->among[end] == intent->line_count) return near->open[end];
     const double *x = near->line.x + (end ? 2 * (size_t)(near->line.count - 1) : 0);
     const double *other = near->line.x + (end ? 0 : 2 * (size_t)(near->line.count - 1));
-    const double joint = INTENT_JOINT * fmax(1, bat_intent_coarse(bat_intent_size(near)));
+    const double joint = INTENT_JOINT * bat_intent_coarse(bat_intent_size(near));
     bool open = bat_hypot(x[0] - other[0], x[1] - other[1]) > joint;
     for (int j = 0; j < intent->line_count && open; j++) {
         const bat_polyline *line = &intent->line[j].line;

@@ -11,13 +11,13 @@
 
 enum { CHAIN_MOST = 12, STATES = 2 * CHAIN_MOST, STAY = 255 };
 static const double step_price = 3, part_least = 10, part_share = 0.08,
-                    cut_reach = 24; /* px; for large strokes more */
+                    cut_reach = 24; /* px; by the size of the stroke */
 
 /* Curves that touch one another near the stroke. State: curve and sense, 2 i + against. */
 typedef struct chain {
     int count, line[CHAIN_MOST];
     double end[CHAIN_MOST][2][2]; /* points */
-    double coarse;                /* how many times as large as most; 1 at least */
+    double coarse;                /* how many times as large as most */
     double reach, least;          /* of a part: length */
 } chain;
 
@@ -63,7 +63,7 @@ static void take(const bat_intent *intent, chain *c, int line) {
 
 static bat_status gather(bat_intent *intent, chain *c) {
     c->count = 0;
-    c->coarse = fmax(1, bat_intent_coarse(intent->size));
+    c->coarse = bat_intent_coarse(intent->size);
     c->reach = bat_intent_reach_whole(intent);
     c->least = fmax(part_least * bat_intent_coarse(intent->size), part_share * intent->length);
     for (int i = 0; i < intent->line_count; i++) {
