@@ -58,7 +58,7 @@ test('it is offered only for a curve that had another shape, and nothing lies ov
       await page.locator('.chips input').waitFor();
       const first = await lies(page);
       for (const amount of [0, 0.5]) {
-        await page.evaluate((share) => { batten.engine.refit(share, true); batten.wake(); }, amount);
+        await page.evaluate((share) => { batten.engine.refit(0, share, true); batten.wake(); }, amount);
         await settle(page);
         await settle(page);
         const { shape, row, chips, stage } = await lies(page);

@@ -166,14 +166,9 @@ export class Engine extends Instance {
       { at: [0, 0], chosen: -1, amount: -1, words: [] });
   }
 
-  /** @param {number} amount @param {boolean} done @returns {boolean} */
-  refit(amount, done) {
-    return this.act('editor_refit', amount, Number(done));
-  }
-
-  /** The same with the second slider. @param {number} amount @param {boolean} done @returns {boolean} */
-  refitOther(amount, done) {
-    return this.act('editor_refit_other', amount, Number(done));
+  /** @param {number} slider 0 or 1 @param {number} amount @param {boolean} done @returns {boolean} */
+  refit(slider, amount, done) {
+    return this.act(slider ? 'editor_refit_other' : 'editor_refit', amount, Number(done));
   }
 
   /** @param {number} reading @returns {boolean} */

@@ -3,7 +3,8 @@
 import { want } from '../page/build.js';
 import { Changed } from './server.js';
 import { isNative, isPlain, isQuick, readInto } from '../engine/reading.js';
-import { Anew, counted, word } from '../page/words.js';
+import { counted, word } from '../page/words.js';
+import { overOwn, written } from './writing.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 /** @typedef {import('../page/notice.js').Notices} Notices */
@@ -22,7 +23,6 @@ import { Anew, counted, word } from '../page/words.js';
 const SVG = 'image/svg+xml';
 const JSON_TYPE = 'application/json';
 const PATIENCE = 500; // milliseconds of a save before it is said that it is under way
-const LIGHT = 1 << 18; // bytes of a journal: what it makes is written at once, while the page waits
 
 /** @param {import('../engine/losses.js').Losses} losses */
 export const totalOf = (losses) => Object.values(losses).reduce((sum, count) => sum + count, 0);
@@ -247,7 +247,7 @@ export class Files {
       slow = setTimeout(() => this.notices.ask('saving', word('shell.saving.help', this.name), [], true), PATIENCE);
       // Another drawing may be opened meanwhile.
       const { place, engine: { drawing } } = this;
-      const bytes = await (over ? this.#written(native) : this.#over(native));
+      const bytes = await (over ? written(this.engine, native) : overOwn(this, native));
       if (!bytes) {
         return;
       }
@@ -270,44 +270,6 @@ export class Files {
       this.saving = false;
       this.wake();
     }
-  }
-
-  /** What its own file is to hold; null: that would have to be written anew, which the user does not want. @param {boolean} native */
-  async #over(native) {
-    try {
-      return await this.#written(native, !this.anew);
-    } catch (error) {
-      if (!(error instanceof Anew)) {
-        throw error;
-      }
-      const { askAnew } = await want(import('../sheets/losses.js'));
-      const answer = await askAnew(this.name, this.engine.losses);
-      if (answer === 'copy') {
-        await this.download(false);
-      }
-      this.anew = answer === 'save';
-      return this.anew ? this.#written(native) : null;
-    }
-  }
-
-  /**
-   * The drawing as the bytes of a file: made at once if that takes no time, else while the page goes on.
-   * @param {boolean} native @param {boolean} [kept] as of Engine.save
-   */
-  async #written(native, kept = false) {
-    const { drawing } = this.engine;
-    if (this.engine.journal.length > LIGHT) {
-      try {
-        const { writeApart } = await want(import('./apart.js'));
-        return await writeApart(this.engine, native, kept);
-      } catch (error) {
-        if (error instanceof Anew || drawing !== this.engine.drawing) {
-          throw error;
-        }
-        console.error(error); // no memory for a copy, or no worker
-      }
-    }
-    return this.engine.save(native, kept);
   }
 
   /** Tells the user at once that the file changed on disk, not at the next save. @param {string} tag of the file now */
@@ -366,7 +328,7 @@ export class Files {
   async download(native = isNative(this.name), again = () => void this.download(native)) {
     try {
       const { name } = this;
-      this.deliver(await this.#written(native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG, name);
+      this.deliver(await written(this.engine, native), native ? 'batten' : 'svg', native ? JSON_TYPE : SVG, name);
       this.notices.over('uncopied');
       return true;
     } catch (error) {

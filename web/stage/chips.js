@@ -41,7 +41,7 @@ export class Chips {
     this.around = undefined;
     this.points = document.createElement('output');
     /** A slider for each end, where there are two. */
-    this.sliders = [this.#gauge((amount, done) => engine.refit(amount, done)), this.#gauge((amount, done) => engine.refitOther(amount, done))];
+    this.sliders = [0, 1].map((slider) => this.#gauge((amount, done) => engine.refit(slider, amount, done)));
     this.sliders[0].box.append(this.points);
     /** What can be typed, by property. @type {Map<string, Measure>} */
     this.fields = new Map();
