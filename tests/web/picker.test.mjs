@@ -81,6 +81,8 @@ test('a colour by the pen, by keys and by numbers, each one step', async () => {
     assert.deepEqual(await violations(page, rulesIn(colorScheme)), []);
     await page.screenshot({ path: path.join(SCREENSHOTS, `picker-${colorScheme}.png`) });
   });
+  const [sheet, rail] = await Promise.all(['#picker-sheet', '#rail'].map((one) => page.locator(one).boundingBox()));
+  assert.ok(sheet.x >= rail.x + rail.width, 'it lies over no tool');
   const box = await page.locator('#picker-sheet .plane').boundingBox();
   const across = (x, y) => [box.x + x * box.width, box.y + y * box.height];
   // What is dragged is seen at once, and nothing changes until the pen is lifted.

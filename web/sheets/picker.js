@@ -167,13 +167,16 @@ class Picker {
     this.plane.focus();
   }
 
-  /** Beside what asked for it, within the window. @param {DOMRect} at */
+  /** Left of what asked for it, and where there is no room beside the rail, below; within the window. @param {DOMRect} at */
   #place(at) {
     const { width, height } = this.box.getBoundingClientRect();
+    const stage = document.getElementById('stage')?.getBoundingClientRect() ?? at;
     const scale = /** @type {any} */ (this.box).currentCSSZoom ?? 1;
-    const left = at.left - width - EDGE < EDGE ? at.right + EDGE : at.left - width - EDGE;
-    this.box.style.setProperty('left', `${Math.max(EDGE, Math.min(left, innerWidth - width - EDGE)) / scale}px`);
-    this.box.style.setProperty('top', `${Math.max(EDGE, Math.min(at.top, innerHeight - height - EDGE)) / scale}px`);
+    const most = innerWidth - width - EDGE;
+    const left = Math.max(EDGE, Math.min(Math.max(at.left - width - EDGE, stage.left + EDGE), most));
+    const top = left + width > at.left ? at.bottom + EDGE : at.top;
+    this.box.style.setProperty('left', `${left / scale}px`);
+    this.box.style.setProperty('top', `${Math.max(EDGE, Math.min(top, innerHeight - height - EDGE)) / scale}px`);
   }
 
   /** As the property has it. */
