@@ -31,39 +31,47 @@ static size_t find_places(const bat_curve *curve, bat_command_id at, size_t room
     return first + bat_curve_extremes(curve, 1, rest, rest ? u + first : NULL);
 }
 
-/* The curve with a point on it at u; NULL in *out: there is one. */
-static bat_status with_node(const bat_curve *curve, double u, bat_curve **out) {
-    double domain[2], knot;
-    const int degree = bat_curve_degree(curve);
-    bat_curve_domain(curve, domain);
-    const double period = domain[1] - domain[0], near = SAME * period;
-    *out = NULL;
-    if (bat_curve_is_closed(curve) && domain[1] - u <= near) u -= period; /* the seam */
-    if (bat_knot_near(curve, u, &knot) && fabs(knot - u) <= near) u = knot;
-    const int more = degree - bat_knot_held(curve, u);
-    const bool inside = bat_curve_is_closed(curve) || (u - domain[0] > near && domain[1] - u > near);
-    return more > 0 && inside ? bat_curve_insert_knot(curve, u, more, out) : BAT_OK;
+static int ascending(const void *a, const void *b) {
+    const double *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+/* The place itself, or the knot that is there; at the seam the start of the domain. */
+static double place_of(const bat_curve *curve, double u, double near) {
+    const double *t = curve->knots, start = t[curve->degree], end = t[curve->spread];
+    if (curve->closed && end - u <= near) u -= end - start;
+    const int i = bat_span(curve, fmax(u, start), -1);
+    return u - t[i] <= near ? t[i] : t[i + 1] - u <= near ? t[i + 1] : u;
+}
+
+/* The knots that put points on the curve at places; their number. At most as often as the degree for each. */
+static size_t knots_for(const bat_curve *curve, size_t count, double *places, double *knots) {
+    const double start = curve->knots[curve->degree], end = curve->knots[curve->spread];
+    const double near = SAME * (end - start);
+    size_t made = 0;
+    for (size_t i = 0; i < count; i++) places[i] = place_of(curve, places[i], near);
+    qsort(places, count, sizeof *places, ascending);
+    for (size_t i = 0; i < count; i++) {
+        const double u = places[i];
+        const bool inside = curve->closed || (u - start > near && end - u > near);
+        if (!inside || (i > 0 && u - places[i - 1] <= near)) continue;
+        for (int more = curve->degree - bat_knot_held(curve, u); more > 0; more--) knots[made++] = u;
+    }
+    return made;
 }
 
 static bat_status with_nodes(void *context, const bat_curve *curve, bat_curve **out) {
     noding *n = context;
     const size_t count = find_places(curve, n->at, 0, NULL);
-    double *u = malloc((count + 1) * sizeof *u);
-    bat_curve *made = NULL;
-    bat_status status = u ? bat_curve_copy(curve, &made) : BAT_MEMORY;
-    if (u) (void)find_places(curve, n->at, count, u);
-    for (size_t i = 0; i < count && status == BAT_OK; i++) {
-        bat_curve *more;
-        status = with_node(made, u[i], &more);
-        if (status != BAT_OK || !more) continue;
-        bat_curve_free(made);
-        made = more, n->added++;
-    }
-    free(u);
-    if (status == BAT_OK)
-        *out = made;
-    else
-        bat_curve_free(made);
+    double *places = malloc((1 + (size_t)curve->degree) * (count + 1) * sizeof *places);
+    if (!places) return BAT_MEMORY;
+    (void)find_places(curve, n->at, count, places);
+    double *knots = places + count;
+    const size_t made = knots_for(curve, count, places, knots);
+    for (size_t i = 0; i < made; i++) n->added += i == 0 || knots[i] != knots[i - 1];
+    const bat_status status = made > 0 ? bat_curve_insert_knots(curve, (int)made, knots, out)
+                                       : bat_curve_copy(curve, out);
+    free(places);
     return status;
 }
 

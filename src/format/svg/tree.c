@@ -142,7 +142,7 @@ bat_status bat_svg_tree_open(bat_svg_tree *tree, const char *name, const char *c
     const sort *found = sort_of(tree, name, &local);
     made.kind = (uint8_t)found->kind;
     made.loss = (uint8_t)found->loss;
-    made.type = found >= sorts && found < sorts + TYPES - 1 ? (uint8_t)(1 + (found - sorts)) : 0;
+    made.type = found->name[0] ? (uint8_t)(1 + (found - sorts)) : 0; /* those beyond the table have none */
     made.name = keep(tree, local);
     for (size_t i = 0; i < 2 * count; i++)
         tree->attributes[tree->attribute_count++] = keep(tree, attributes[i]);

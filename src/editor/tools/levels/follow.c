@@ -13,13 +13,13 @@
 #include <stdlib.h>
 
 /* The objects as they were, and the level's curve. */
-struct bat_followers {
+struct bat_bent_along {
     int count;
     bat_object **before; /* retained; the bent curve's own among them, if it has islands */
     bat_curve *outline, *finest;
 };
 
-void bat_followers_free(bat_followers *f) {
+void bat_bent_along_free(bat_bent_along *f) {
     if (!f) return;
     for (int i = 0; i < f->count; i++) bat_object_release(f->before[i]);
     free(f->before);
@@ -35,12 +35,12 @@ static bool is_plain(const bat_object *object) {
     return true;
 }
 
-static bool is_island(const bat_followers *f, const bat_object *object, int k, int bent) {
+static bool is_island(const bat_bent_along *f, const bat_object *object, int k, int bent) {
     return k != bent && !bat_object_shape(object, k) &&
            bat_curve_is_inside(bat_object_curve(object, k), f->finest);
 }
 
-static bool goes_along(const bat_context *c, const bat_followers *f, int index) {
+static bool goes_along(const bat_context *c, const bat_bent_along *f, int index) {
     const bat_leveling *l = bat_leveling_of(c);
     const bat_object *object = bat_document_at(c->session->document, index);
     if (bat_seen_out_of_reach(c, index)) return false;
@@ -50,13 +50,13 @@ static bool goes_along(const bat_context *c, const bat_followers *f, int index) 
     return false;
 }
 
-bat_status bat_followers_gather(bat_context *c, bat_followers **out) {
+bat_status bat_bent_along_gather(bat_context *c, bat_bent_along **out) {
     const bat_shape *shape = bat_leveling_shape(c);
     const bat_curve *outline = bat_shape_curve(shape, bat_leveling_of(c)->level);
     int *members = NULL, count = 0;
     *out = NULL;
     if (bat_curve_dimension(outline) != 2) return BAT_OK;
-    bat_followers *f = calloc(1, sizeof *f);
+    bat_bent_along *f = calloc(1, sizeof *f);
     bat_status status = f ? bat_arrange_members(c, &members, &count) : BAT_MEMORY;
     if (status == BAT_OK) f->before = calloc((size_t)count + 1, sizeof *f->before);
     if (status == BAT_OK && !f->before) status = BAT_MEMORY;
@@ -67,7 +67,7 @@ bat_status bat_followers_gather(bat_context *c, bat_followers **out) {
             f->before[f->count++] = bat_object_retain(bat_document_at(c->session->document, members[i]));
     free(members);
     if (status != BAT_OK || f->count == 0) {
-        bat_followers_free(f);
+        bat_bent_along_free(f);
         return status == BAT_STATE ? BAT_OK : status;
     }
     *out = f;
@@ -84,7 +84,8 @@ static bat_status bent(void *context, const bat_curve *curve, bat_curve **out) {
 }
 
 /* The islands of the bent curve's own object. */
-static bat_status move_islands(bat_context *c, const bat_followers *f, const bat_object *before, bending *b) {
+static bat_status move_islands(bat_context *c, const bat_bent_along *f, const bat_object *before,
+                               bending *b) {
     const bat_leveling *l = bat_leveling_of(c);
     bat_status status = BAT_OK;
     for (int k = 0; k < bat_object_curve_count(before) && status == BAT_OK; k++) {
@@ -96,7 +97,7 @@ static bat_status move_islands(bat_context *c, const bat_followers *f, const bat
     return status;
 }
 
-bat_status bat_followers_move(bat_context *c, const bat_followers *f) {
+bat_status bat_bent_along_move(bat_context *c, const bat_bent_along *f) {
     const bat_leveling *l = bat_leveling_of(c);
     const bat_shape *shape = bat_leveling_shape(c);
     if (!f || !shape) return BAT_OK;

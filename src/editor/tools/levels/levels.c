@@ -129,7 +129,7 @@ static void tell(bat_context *c, bat_status status) {
 
 static void release(bat_leveling *l) {
     bat_shape_live_cancel(l->live);
-    bat_followers_free(l->followers);
+    bat_bent_along_free(l->followers);
     bat_relief_free(l->carved);
     l->live = NULL, l->followers = NULL, l->carved = NULL;
     l->pressed = l->dragging = l->due = false;
@@ -175,7 +175,7 @@ static void drag(bat_context *c) {
     bat_shape *shape = NULL;
     bat_status status = edited(c, l->live, &l->grip, delta, &shape);
     if (status == BAT_OK) status = bat_leveling_put(c, shape);
-    if (status == BAT_OK) status = bat_followers_move(c, l->followers);
+    if (status == BAT_OK) status = bat_bent_along_move(c, l->followers);
     if (status == BAT_TOLERANCE)
         tell(c, status); /* it stays where it came to */
     else if (status != BAT_OK)
@@ -224,7 +224,7 @@ static void begin_drag(bat_context *c) {
         return;
     }
     bat_status status = shape ? bat_shape_live_begin(shape, l->level, &l->live) : bat_relief_grip(c);
-    if (status == BAT_OK && shape) status = bat_followers_gather(c, &l->followers);
+    if (status == BAT_OK && shape) status = bat_bent_along_gather(c, &l->followers);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         release(l);
@@ -344,17 +344,17 @@ static bat_status step(bat_context *c, int direction) {
 
 /* As one step; takes the shape over, whatever it returns. */
 static bat_status commit_with_followers(bat_context *c, bat_shape *shape) {
-    bat_followers *followers = NULL;
-    bat_status status = bat_followers_gather(c, &followers);
+    bat_bent_along *followers = NULL;
+    bat_status status = bat_bent_along_gather(c, &followers);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         bat_shape_free(shape);
     } else {
         status = bat_leveling_put(c, shape);
-        if (status == BAT_OK) status = bat_followers_move(c, followers);
+        if (status == BAT_OK) status = bat_bent_along_move(c, followers);
         status = bat_transaction_end(c, status, BAT_STRING_STEP_LEVEL_POINT);
     }
-    bat_followers_free(followers);
+    bat_bent_along_free(followers);
     return status;
 }
 
@@ -556,7 +556,7 @@ static const char *check(const bat_context *c, const void *state) {
 static void begin(void *state) { ((bat_leveling *)state)->chosen = -1; }
 
 static void end(void *state) {
-    bat_followers_free(((bat_leveling *)state)->followers);
+    bat_bent_along_free(((bat_leveling *)state)->followers);
     bat_leveling_free(state);
 }
 

@@ -39,14 +39,14 @@ typedef struct bat_leveling {
     /* between down and up */
     bool pressed, dragging, due;
     bat_handle grip;
-    double start[2], at[2];          /* view pixels */
-    bool fading;                     /* a fader is being dragged and holds the transaction */
-    bat_ladder base;                 /* the levels before the fader was moved, owned */
-    bat_shape_live *live;            /* the drag's session, owned */
-    struct bat_followers *followers; /* what goes along, owned; NULL: nothing */
-    bat_relief *carved;              /* a surface's levels before the drag, owned */
-    double place[2];                 /* u and v of what is dragged of it */
-    double normal[2];                /* of a curve in the plane, where it is dragged; 0: it has none there */
+    double start[2], at[2];           /* view pixels */
+    bool fading;                      /* a fader is being dragged and holds the transaction */
+    bat_ladder base;                  /* the levels before the fader was moved, owned */
+    bat_shape_live *live;             /* the drag's session, owned */
+    struct bat_bent_along *followers; /* what goes along, owned; NULL: nothing */
+    bat_relief *carved;               /* a surface's levels before the drag, owned */
+    double place[2];                  /* u and v of what is dragged of it */
+    double normal[2];                 /* of a curve in the plane, where it is dragged; 0: it has none there */
 
     bat_ladder apart; /* the curve or surface taken apart, a preview until Enter or Esc; owned */
     uint64_t apart_revision;
@@ -98,10 +98,10 @@ void bat_leveling_pin(bat_context *c, double u);
 void bat_leveling_show_pins(const bat_context *c, bat_overlay *list);
 /* follow.c: what goes along with the chosen curve when its level is bent; *out NULL: nothing. Within the transaction, after the
  * curve has its new shape: moves it from where it was. */
-typedef struct bat_followers bat_followers;
-bat_status bat_followers_gather(bat_context *c, bat_followers **out);
-bat_status bat_followers_move(bat_context *c, const bat_followers *followers);
-void bat_followers_free(bat_followers *followers);
+typedef struct bat_bent_along bat_bent_along;
+bat_status bat_bent_along_gather(bat_context *c, bat_bent_along **out);
+bat_status bat_bent_along_move(bat_context *c, const bat_bent_along *followers);
+void bat_bent_along_free(bat_bent_along *followers);
 /* Ends a fader drag and reverts it; false: there was none. */
 bool bat_leveling_let_go(bat_context *c);
 /* The version of the strip's contents; 0: the strip is not visible. */
