@@ -111,6 +111,9 @@ bat_status bat_curve_from_chain(int dimension, int degree, bool closed, int segm
                                 double *error);
 /* Euclidean distance of two points. */
 double bat_distance(const double *a, const double *b, int size);
+/* Whether the line between two points of the plane crosses what lies to the right of `at`, which is inside a polygon where an
+ * odd number of its sides do. */
+bool bat_is_beside(const double at[2], const double from[2], const double to[2]);
 /* Angle by which a polygon turns at a point, 0..pi; 4 when a side has no length. */
 double bat_turn(const double *before, const double *at, const double *after, int size);
 /* Does the curve's tangent turn by more than `angle` at the knot whose last copy is stored knot r

@@ -8,6 +8,11 @@ double bat_distance(const double *a, const double *b, int size) {
     return d;
 }
 
+bool bat_is_beside(const double at[2], const double from[2], const double to[2]) {
+    return (from[1] > at[1]) != (to[1] > at[1]) &&
+           at[0] < from[0] + (at[1] - from[1]) / (to[1] - from[1]) * (to[0] - from[0]);
+}
+
 double bat_turn(const double *before, const double *at, const double *after, int size) {
     double in = bat_distance(before, at, size), out = bat_distance(at, after, size), sum = 0, difference = 0;
     if (in == 0 || out == 0) return 4;

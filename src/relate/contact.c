@@ -242,11 +242,9 @@ static bool is_straight(const course *c, double u, double reach) {
 }
 
 /* A single place where the directions are plainly not parallel, nor anywhere near. */
-static bool is_plain(const track t[2], const bat_touching *c, double gap, double *turn) {
+static bool is_plain(const track t[2], const bat_touching *c, double gap) {
     if (!c->exact || !c->alone) return false;
-    const vec across = across_at(t, &c->at);
-    *turn = across.z;
-    return vec_norm(across) > PLAIN && is_straight(&t[0].own, c->at.u, gap / PLAIN) &&
+    return vec_norm(across_at(t, &c->at)) > PLAIN && is_straight(&t[0].own, c->at.u, gap / PLAIN) &&
            is_straight(&t[1].own, c->at.v, gap / PLAIN);
 }
 
@@ -279,12 +277,11 @@ static bool is_steady(const course *c, double from, double over, double to, doub
  * one that keeps its direction there tells. Where neither does and the two differ it is no crossing. */
 static void give_kind(const track t[2], bat_touching *c, const double clear[2][2], const double next[2],
                       double gap) {
-    double turn = 0;
     int sign[2];
     const bool plane = bat_curve_dimension(t[0].own.curve) == 2;
     c->at.kind = BAT_CONTACT_CROSSES, c->at.sign = 0;
-    if (is_plain(t, c, gap, &turn)) {
-        if (plane) c->at.sign = turn > 0 ? 1 : -1;
+    if (is_plain(t, c, gap)) {
+        if (plane) c->at.sign = c->turn;
         return;
     }
     const bat_crossing *e = c->ends;
@@ -321,13 +318,14 @@ size_t bat_contacts_settle(const bat_curve *a, const bat_curve *b, double gap, s
     const course x = course_of(a, gap), y = course_of(b, gap);
     const track both[2] = {{x, y}, {y, x}};
     const size_t kept = group(both, all, count, gap);
+    const bool goes_on = x.round && kept > 1; /* from the last contact to the first */
     for (size_t i = 0; i < kept; i++) {
         double before[2], after[2];
         clearance(both, all + (i + kept - 1) % kept, all + i, before);
         clearance(both, all + i, all + (i + 1) % kept, after);
         const double near = fmin(before[1], after[1]); /* along b either may come first */
-        const double next[2] = {i > 0 || (x.round && kept > 1) ? before[0] : INFINITY,
-                                i + 1 < kept || (x.round && kept > 1) ? after[0] : INFINITY};
+        const double next[2] = {i > 0 || goes_on ? before[0] : INFINITY,
+                                i + 1 < kept || goes_on ? after[0] : INFINITY};
         give_kind(both, all + i, (const double[2][2]){{before[0], after[0]}, {near, near}}, next, gap);
     }
     return kept;

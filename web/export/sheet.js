@@ -39,7 +39,7 @@ function last() {
 /** @param {string} name */
 const formatOf = (name) => FORMATS.find(({ of }) => of === name) ?? FORMATS[0];
 
-/** Whether each piece can be a file of its own: not in space, where they belong together, and not where the browser prints. @param {string} name */
+/** Whether it is one file, whatever it holds: in space, where pieces belong together, and where the browser prints. @param {string} name */
 const single = (name) => Boolean(formatOf(name).space) || name === 'pdf';
 
 /**

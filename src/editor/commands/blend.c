@@ -3,6 +3,7 @@
  * over the drawing while continuity and tension are chosen; kept, it is one step. The nearest ends are meant.
  */
 #include "base/real.h"
+#include "curve/curve.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/beside.h"
@@ -60,7 +61,7 @@ static void place_of(const bat_curve *curve, bool last, double at[3]) {
 static double gap(const bat_curve *a, bool a_last, const bat_curve *b, bool b_last) {
     double from[3], to[3];
     place_of(a, a_last, from), place_of(b, b_last, to);
-    return bat_hypot(bat_hypot(from[0] - to[0], from[1] - to[1]), from[2] - to[2]);
+    return bat_distance(from, to, 3);
 }
 
 /* BAT_STATE: not one open curve to blend its ends, nor two. */

@@ -1,5 +1,6 @@
 /* Points where the selected curves turn back or begin to bend the other way: knots as often as points lie on the curve for, so that the
  * shape stays. Curves with levels, and splines, keep what they were made from, and get none. */
+#include "base/order.h"
 #include "curve/curve.h"
 #include "document/document.h"
 #include "editor/edit/arrange.h"
@@ -31,11 +32,6 @@ static size_t find_places(const bat_curve *curve, bat_command_id at, size_t room
     return first + bat_curve_extremes(curve, 1, rest, rest ? u + first : NULL);
 }
 
-static int ascending(const void *a, const void *b) {
-    const double *x = a, *y = b;
-    return (*x > *y) - (*x < *y);
-}
-
 /* The place itself, or the knot that is there; at the seam the start of the domain. */
 static double place_of(const bat_curve *curve, double u, double near) {
     const double *t = curve->knots, start = t[curve->degree], end = t[curve->spread];
@@ -50,7 +46,7 @@ static size_t knots_for(const bat_curve *curve, size_t count, double *places, do
     const double near = SAME * (end - start);
     size_t made = 0;
     for (size_t i = 0; i < count; i++) places[i] = place_of(curve, places[i], near);
-    qsort(places, count, sizeof *places, ascending);
+    qsort(places, count, sizeof *places, bat_ascending); /* no ties that can be told apart */
     for (size_t i = 0; i < count; i++) {
         const double u = places[i];
         const bool inside = curve->closed || (u - start > near && end - u > near);

@@ -1,5 +1,6 @@
 #include "editor/pick/front.h"
 #include "base/vec.h"
+#include "curve/curve.h"
 #include "document/document.h"
 #include "document/kind.h"
 #include "editor/pick/pick.h"
@@ -29,9 +30,7 @@ static bool covers(const bat_context *c, const double *vertices, const int *face
     for (size_t i = 0; i < count; i++) {
         const double *to = vertices + 3 * (ptrdiff_t)face[i];
         if (!bat_stage_look(c->stage, 3, to, now)) return false;
-        if ((was[1] > place[1]) != (now[1] > place[1]) &&
-            place[0] < was[0] + (place[1] - was[1]) / (now[1] - was[1]) * (now[0] - was[0]))
-            within = !within;
+        if (bat_is_beside(place, was, now)) within = !within;
         for (int k = 0; k < 3; k++) {
             const int a = (k + 1) % 3, b = (k + 2) % 3;
             normal[k] += (from[a] - to[a]) * (from[b] + to[b]);
@@ -42,12 +41,12 @@ static bool covers(const bat_context *c, const double *vertices, const int *face
     return within;
 }
 
-/* How deep the mesh is first met at the pixel; INFINITY: not at all. */
-static double mesh_depth(const bat_context *c, const bat_polymesh *mesh, const double pixel[2]) {
+/* How deep the mesh is first met at the pixel, which is at `place` in the picture; INFINITY: not at all. */
+static double mesh_depth(const bat_context *c, const bat_polymesh *mesh, const double pixel[2],
+                         const double place[2]) {
     const bat_ray ray = bat_view_ray(&c->stage->view, pixel);
     const double *vertices = bat_polymesh_vertices(mesh);
-    double place[2], least = INFINITY, normal[3], away[3], at[3];
-    bat_stage_seen(c->stage, pixel, place);
+    double least = INFINITY, normal[3], away[3], at[3];
     for (size_t f = 0; f < bat_polymesh_face_count(mesh); f++) {
         size_t count;
         const int *face = bat_polymesh_face(mesh, f, &count);
@@ -85,7 +84,7 @@ static int shaded_at(const bat_context *c, const double pixel[2], double *depth)
         const bat_object *object = bat_document_at(c->session->document, i); /* the scene has its picture */
         const bat_polymesh *mesh = bat_object_mesh(object);
         const bool surface = bat_object_surface(object) != NULL;
-        const double met = mesh      ? mesh_depth(c, mesh, pixel)
+        const double met = mesh      ? mesh_depth(c, mesh, pixel, place)
                            : surface ? surface_depth(c, object, pixel)
                                      : INFINITY;
         if (met < *depth) *depth = met, found = i;

@@ -1,16 +1,12 @@
 /* Edits of a relief: each is made on a copy, which takes the relief's place when all has gone well. */
 #include "form/relief/relief.h"
 
+#include "curve/curve.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 enum { ROUNDS = 20 };
-
-static bool finite_all(const double *v, size_t n) {
-    for (size_t i = 0; i < n; i++)
-        if (!(fabs(v[i]) <= BAT_COORDINATE_MAX)) return false;
-    return true;
-}
 
 static bat_status check(const bat_relief *relief, int level) {
     if (!relief || level < 0 || level > relief->count) return BAT_ARGUMENT;
@@ -65,8 +61,8 @@ static bat_status move_all(bat_relief *relief, int level, double *deltas) {
     else
         move_details(&edited->levels[level - 1], deltas);
     if (status == BAT_OK && level > 0 &&
-        !finite_all(edited->levels[level - 1].details,
-                    3 * bat_relief_points(edited->levels[level - 1].surface)))
+        !bat_are_coordinates(edited->levels[level - 1].details,
+                             3 * bat_relief_points(edited->levels[level - 1].surface)))
         status = BAT_NUMBER;
     return settle(relief, edited, level, status);
 }
@@ -86,7 +82,7 @@ bat_status bat_relief_move(bat_relief *relief, int level, size_t count, const si
     const size_t n = bat_relief_points(bat_relief_at(relief, level));
     for (size_t i = 0; i < count; i++)
         if (index[i] >= n) return BAT_ARGUMENT;
-    if (!finite_all(deltas, 3 * count)) return BAT_NUMBER;
+    if (!bat_are_coordinates(deltas, 3 * count)) return BAT_NUMBER;
     double *all;
     status = no_deltas(relief, level, &all);
     if (status != BAT_OK) return status;
@@ -153,7 +149,7 @@ static bat_status check_drag(const bat_relief *relief, int level, double u, doub
     bat_status status = check(relief, level);
     if (status != BAT_OK) return status;
     if (!delta) return BAT_ARGUMENT;
-    return isfinite(u) && isfinite(v) && finite_all(delta, 3) ? BAT_OK : BAT_NUMBER;
+    return isfinite(u) && isfinite(v) && bat_are_coordinates(delta, 3) ? BAT_OK : BAT_NUMBER;
 }
 
 bat_status bat_relief_drag(bat_relief *relief, int level, double u, double v, const double delta[3]) {
@@ -270,7 +266,7 @@ static bat_status turn_level(bat_relief *relief, int level, const double *matrix
     free(at->frames);
     at->frames = fresh;
     bat_pole_mean(at->surface, relief->pole, at->details);
-    return finite_all(at->details, 3 * n) ? bat_relief_build(relief, level) : BAT_NUMBER;
+    return bat_are_coordinates(at->details, 3 * n) ? bat_relief_build(relief, level) : BAT_NUMBER;
 }
 
 bat_status bat_relief_transform(bat_relief *relief, const double *matrix) {

@@ -1,15 +1,10 @@
 /* Edits of a shape: each is made on a copy, which takes the shape's place when all has gone well. */
 #include "hands/levels/shape.h"
 
+#include "curve/curve.h"
 #include "curve/frames/walk.h"
 
 #include <stdlib.h>
-
-static bool finite_all(const double *v, size_t n) {
-    for (size_t i = 0; i < n; i++)
-        if (!(fabs(v[i]) <= BAT_COORDINATE_MAX)) return false;
-    return true;
-}
 
 static bat_status check(const bat_shape *shape, int level) {
     return !shape || level < 0 || level > shape->count ? BAT_ARGUMENT : BAT_OK;
@@ -47,7 +42,7 @@ bat_status bat_level_check(const bat_shape *shape, int level, int first, size_t 
         (!curve->closed && first + count > curve->count))
         return BAT_ARGUMENT;
     size_t numbers = (size_t)count * (size_t)curve->dimension;
-    if (!finite_all(deltas, numbers)) return BAT_NUMBER;
+    if (!bat_are_coordinates(deltas, numbers)) return BAT_NUMBER;
     if (level > 0 && bat_level_gain(&shape->levels[level - 1]) == 0) return BAT_STATE;
     *idle = nothing(deltas, numbers);
     return BAT_OK;
@@ -77,7 +72,7 @@ bat_status bat_level_pull(const bat_shape *shape, int level, double u, const dou
     if (!delta) return BAT_ARGUMENT;
     const bat_curve *curve = bat_shape_curve(shape, level);
     int p = curve->degree, size = curve->dimension, n = curve->count;
-    if (!isfinite(u) || !finite_all(delta, (size_t)size)) return BAT_NUMBER;
+    if (!isfinite(u) || !bat_are_coordinates(delta, (size_t)size)) return BAT_NUMBER;
     double basis[BAT_DEGREE_MAX + 1], weight[BAT_DEGREE_MAX + 1] = {0}, square = 0;
     bat_curve_basis(curve, u, first, basis);
     /* A closed curve of few points meets one of them more than once. */
@@ -145,7 +140,7 @@ static void turn_reference(bat_shape_options *o, const double *m, int size) {
 bat_status bat_shape_transform(bat_shape *shape, const double *matrix) {
     if (!shape || !matrix) return BAT_ARGUMENT;
     int size = shape->base->dimension;
-    if (!finite_all(matrix, (size_t)(size * (size + 1)))) return BAT_NUMBER;
+    if (!bat_are_coordinates(matrix, (size_t)(size * (size + 1)))) return BAT_NUMBER;
     double det = bat_affine_determinant(matrix, size);
     if (!(fabs(det) > 0)) return BAT_SINGULAR;
     double factor = size == 2 ? sqrt(fabs(det)) : bat_exp(bat_log(fabs(det)) / 3);

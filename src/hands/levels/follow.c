@@ -51,12 +51,11 @@ bat_status bat_curve_follow(const bat_curve *curve, const bat_curve *before, con
     double *moved = malloc(2 * points * sizeof *moved), domain[2];
     bat_status status = places && moved ? BAT_OK : BAT_MEMORY;
     bat_curve_domain(before, domain);
-    const double step = (domain[1] - domain[0]) / (double)count;
+    const double step = (domain[1] - domain[0]) / (double)count, touching = TOUCHING * bat_curve_size(before);
     for (size_t i = 0; i < count && status == BAT_OK; i++)
         places[i] = place_at(before, after, domain[0] + step * ((double)i + 0.5), step);
     if (status == BAT_OK) memcpy(moved, bat_curve_points(curve), 2 * points * sizeof *moved);
-    for (size_t i = 0; i < points && status == BAT_OK; i++)
-        follow(places, count, TOUCHING * bat_curve_size(before), moved + 2 * i);
+    for (size_t i = 0; i < points && status == BAT_OK; i++) follow(places, count, touching, moved + 2 * i);
     if (status == BAT_OK)
         status = bat_curve_create(2, curve->degree, curve->closed, points, moved, bat_curve_knot_count(curve),
                                   bat_curve_knots(curve), out);
@@ -76,9 +75,7 @@ bool bat_curve_is_inside(const bat_curve *curve, const bat_curve *outline) {
     for (size_t i = 1; i <= count; i++) {
         bat_curve_eval(outline, domain[0] + (domain[1] - domain[0]) * (double)(i % count) / (double)count, 0,
                        now);
-        if ((last[1] > at[1]) != (now[1] > at[1]) &&
-            at[0] < last[0] + (at[1] - last[1]) / (now[1] - last[1]) * (now[0] - last[0]))
-            inside = !inside;
+        if (bat_is_beside(at, last, now)) inside = !inside;
         memcpy(last, now, sizeof last);
     }
     return inside;

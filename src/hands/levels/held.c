@@ -268,20 +268,15 @@ static bat_status remember(holding *h) {
     return BAT_OK;
 }
 
-static bool finite_all(const double *v, size_t n) {
-    for (size_t i = 0; i < n; i++)
-        if (!(fabs(v[i]) <= BAT_COORDINATE_MAX)) return false;
-    return true;
-}
-
 static bat_status check(const bat_shape *shape, int level, double u, const double *delta,
                         const bat_shape_held *held) {
     if (!shape || level < 0 || level > shape->count || !delta || !held ||
         (held->point_count && !held->points) || (held->direction_count && !held->directions))
         return BAT_ARGUMENT;
     if (held->point_count > BAT_HELD_MAX || held->direction_count > BAT_HELD_MAX) return BAT_COUNT;
-    if (!finite_all(delta, (size_t)shape->base->dimension) || !isfinite(u) ||
-        !finite_all(held->points, held->point_count) || !finite_all(held->directions, held->direction_count))
+    if (!bat_are_coordinates(delta, (size_t)shape->base->dimension) || !isfinite(u) ||
+        !bat_are_coordinates(held->points, held->point_count) ||
+        !bat_are_coordinates(held->directions, held->direction_count))
         return BAT_NUMBER;
     if (held->area && !(shape->base->closed && shape->base->dimension == 2)) return BAT_DIMENSION;
     return BAT_OK;

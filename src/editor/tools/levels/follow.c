@@ -1,7 +1,6 @@
 /* The levels tool: islands in a bent outline, and what is selected with it, go along with the level that is bent. Planar plain curves do;
  * those with levels, and splines, stay. */
 #include "document/document.h"
-#include "editor/choice/choice.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/curves_of.h"
 #include "editor/scene/seen.h"
