@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PLACES = 16, GOLDEN_STEPS = 24, PROJECT_STEPS = 8, WALK_STEPS = 120, LOOKS = 4 };
+enum { PLACES = 16, FINE_PLACES = 64, GOLDEN_STEPS = 24, PROJECT_STEPS = 8, WALK_STEPS = 120, LOOKS = 4 };
 
 static const double DOUBTFUL =
     0.5; /* gaps: from here on the greatest distance between two places is looked for */
@@ -120,11 +120,44 @@ static bool runs_along(const track *t, const stretch *s, double gap) {
     return most <= DOUBTFUL * gap || stays_near(t, s, worst, gap);
 }
 
+/* Steps along the one curve from a share of a stretch to another, while the foot on the other one, *v, goes along. Whether all are
+ * within the gap; *worst: where they are farthest. */
+static bool steps_along(const track *t, const stretch *s, const double shares[2], double gap, double *v,
+                        double *worst) {
+    double most = -1;
+    for (int k = 1; k <= FINE_PLACES; k++) {
+        const double share = shares[0] + (shares[1] - shares[0]) * k / FINE_PLACES,
+                     d = away(t, brought_in(&t->own, s->u + share * s->du), v);
+        if (!(d <= gap)) return false;
+        if (d > most) most = d, *worst = share;
+    }
+    return true;
+}
+
+/* Whether a way within the gap leads from one place to another: along the one curve evenly, on the other one to and fro, and at its end
+ * on along the other one alone. */
+static bool leads_to(const track *t, const stretch *s, double gap) {
+    const double end = brought_in(&t->own, s->u + s->du);
+    double v = s->v, worst = 0, other;
+    if (!steps_along(t, s, (const double[2]){0, 1}, gap, &v, &worst)) return false;
+    const double left = way(&t->other, v, brought_in(&t->other, s->v + s->dv));
+    const vec here = point_at(t->own.curve, end);
+    for (int k = 0; k <= FINE_PLACES; k++) {
+        const double on = brought_in(&t->other, v + left * k / FINE_PLACES);
+        if (!(vec_norm(vec_sub(point_at(t->other.curve, on), here)) <= gap)) return false;
+    }
+    double from = fmax(worst - 1.0 / FINE_PLACES, 0);
+    v = s->v;
+    return steps_along(t, s, (const double[2]){0, from}, gap, &v, &other) &&
+           steps_along(t, s, (const double[2]){from, fmin(worst + 1.0 / FINE_PLACES, 1)}, gap, &v, &other);
+}
+
 static bool are_linked(const track t[2], const bat_touching *x, const bat_touching *y, double gap) {
     const stretch there = {x->at.u, way(&t[0].own, x->at.u, y->at.u), x->at.v,
                            way(&t[1].own, x->at.v, y->at.v)};
     const stretch back = {there.v, there.dv, there.u, there.du};
-    return runs_along(&t[0], &there, gap) && runs_along(&t[1], &back, gap);
+    return (runs_along(&t[0], &there, gap) && runs_along(&t[1], &back, gap)) ||
+           leads_to(&t[0], &there, gap) || leads_to(&t[1], &back, gap);
 }
 
 static vec direction_at(const course *c, double u, double *speed) {
@@ -206,21 +239,28 @@ static parting side_of(const track *t, double u, double v) {
     return vec_cross(vec_load(y + size, size), off).z >= 0 ? LEFT : RIGHT;
 }
 
-/* How a curve leaves the gap, from a place on and in a direction. As far as another contact is, `clear`, the steps are short; the
- * next one on this curve is `next` away: where no step before it leaves the gap, it does so between two, where it is farthest. */
-static parting part_from(const track *t, double u, double v, int direction, double clear, double next,
-                         double gap) {
+/* What comes on a curve beyond a contact: as far as `clear` it is another one's, and steps are short; the next one on this curve is
+ * `next` away, and at `foot` on the other curve. */
+typedef struct ahead {
+    double clear, next, foot;
+} ahead;
+
+/* How a curve leaves the gap, from a place on and in a direction. Where no step before the next contact leaves it, it does so between
+ * two, where it is farthest, if the foot has come to that contact, and is not on another strand. */
+static parting part_from(const track *t, double u, double v, int direction, const ahead *beyond, double gap) {
     const int size = bat_curve_dimension(t->own.curve);
+    const double period = t->own.to - t->own.from, left = fabs(way(&t->other, v, beyond->foot));
     double x[2 * BAT_DIMENSION_MAX], gone = 0, far = 0, at = u, foot = v;
-    const double period = t->own.to - t->own.from;
     bat_curve_eval(t->own.curve, u, 1, x);
     const double speed = vec_norm(vec_load(x + size, size));
     double step = fmin(speed > 0 ? gap / speed : period, 1e-6 * period);
     for (int i = 0; i < WALK_STEPS; i++, step *= GROWTH) {
-        const double before = u, most = gone < clear ? fmin(0.125 * period, clear / PLACES) : 0.125 * period;
+        const double before = u, most = gone < beyond->clear ? fmin(0.125 * period, beyond->clear / PLACES)
+                                                             : 0.125 * period;
         u = brought_in(&t->own, u + direction * fmin(step, most)), gone += fmin(step, most);
-        if (gone >= next) return side_of(t, at, foot);
         const double off = away(t, u, &v);
+        if (gone >= beyond->next && fabs(way(&t->other, v, beyond->foot)) <= 0.5 * left)
+            return side_of(t, at, foot);
         if (off > gap) return is_end(&t->other, v) && !t->other.round ? OTHER_END : side_of(t, u, v);
         if (u == before && is_end(&t->own, u)) return OWN_END;
         if (off > far) far = off, at = u, foot = v;
@@ -249,10 +289,10 @@ static bool is_plain(const track t[2], const bat_touching *c, double gap) {
 }
 
 /* The kind as it is seen along one of the curves, from `ends` on; *sign as there. */
-static bat_contact_kind kind_along(const track *t, const double ends[2][2], const double clear[2],
-                                   const double next[2], bool plane, double gap, int *sign) {
-    const parting before = part_from(t, ends[0][0], ends[0][1], -1, clear[0], next[0], gap),
-                  after = part_from(t, ends[1][0], ends[1][1], 1, clear[1], next[1], gap);
+static bat_contact_kind kind_along(const track *t, const double ends[2][2], const ahead beyond[2], bool plane,
+                                   double gap, int *sign) {
+    const parting before = part_from(t, ends[0][0], ends[0][1], -1, &beyond[0], gap),
+                  after = part_from(t, ends[1][0], ends[1][1], 1, &beyond[1], gap);
     *sign = 0;
     if (before == OWN_END && after == OWN_END) return BAT_CONTACT_OVERLAPS;
     if (before >= OWN_END || after >= OWN_END) return BAT_CONTACT_ENDS;
@@ -275,8 +315,7 @@ static bool is_steady(const course *c, double from, double over, double to, doub
 
 /* What is seen along one curve depends on the side of the other, which a tight bend or a small loop within the gap confuses:
  * one that keeps its direction there tells. Where neither does and the two differ it is no crossing. */
-static void give_kind(const track t[2], bat_touching *c, const double clear[2][2], const double next[2],
-                      double gap) {
+static void give_kind(const track t[2], bat_touching *c, const ahead beyond[2][2], double gap) {
     int sign[2];
     const bool plane = bat_curve_dimension(t[0].own.curve) == 2;
     c->at.kind = BAT_CONTACT_CROSSES, c->at.sign = 0;
@@ -287,10 +326,10 @@ static void give_kind(const track t[2], bat_touching *c, const double clear[2][2
     const bat_crossing *e = c->ends;
     const int first = e[0].v <= e[1].v ? 0 : 1;
     const bat_contact_kind along = kind_along(&t[0], (const double[2][2]){{e[0].u, e[0].v}, {e[1].u, e[1].v}},
-                                              clear[0], next, plane, gap, &sign[0]);
+                                              beyond[0], plane, gap, &sign[0]);
     const bat_contact_kind other = kind_along(
-        &t[1], (const double[2][2]){{e[first].v, e[first].u}, {e[1 - first].v, e[1 - first].u}}, clear[1],
-        (const double[2]){INFINITY, INFINITY}, plane, gap, &sign[1]);
+        &t[1], (const double[2][2]){{e[first].v, e[first].u}, {e[1 - first].v, e[1 - first].u}}, beyond[1],
+        plane, gap, &sign[1]);
     c->at.kind = along > other ? along : other; /* crosses, touches, ends, overlaps */
     if (plane && along != other && c->at.kind == BAT_CONTACT_TOUCHES) {
         const bool a = is_steady(&t[0].own, e[0].u, c->at.u, e[1].u, BENDS * gap),
@@ -320,13 +359,15 @@ size_t bat_contacts_settle(const bat_curve *a, const bat_curve *b, double gap, s
     const size_t kept = group(both, all, count, gap);
     const bool goes_on = x.round && kept > 1; /* from the last contact to the first */
     for (size_t i = 0; i < kept; i++) {
+        const bat_touching *back = all + (i + kept - 1) % kept, *on = all + (i + 1) % kept;
         double before[2], after[2];
-        clearance(both, all + (i + kept - 1) % kept, all + i, before);
-        clearance(both, all + i, all + (i + 1) % kept, after);
+        clearance(both, back, all + i, before);
+        clearance(both, all + i, on, after);
         const double near = fmin(before[1], after[1]); /* along b either may come first */
-        const double next[2] = {i > 0 || goes_on ? before[0] : INFINITY,
-                                i + 1 < kept || goes_on ? after[0] : INFINITY};
-        give_kind(both, all + i, (const double[2][2]){{before[0], after[0]}, {near, near}}, next, gap);
+        const ahead beyond[2][2] = {{{before[0], i > 0 || goes_on ? before[0] : INFINITY, back->at.v},
+                                     {after[0], i + 1 < kept || goes_on ? after[0] : INFINITY, on->at.v}},
+                                    {{near, INFINITY, 0}, {near, INFINITY, 0}}};
+        give_kind(both, all + i, beyond, gap);
     }
     return kept;
 }

@@ -14,6 +14,9 @@
 
 enum { DEPTH_MAX = 200, NEWTON_STEPS = 16, GOLDEN_STEPS = 40, PROJECT_STEPS = 4 };
 
+/* Gaps: how far pieces bulge that are taken for straight; where no end is within the gap, but the curves are hardly farther. */
+static const double STRAIGHT = 1.0 / 4, PARTED = 1.0 / 32;
+
 static double dot(const double *a, const double *b, int m) {
     return a[0] * b[0] + a[1] * b[1] + (m == 3 ? a[2] * b[2] : 0);
 }
@@ -157,9 +160,9 @@ static bat_status split(bat_encounter *m, const bat_segment *a, const bat_segmen
     return first ? pair(m, &right, b, depth + 1) : pair(m, a, &right, depth + 1);
 }
 
-/* Both straight within a quarter of the gap, and of like length. */
-static bool are_straight(const bat_segment *a, const bat_segment *b, double gap) {
-    return bat_segment_bulge(a) <= 0.25 * gap && bat_segment_bulge(b) <= 0.25 * gap &&
+/* Both straight within a share of the gap, and of like length. */
+static bool are_straight(const bat_segment *a, const bat_segment *b, double within) {
+    return bat_segment_bulge(a) <= within && bat_segment_bulge(b) <= within &&
            bat_segment_reach(a) <= 2 * bat_segment_reach(b) &&
            bat_segment_reach(b) <= 2 * bat_segment_reach(a);
 }
@@ -178,9 +181,13 @@ static bat_status pair(bat_encounter *m, const bat_segment *a, const bat_segment
         const newton_end end = newton(m, a, b, &candidate);
         if (end != UNKNOWN) return end == FOUND ? add(m, &candidate) : BAT_OK;
     }
-    if (!dots && depth < DEPTH_MAX && !are_straight(a, b, m->gap)) return split(m, a, b, depth);
+    const bool divides = !dots && depth < DEPTH_MAX;
+    if (divides && !are_straight(a, b, STRAIGHT * m->gap)) return split(m, a, b, depth);
     candidate = side_by_side(m, a, b, once);
-    return once && !(candidate.distance <= m->gap) ? BAT_OK : add(m, &candidate);
+    if (candidate.distance <= m->gap) return add(m, &candidate);
+    /* hardly within the gap: what parts two contacts is not taken for one of theirs */
+    if (divides && !once && !are_straight(a, b, PARTED * m->gap)) return split(m, a, b, depth);
+    return once ? BAT_OK : add(m, &candidate);
 }
 
 /* A piece that turns by less than half a turn does not meet itself. */

@@ -115,8 +115,11 @@ class Case:
         self.least, self.most, self.note, self.total = least, most, note, total
 
     def look_closer(self):
-        """Where what was known of two cubics' stretches was too rough: counts them along b, from places that crowd at `centres`."""
-        low, high = sorted(stretches(self.a, self.b, float(self.tolerance) * by, self.centres) for by in (0.9, 1.1))
+        """Where what was known of two cubics' stretches was too rough: counts them along b and along a, from places that crowd at
+        `centres`: two contacts may be one stretch along the one curve."""
+        v, u = zip(*self.centres)
+        low, high = sorted(max(stretches(self.a, self.b, float(self.tolerance) * by, v), stretches(self.b, self.a, float(self.tolerance) * by, u))
+                           for by in (0.9, 1.1))
         self.least, self.most = min(self.roots, low), max(self.roots, high)
 
     def line(self):
@@ -275,7 +278,7 @@ def two_cubics(r):
         if tolerance > 1e-4 * EXTENT or near > 2:
             continue
         return Case(a, b, max(tolerance, 16), least, most, f"{n} roots, {near} near, gap {gap / EXTENT:.3g}", None,
-                    [float(v), *(x for x, _ in met)], n)
+                    [(float(v), float(u)), *met], n)
 
 
 def run(cases):

@@ -590,16 +590,17 @@ static void hairpins_cross_twice(void **state) {
 }
 
 /* Cubics that come back within the tolerance, in a tight bend or a small loop, and lines, whose roots in exact algebra are odd or even
- * in number: so many contacts, of which those with an odd number cross. */
+ * in number: so many contacts, of which those with an odd number cross. The last two have another strand within a contact's reach. */
 static void bends_within_the_tolerance_keep_their_sides(void **state) {
     (void)state;
     static const struct {
         double tolerance;
         size_t count;
-        int sum; /* of the signs, whichever way */
+        int crosses, sum; /* of the signs, whichever way */
         double x[12];
     } rows[] = {
         {8277420270,
+         1,
          1,
          1,
          {-8630027157504, 11301648662528, -12085952249856, -4341076983808, -15234436366336, 15974090801152,
@@ -607,14 +608,17 @@ static void bends_within_the_tolerance_keep_their_sides(void **state) {
         {25388988910,
          1,
          1,
+         1,
          {5801971875840, -14662946324480, -1036181241856, -16983312171008, 10997360754688, -19232158908416,
           1597425516544, 15644349038592, -16497101285768, -42602755424474, 36279456847480, 27765988753190}},
         {495,
+         3,
          3,
          1,
          {8385039826944, -15481818513408, -12186565738496, 12035293315072, 4489687334912, -29352250179584,
           2955165106176, -13115546796032, -16559906622152, -42555651422186, 36216651511096, 27813092755478}},
         {5273720995,
+         1,
          1,
          1,
          {-14821448220672, -4085686992896, -2652364144640, 1870771322880, -10449430380544, 3751072759808,
@@ -623,13 +627,33 @@ static void bends_within_the_tolerance_keep_their_sides(void **state) {
         {10211815310,
          1,
          1,
+         1,
          {-5368034754560, -18060296519680, -8838328680448, -8569036734464, 5354204495872, 4507964932096,
           -4813366362112, -6650097238016, -25941189545560, -35519689229630, 26835368587688, 34849054948034}},
         {2845949440,
          2,
+         2,
          0,
          {-21933931167744, -336237166592, -11995949105152, 8393652568064, 20202230513664, 7890464407552,
           -4808592982016, 7093206515712, -27109873945056, -34643175930008, 25666684188192, 35725568247656}},
+        {24606082635,
+         1,
+         0,
+         0,
+         {3269435457536, -4375901437952, 10519123656704, 2401353859072, -4154677460992, -13360094969856,
+          2766353072128, 3250652053504, -21730168121692, -38677955297531, 31046390011556, 31690788880133}},
+        {17575325180,
+         2,
+         1,
+         1,
+         {6335160385536, 21259184898048, -13788033056768, 14705284939776, -6270324768768, -18103783194624,
+          -2439319584768, 18970122059776, -35275292216132, -28519112226701, 17501265917116, 41849631950963}},
+        {18982986830,
+         2,
+         1,
+         1,
+         {2089843752960, 14493255598080, -22588216967168, -6749610573824, 89066307584, 7268800397312,
+          -18572359303168, 3583920766976, -34284770981912, -29262003152366, 18491787151336, 41106741025298}},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (double size = 1e-6; size < 1e7; size *= 1e6) {
@@ -638,22 +662,54 @@ static void bends_within_the_tolerance_keep_their_sides(void **state) {
             for (int k = 0; k < 12; k++) x[k] = size * rows[i].x[k];
             assert_int_equal(bat_curve_create_clamped(2, 3, 4, x, &pair[0]), BAT_OK);
             assert_int_equal(bat_curve_create_clamped(2, 1, 2, x + 8, &pair[1]), BAT_OK);
-            int sums[2] = {0, 0};
+            int sums[2] = {0, 0}, crosses[2] = {0, 0};
             for (int k = 0; k < 2; k++) {
                 bat_meeting met;
                 assert_int_equal(bat_curve_intersect(pair[k], pair[1 - k], size * rows[i].tolerance, &met),
                                  BAT_OK);
                 assert_int_equal(met.count, rows[i].count);
                 for (size_t n = 0; n < met.count; n++) {
-                    assert_int_equal(met.crossings[n].kind, BAT_CONTACT_CROSSES);
+                    assert_true(met.crossings[n].kind <= BAT_CONTACT_TOUCHES);
+                    crosses[k] += met.crossings[n].kind == BAT_CONTACT_CROSSES;
                     sums[k] += met.crossings[n].sign;
                 }
                 bat_meeting_free(&met);
             }
+            assert_true(crosses[0] == rows[i].crosses && crosses[1] == rows[i].crosses);
             assert_true(abs(sums[0]) == rows[i].sum && sums[1] == -sums[0]);
             bat_curve_free(pair[0]);
             bat_curve_free(pair[1]);
         }
+}
+
+/* A line through the feet of a parabola's hump, which is as high as `height` tolerances: both feet are one contact, which touches, as
+ * long as the hump is within the tolerance. */
+static void humps_beyond_the_tolerance_part_contacts(void **state) {
+    (void)state;
+    static const double heights[] = {0.5, 0.95, 1.07, 1.2, 1.6, 4};
+    for (double size = 1e-6; size < 1e7; size *= 1e6)
+        for (size_t i = 0; i < sizeof heights / sizeof *heights; i++)
+            for (double width = 0.1 * size; width < 0.5 * size; width *= 3) {
+                const double tolerance = 1e-4 * size, height = heights[i] * tolerance, low = -size,
+                             high = size;
+                /* y = height (1 - (x / width)^2), from -size to size */
+                const double end = height * (1 - size / width * (size / width)),
+                             top = height * (1 + size / width * (size / width));
+                bat_curve *hump = NULL, *base = line(low, 0, high, 0);
+                bat_meeting met;
+                assert_int_equal(
+                    bat_curve_create_clamped(2, 2, 3, (double[]){low, end, 0, top, high, end}, &hump),
+                    BAT_OK);
+                for (int turned = 0; turned < 2; turned++) {
+                    assert_int_equal(
+                        bat_curve_intersect(turned ? base : hump, turned ? hump : base, tolerance, &met),
+                        BAT_OK);
+                    assert_int_equal(met.count, heights[i] < 1 ? 1 : 2);
+                    bat_meeting_free(&met);
+                }
+                bat_curve_free(hump);
+                bat_curve_free(base);
+            }
 }
 
 /* ---- what is refused ---- */
@@ -713,6 +769,7 @@ int main(void) {
         cmocka_unit_test(own_crossings_are_those_of_fine_polylines),
         cmocka_unit_test(hairpins_cross_twice),
         cmocka_unit_test(bends_within_the_tolerance_keep_their_sides),
+        cmocka_unit_test(humps_beyond_the_tolerance_part_contacts),
         cmocka_unit_test(bad_arguments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
