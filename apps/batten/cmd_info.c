@@ -6,6 +6,7 @@
 #include "format/json/losses.h"
 
 #include "document/scale.h"
+#include "kinds/primitive.h"
 #include "results.h"
 
 #include "text/number.h"
@@ -41,6 +42,29 @@ static void put_curve(bat_text *text, const bat_curve *curve) {
     bat_text_string(text, "}");
 }
 
+/* What a shape is, and its numbers, as members or in words. */
+static void put_shape(bat_text *text, const bat_primitive *p, bool json) {
+    static const char *const kinds[] = {"rectangle", "ellipse", "polygon"};
+    static const char *const names[] = {"radius", "start", "end", "sides", "depth", "roundness"};
+    double value;
+    bat_text_string(text, json ? "{\"is\":\"" : "    ");
+    bat_text_string(text, kinds[p->kind]);
+    bat_text_string(text, json ? "\"" : "");
+    for (int i = 0; i < BAT_PRIMITIVE_NUMBERS; i++) {
+        char line[64];
+        if (!bat_primitive_get(p, (bat_primitive_number)i, &value)) continue;
+        snprintf(line, sizeof line, json ? ",\"%s\":" : ", %s ", names[i]);
+        bat_text_string(text, line);
+        if (json)
+            bat_text_number(text, value);
+        else {
+            snprintf(line, sizeof line, "%.6g%s", value, i < BAT_PRIMITIVE_DEPTH ? "" : "%");
+            bat_text_string(text, line);
+        }
+    }
+    bat_text_string(text, json ? "}" : "\n");
+}
+
 static void put_object(bat_text *text, const bat_object *object) {
     bat_text_string(text, "{\"id\":");
     bat_text_integer(text, bat_object_id(object));
@@ -52,6 +76,10 @@ static void put_object(bat_text *text, const bat_object *object) {
         put_curve(text, bat_object_curve(object, i));
     }
     bat_text_string(text, "]");
+    if (bat_object_primitive(object)) {
+        bat_text_string(text, ",\"shape\":");
+        put_shape(text, bat_object_primitive(object), true);
+    }
     const bat_width_profile profile = bat_object_widths(object);
     for (size_t i = 0; i < profile.count; i++) {
         bat_text_string(text, i ? ",[" : ",\"widths\":[[");
@@ -161,6 +189,7 @@ static void put_object_lines(bat_text *text, const bat_object *object) {
     bat_text_string(text, line);
     put_name(text, bat_object_name(object)[0] ? bat_object_name(object) : "(no name)");
     bat_text_string(text, "\n");
+    if (bat_object_primitive(object)) put_shape(text, bat_object_primitive(object), false);
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         const bat_curve *curve = bat_object_curve(object, i);
         snprintf(line, sizeof line, "    %s, degree %d, %zu points, %d knots, length %.6g%s\n",

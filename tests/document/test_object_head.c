@@ -10,16 +10,17 @@
 #include <cmocka.h>
 #include <batten/batten.h>
 #include "editor/edit/affine.h"
+#include "kinds/primitive.h"
 #include "support/pen.h"
 #include "support/pictures.h"
 #include "support/random_surface.h"
 #include "support/xml.h"
 
 enum { ID = 12, PARENT = 3, WIRE = 9 };
-static const bat_kind kinds[] = {BAT_KIND_PATH,     BAT_KIND_SPLINE, BAT_KIND_GROUP,  BAT_KIND_LAYER,
-                                 BAT_KIND_SHAPE,    BAT_KIND_IMAGE,  BAT_KIND_GUIDE,  BAT_KIND_PLANE,
-                                 BAT_KIND_SURFACE,  BAT_KIND_CAMERA, BAT_KIND_VIEW,   BAT_KIND_MESH,
-                                 BAT_KIND_SKELETON, BAT_KIND_BOUND,  BAT_KIND_FOREIGN};
+static const bat_kind kinds[] = {BAT_KIND_PATH,     BAT_KIND_SPLINE, BAT_KIND_GROUP,   BAT_KIND_LAYER,
+                                 BAT_KIND_SHAPE,    BAT_KIND_IMAGE,  BAT_KIND_GUIDE,   BAT_KIND_PLANE,
+                                 BAT_KIND_SURFACE,  BAT_KIND_CAMERA, BAT_KIND_VIEW,    BAT_KIND_MESH,
+                                 BAT_KIND_SKELETON, BAT_KIND_BOUND,  BAT_KIND_FOREIGN, BAT_KIND_PRIMITIVE};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {
@@ -54,6 +55,7 @@ static bat_object *bare(bat_kind kind, bat_id id) {
     bat_bone bone;
     bat_take *take = NULL;
     bat_motion *motion = NULL;
+    bat_primitive oval;
     bat_object *wire = NULL;
     bat_wire bound = {.radius = bat_function_of(30), .scale = bat_function_of(1)};
     bat_camera *camera = NULL;
@@ -132,6 +134,10 @@ static bat_object *bare(bat_kind kind, bat_id id) {
         assert_int_equal(
             bat_object_bind(made, 1, &bound, (const bat_object *const *)&wire, NULL, NULL, &object), BAT_OK);
         bat_object_release(wire), bat_object_release(made);
+        break;
+    case BAT_KIND_PRIMITIVE:
+        oval = bat_primitive_ellipse((double[]){10, 20, 110, 60});
+        assert_int_equal(bat_object_create_primitive(id, "", &style, &oval, &object), BAT_OK);
         break;
     case BAT_KIND_PATH:
     case BAT_KIND_SHAPE:

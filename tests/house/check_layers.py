@@ -14,7 +14,7 @@ from sources import sources
 ROOMS = [
     "base", "text", "curve", "curve/frames", "relate", "relate/region", "points", "hands/figures", "hands/sketch", "hands/tangents", "hands/levels", "form/surface", "form/relief", "form/mesh", "form/compare", "form/wire", "form/view", "form/sweep", "form/recipe", "form/camera", "form/motion", "form/trace", "form/sight", "form/shade", "document", "format/json",
     "kinds", "format/native", "format/seen", "format/glyph", "format/svg", "format/svg/write", "format/glif", "format/model", "format/curve", "format/points", "format/obj", "format/dxf", "format/gcode", "format/bvh", "format/stl", "format/threemf", "format/ply", "format/usd", "format/gltf", "format/iges", "format/step", "format", "editor/tables", "editor/session", "editor/view", "editor/input",
-    "editor/choice", "editor/edit", "editor/scene", "editor/pick", "editor/show", "editor/tools",
+    "editor/choice", "editor/edit", "editor/edit/shapes", "editor/scene", "editor/pick", "editor/show", "editor/tools",
     "editor/tools/modes", "editor/tools/keyed", "editor/tools/brushes", "editor/tools/sketch", "editor/tools/tangents", "editor/tools/levels", "editor/tools/surface", "editor/tools/gazes", "editor/tools/points", "editor/tools/width",
     "editor/commands", "editor/panels", "editor",
 ]

@@ -1,4 +1,5 @@
-// Rectangles, ellipses and polygons are dragged with a mouse and a pen; each is selected and an ordinary curve, and undo takes it back.
+// Rectangles, ellipses and polygons are dragged with a mouse and a pen; each is selected and stays a shape whose handles and numbers
+// change it, and undo takes it back.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -39,7 +40,32 @@ for (const [locale, colorScheme, pointerType] of [['en', 'light', 'mouse'], ['ko
     await quiet(page);
     assert.equal(await sides.count(), 0);
     await page.screenshot({ path: path.join(SCREENSHOTS, `shapes-${locale}.png`) });
+    // Handles at the shape, and its numbers: the polygon becomes a star; a number makes it round.
+    await page.keyboard.press('v');
+    await quiet(page);
+    const number = (name) => page.evaluate((which) => batten.engine.number(which), `shape-${name}`);
+    assert.equal(await number('sides'), '6');
+    const depth = (await state(page)).digest;
+    const at = (angle, radius) => [800 + radius * Math.cos(angle), 300 + radius * Math.sin(angle)];
+    const radius = Math.hypot(150, 120), turn = Math.atan2(120, 150) + Math.PI / 6, near = radius * Math.cos(Math.PI / 6);
+    await hand.stroke([at(turn, near), at(turn, near * 0.8), at(turn, near / 2)], { pointerType });
+    await quiet(page);
+    assert.ok(Math.abs(Number(await number('depth')) - 50) < 1, await number('depth'));
+    for (const [name, value] of [['sides', '5'], ['roundness', '30']]) {
+      await page.fill(`#number-shape-${name}`, value);
+      await page.keyboard.press('Enter');
+      await quiet(page);
+    }
+    await page.locator('#stage').focus();
+    await page.screenshot({ path: path.join(SCREENSHOTS, `shapes-star-${locale}.png`) });
+    for (let i = 0; i < 3; i++) {
+      await page.keyboard.press('Control+z');
+    }
+    await quiet(page);
+    assert.equal((await state(page)).digest, depth);
     if (pointerType === 'mouse') {
+      await page.keyboard.press('r');
+      await quiet(page);
       await page.mouse.move(250, 500);
       await page.mouse.down();
       await page.mouse.move(420, 600, { steps: 8 });

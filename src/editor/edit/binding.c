@@ -1,4 +1,5 @@
 #include "editor/edit/binding.h"
+#include "kinds/primitive.h"
 #include "document/bound.h"
 #include "document/document.h"
 #include "document/kind.h"
@@ -148,7 +149,7 @@ static bat_status refine(const bat_object *target, const bundle *b, bat_object *
  * keeps its points. */
 static bat_status stand_in(const bat_object *target, const bundle *b, bat_object **out) {
     *out = NULL;
-    if (bat_object_spline(target)) return bat_object_to_path(target, out);
+    if (bat_object_spline(target) || bat_object_primitive(target)) return bat_object_to_path(target, out);
     return bat_object_surface(target) && !bat_object_hold(target) ? refine(target, b, out) : BAT_OK;
 }
 

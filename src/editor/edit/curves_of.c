@@ -61,19 +61,23 @@ bat_status bat_dash_new(bat_context *c, bat_id id, bat_dashing dashes) {
     return status;
 }
 
+bat_status bat_put_new_curve(bat_context *c, bat_curve *curve, bat_id *id) {
+    const bat_style style = bat_styling_new(c);
+    bat_id parent; /* not a layer where it could not be seen, or not be chosen */
+    bat_arrange_place(c, &parent);
+    *id = bat_document_new_id(c->session->document);
+    const bat_status status = bat_insert_curve(c, *id, &style, parent, curve);
+    return status == BAT_OK ? bat_dash_new(c, *id, bat_styling_dashes(c)) : status;
+}
+
 bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string label, bat_id *id) {
     bat_status status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         bat_curve_free(curve);
         return status;
     }
-    const bat_id made = bat_document_new_id(c->session->document);
-    const bat_style style = bat_styling_new(c);
-    bat_id parent; /* not a layer where it could not be seen, or not be chosen */
-    bat_arrange_place(c, &parent);
-    status = bat_insert_curve(c, made, &style, parent, curve);
-    if (status == BAT_OK) status = bat_dash_new(c, made, bat_styling_dashes(c));
-    status = bat_transaction_end(c, status, label);
+    bat_id made;
+    status = bat_transaction_end(c, bat_put_new_curve(c, curve, &made), label);
     if (status == BAT_OK && id) *id = made;
     return status;
 }

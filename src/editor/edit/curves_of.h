@@ -24,6 +24,8 @@ bat_status bat_insert_curve(bat_context *c, bat_id id, const bat_style *style, b
 /* Gives dashes to an object that was just inserted, within the open transaction. */
 bat_status bat_dash_new(bat_context *c, bat_id id, bat_dashing dashes);
 bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string label, bat_id *id);
+/* The same within a transaction. */
+bat_status bat_put_new_curve(bat_context *c, bat_curve *curve, bat_id *id);
 /* The same, and it alone is selected. */
 bat_status bat_commit_chosen_curve(bat_context *c, bat_curve *curve, bat_string label);
 /* Within a transaction: replaces the object's curve `index` by `curve`; takes ownership of it, whatever it returns. */

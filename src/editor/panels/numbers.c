@@ -5,6 +5,7 @@
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/making.h"
+#include "editor/edit/shapes/primitives.h"
 #include "editor/edit/binding.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/dispatch.h"
@@ -39,6 +40,14 @@ static bool point_now(bat_context *c, double place[2]) {
     return true;
 }
 
+/* Those of shapes that stay shapes are in the order of bat_primitive_number. */
+static bool is_of_shape(bat_number_id id) {
+    return id >= BAT_NUMBER_SHAPE_RADIUS && id <= BAT_NUMBER_SHAPE_ROUNDNESS;
+}
+static bat_primitive_number shape_number(bat_number_id id) {
+    return (bat_primitive_number)(id - BAT_NUMBER_SHAPE_RADIUS);
+}
+
 bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
     double box[4], zero[2], place[2], at;
     bat_unit_origin(c, zero);
@@ -70,6 +79,8 @@ bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
     case BAT_NUMBER_SURFACE_ANGLE: return bat_making_get(c, BAT_MAKING_ANGLE, value);
     default: break;
     }
+    if (is_of_shape(id))
+        return c->choice->selection.count > 0 && bat_primitives_get(c, shape_number(id), value);
     if (!bat_arrange_selection_box(c, box)) return false;
     switch (id) {
     case BAT_NUMBER_X: *value = box[0] - zero[0]; break;
@@ -115,6 +126,7 @@ static bat_status change_point(bat_context *c, int axis, double by) {
 }
 
 static bat_status change(bat_context *c, bat_number_id id, double from, double to) {
+    if (is_of_shape(id)) return bat_primitives_set(c, shape_number(id), to);
     if (id == BAT_NUMBER_SURFACE_TWIST) return bat_making_set(c, BAT_MAKING_TWIST, to);
     if (id == BAT_NUMBER_SURFACE_SCALE) return bat_making_set(c, BAT_MAKING_SCALE, to);
     if (id == BAT_NUMBER_SURFACE_ANGLE) return bat_making_set(c, BAT_MAKING_ANGLE, to);
@@ -131,7 +143,14 @@ static bat_status change(bat_context *c, bat_number_id id, double from, double t
 }
 
 static bool is_angle(bat_number_id id) {
-    return id == BAT_NUMBER_TURN || id == BAT_NUMBER_SURFACE_TWIST || id == BAT_NUMBER_SURFACE_ANGLE;
+    return id == BAT_NUMBER_TURN || id == BAT_NUMBER_SURFACE_TWIST || id == BAT_NUMBER_SURFACE_ANGLE ||
+           id == BAT_NUMBER_SHAPE_START || id == BAT_NUMBER_SHAPE_END;
+}
+
+/* No length, nor an angle. */
+static bool is_bare(bat_number_id id) {
+    return id == BAT_NUMBER_SURFACE_SCALE ||
+           (id >= BAT_NUMBER_SHAPE_SIDES && id <= BAT_NUMBER_SHAPE_ROUNDNESS);
 }
 
 static bat_status enter_property(bat_context *c, const char *name, const char *text) {
@@ -152,7 +171,7 @@ bat_status bat_panel_enter(bat_context *c, const char *name, const char *text) {
     if (id == BAT_NUMBER_COUNT) return enter_property(c, name, text);
     if (bat_toolbox_busy(c) || c->session->transaction.open || !bat_number_now(c, id, &from))
         return BAT_STATE;
-    bat_status status = bat_unit_read(c, text, is_angle(id) || id == BAT_NUMBER_SURFACE_SCALE, &to);
+    bat_status status = bat_unit_read(c, text, is_angle(id) || is_bare(id), &to);
     if (status != BAT_OK) return status;
     if (!(fabs(to) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     if (to == from) return BAT_OK;
@@ -168,7 +187,7 @@ const char *bat_panel_number(bat_context *c, const char *name) {
     *text = 0;
     if (id != BAT_NUMBER_COUNT) {
         if (!bat_number_now(c, id, &value)) return text;
-        if (is_angle(id) || id == BAT_NUMBER_SURFACE_SCALE) {
+        if (is_angle(id) || is_bare(id)) {
             bat_unit_number(value, text);
             if (is_angle(id)) strcat(text, "°");
         } else

@@ -118,7 +118,8 @@ static bat_string frees(const bat_transaction *transaction) {
         if (!before || !after) continue;
         if (bat_object_wires(before, NULL, NULL) > 0 && bat_object_wires(after, NULL, NULL) == 0)
             return BAT_STRING_NOTICE_UNBOUND;
-        if (bat_object_is(before, BAT_MADE) && !bat_object_is(after, BAT_MADE))
+        if (bat_object_is(before, BAT_MADE) && !bat_object_is(before, BAT_PLAIN) &&
+            !bat_object_is(after, BAT_MADE))
             return BAT_STRING_NOTICE_FREED;
         if (bat_object_sources(before, NULL) > 0 && bat_object_sources(after, NULL) == 0)
             return BAT_STRING_NOTICE_SURFACE_FREED;

@@ -6,14 +6,14 @@
  */
 #include "base/real.h"
 #include "document/document.h"
-#include "editor/edit/curves_of.h"
+#include "editor/edit/shapes/primitives.h"
 #include "editor/pick/spot.h"
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/show/overlay.h"
 #include "editor/tools/tool.h"
 #include "editor/view/stage.h"
-#include "hands/figures/outlines.h"
+#include "hands/figures/primitive.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -73,9 +73,8 @@ static bool find_circle(const double *p, const double *q, const double *r, doubl
 }
 
 static bat_status commit(bat_context *c, const double box[4]) {
-    bat_curve *curve = NULL;
-    const bat_status status = bat_figure_ellipse(box, &curve);
-    return status == BAT_OK ? bat_commit_chosen_curve(c, curve, BAT_STRING_STEP_CIRCLE) : status;
+    const bat_primitive made = bat_primitive_ellipse(box);
+    return bat_primitive_commit(c, &made, BAT_STRING_STEP_CIRCLE);
 }
 
 static void up(bat_context *c, void *state, const bat_pointer *event) {
@@ -122,9 +121,9 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
         bat_overlay_item(list, BAT_ROLE_POINT, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1);
         bat_overlay_mark(list, s->points[i], 4);
     }
-    if (s->count < 2 || !s->there || !find_circle(s->points[0], s->points[1], s->at, box, &radius) ||
-        bat_figure_ellipse(box, &curve) != BAT_OK)
-        return;
+    if (s->count < 2 || !s->there || !find_circle(s->points[0], s->points[1], s->at, box, &radius)) return;
+    const bat_primitive made = bat_primitive_ellipse(box);
+    if (bat_primitive_curve(&made, &curve) != BAT_OK) return;
     (void)c;
     bat_curve_domain(curve, domain);
     bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);

@@ -9,6 +9,7 @@
  */
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
+#include "editor/edit/shapes/primitives.h"
 #include "editor/choice/repetition.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
@@ -31,11 +32,14 @@
 #include "editor/tools/tool.h"
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
+#include "editor/view/unit.h"
+#include "kinds/primitive.h"
 #include "hands/levels/shape.h"
 #include "base/real.h"
 #include "base/matrix.h"
 #include "document/kind.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -73,13 +77,19 @@ static bool handle_place(const bat_stage *stage, const double box[4], int handle
     return true;
 }
 
+/* What the handle of a shape changes. */
+static bat_primitive_number number_of(int handle) { return (bat_primitive_number)(handle - BAT_GRIP_SHAPE); }
+
 static int handle_at(const bat_context *c, const double pixel[2], bat_device device) {
     double box[4], place[2], best = reach(device);
     int found = BAT_GRIP_NONE;
     if (bat_stage_tilted(c->stage)) return found; /* the box's handles are the page's */
     if (!bat_arrange_selection_box(c, box)) return found;
-    for (int i = 0; i <= BAT_GRIP_ROTATE; i++) {
-        if (!handle_place(c->stage, box, i, place)) continue;
+    const bat_primitive *shape = bat_primitive_held(c);
+    for (int i = 0; i < BAT_GRIP_SHAPE + (shape ? BAT_PRIMITIVE_NUMBERS : 0); i++) {
+        if (i < BAT_GRIP_SHAPE ? !handle_place(c->stage, box, i, place)
+                               : !bat_primitive_grip(c, shape, number_of(i), place))
+            continue;
         double away = bat_hypot(place[0] - pixel[0], place[1] - pixel[1]);
         if (away <= best) {
             best = away;
@@ -272,10 +282,22 @@ static void snap_handle(bat_context *c, bat_selecting *s, const double from[2], 
     if (!used) c->snap->kind = BAT_SNAP_NONE;
 }
 
+static bat_status shape(bat_context *c, bat_selecting *s, const double from[2], const double to[2]) {
+    bat_primitive p = *bat_object_primitive(s->before[0]);
+    bat_object *after = NULL;
+    bat_primitive_drag(&p, number_of(s->handle), from, to);
+    bat_status status = bat_object_with_primitive(s->before[0], &p, &after);
+    if (status == BAT_OK) status = bat_transaction_replace(c, s->indices[0], after);
+    bat_object_release(after);
+    s->due = false;
+    return status;
+}
+
 static bat_status change(bat_context *c, bat_selecting *s) {
     double from[2], to[2], *matrix = s->matrix;
     if (!bat_stage_on_page(c->stage, s->start, from) || !bat_stage_on_page(c->stage, s->at, to))
         return BAT_OK;
+    if (s->state == BAT_SELECTING_SHAPING) return shape(c, s, from, to);
     bat_seen_sync(c);
     if (s->state == BAT_SELECTING_SCALING && !(c->modifiers & BAT_SHIFT)) snap_handle(c, s, from, to);
     if (s->state == BAT_SELECTING_SCALING)
@@ -368,7 +390,9 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
         return;
     }
     s->hovered = 0;
-    s->state = s->handle == BAT_GRIP_ROTATE ? BAT_SELECTING_ROTATING : BAT_SELECTING_SCALING;
+    s->state = s->handle >= BAT_GRIP_SHAPE    ? BAT_SELECTING_SHAPING
+               : s->handle == BAT_GRIP_ROTATE ? BAT_SELECTING_ROTATING
+                                              : BAT_SELECTING_SCALING;
     bat_status status = take_hold(c, s);
     if (status != BAT_OK) give_up(c, s, status);
 }
@@ -451,7 +475,8 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
     bat_selecting *s = state;
     static const bat_string labels[] = {[BAT_SELECTING_MOVING] = BAT_STRING_STEP_MOVE,
                                         [BAT_SELECTING_SCALING] = BAT_STRING_STEP_SCALE,
-                                        [BAT_SELECTING_ROTATING] = BAT_STRING_STEP_ROTATE};
+                                        [BAT_SELECTING_ROTATING] = BAT_STRING_STEP_ROTATE,
+                                        [BAT_SELECTING_SHAPING] = BAT_STRING_STEP_SHAPE};
     bat_selecting_state was = s->state;
     if (was == BAT_SELECTING_PRESSED) click(c, s);
     if (was == BAT_SELECTING_MARQUEE) select_box(c, s);
@@ -465,7 +490,9 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
             give_up(c, s, status);
             return;
         }
-        if (s->originals)
+        if (was == BAT_SELECTING_SHAPING) {
+            /* nothing that others could be moved by */
+        } else if (s->originals)
             bat_repetition_note_copies(c, s->matrix, s->box);
         else
             bat_repetition_note(c, s->matrix, s->box, labels[was]);
@@ -596,12 +623,37 @@ static void show_page_box(bat_overlay *overlay, const double box[4]) {
     bat_path_close(&overlay->path);
 }
 
+static void show_dot(bat_overlay *overlay, const bat_stage *stage, const double pixel[2]) {
+    double point[2];
+    bat_stage_seen(stage, pixel, point);
+    bat_overlay_circle(overlay, point, HANDLE * bat_stage_pixel(stage));
+}
+
+/* The handle of a shape that is dragged, and its number. */
+static void show_shaped(const bat_context *c, const bat_selecting *s, bat_overlay *overlay) {
+    const bat_primitive *shape = bat_primitive_held(c);
+    double place[2], point[2], value;
+    char text[BAT_UNIT_ROOM];
+    if (!shape || !bat_primitive_grip(c, shape, number_of(s->handle), place) ||
+        !bat_primitive_get(shape, number_of(s->handle), &value))
+        return;
+    bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
+    show_dot(overlay, c->stage, place);
+    if (number_of(s->handle) == BAT_PRIMITIVE_RADIUS)
+        bat_unit_about(c, value, text);
+    else
+        snprintf(text, sizeof text, number_of(s->handle) < BAT_PRIMITIVE_SIDES ? "%.4g°" : "%.3g", value);
+    bat_stage_seen(c->stage, s->at, point);
+    bat_overlay_label(overlay, BAT_ROLE_VALUE, point, 24, 24, text);
+}
+
 static void show_selection(const bat_context *c, const bat_selecting *s, bat_overlay *overlay) {
     const bat_stage *stage = c->stage;
     double box[4], place[2], line[4];
     if (!bat_arrange_selection_box(c, box)) return;
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     show_page_box(overlay, box);
+    if (s->state == BAT_SELECTING_SHAPING) show_shaped(c, s, overlay);
     if (dragging(s) || bat_stage_tilted(stage)) return;
     line[0] = line[2] = box[0] / 2 + box[2] / 2;
     line[1] = box[1];
@@ -611,6 +663,9 @@ static void show_selection(const bat_context *c, const bat_selecting *s, bat_ove
     bat_overlay_item(overlay, BAT_ROLE_HANDLE, BAT_ITEM_STROKED | BAT_ITEM_FILLED, 1.5F);
     for (int i = 0; i <= BAT_GRIP_ROTATE; i++)
         if (handle_place(stage, box, i, place)) show_handle(overlay, stage, place, i == BAT_GRIP_ROTATE);
+    const bat_primitive *shape = bat_primitive_held(c);
+    for (int i = 0; shape && i < BAT_PRIMITIVE_NUMBERS; i++)
+        if (bat_primitive_grip(c, shape, (bat_primitive_number)i, place)) show_dot(overlay, stage, place);
 }
 
 /* The box of the entered group, and its name. */
@@ -648,6 +703,9 @@ static void overlay(bat_context *c, void *state, bat_overlay *list) {
 }
 
 static bat_string hint(const bat_context *c, const void *state) {
+    static const bat_string shapes[] = {BAT_STRING_HINT_SHAPE_RADIUS, BAT_STRING_HINT_SHAPE_ARC,
+                                        BAT_STRING_HINT_SHAPE_ARC,    BAT_STRING_HINT_SHAPE_SIDES,
+                                        BAT_STRING_HINT_SHAPE_DEPTH,  BAT_STRING_HINT_SHAPE_ROUNDNESS};
     const bat_selecting *s = state;
     switch (s->state) {
     case BAT_SELECTING_MARQUEE: return BAT_STRING_HINT_MARQUEE;
@@ -656,6 +714,7 @@ static bat_string hint(const bat_context *c, const void *state) {
     case BAT_SELECTING_ROTATING: return BAT_STRING_HINT_ROTATING;
     default: break;
     }
+    if (s->handle >= BAT_GRIP_SHAPE) return shapes[number_of(s->handle)];
     if (s->handle == BAT_GRIP_ROTATE) return BAT_STRING_HINT_ROTATE;
     if (s->handle != BAT_GRIP_NONE) return BAT_STRING_HINT_SCALE;
     if (s->hovered && bat_selection_has(&c->choice->selection, s->hovered)) return BAT_STRING_HINT_MOVE;
@@ -669,7 +728,8 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
                                          BAT_CURSOR_RESIZE_EW};
     if (s->state == BAT_SELECTING_ROTATING) return BAT_CURSOR_GRABBING;
     if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
-    if (s->handle == BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
+    if (s->state == BAT_SELECTING_SHAPING) return BAT_CURSOR_GRABBING;
+    if (s->handle >= BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
     if (s->handle != BAT_GRIP_NONE) /* the handles follow the rotation of the view */
         return handles[(s->handle + 8 + (int)round(bat_stage_angle(c->stage) / 45)) % 4];
     if (s->hovered && bat_selection_has(&c->choice->selection, s->hovered)) return BAT_CURSOR_MOVE;

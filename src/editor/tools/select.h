@@ -12,11 +12,12 @@ typedef enum bat_selecting_state {
     BAT_SELECTING_MARQUEE,
     BAT_SELECTING_MOVING,
     BAT_SELECTING_SCALING,
-    BAT_SELECTING_ROTATING
+    BAT_SELECTING_ROTATING,
+    BAT_SELECTING_SHAPING /* a number of the shape that is selected alone */
 } bat_selecting_state;
 
-/* The eight handles of the box, clockwise from the top left; then the handle that rotates. */
-enum { BAT_GRIP_ROTATE = 8, BAT_GRIP_NONE = -1, BAT_SNAP_SOURCES = 40 };
+/* The eight handles of the box, clockwise from the top left; the handle that rotates; those of a shape's numbers. */
+enum { BAT_GRIP_ROTATE = 8, BAT_GRIP_SHAPE, BAT_GRIP_NONE = -1, BAT_SNAP_SOURCES = 40 };
 
 typedef struct bat_selecting {
     bat_selecting_state state;

@@ -1,6 +1,6 @@
 /*
- * The shape tools: drag a rectangle, an ellipse or a regular polygon on the page; each is at once an ordinary closed curve,
- * and selected. The first two fill the box of the drag (Shift: of equal sides, Alt: about where it began), the polygon has its
+ * The shape tools: drag a rectangle, an ellipse or a regular polygon on the page; each is selected, and stays a
+ * shape whose numbers can be changed. The first two fill the box of the drag (Shift: of equal sides, Alt: about where it began), the polygon has its
  * middle where the drag began and a corner where it ends (Shift: turned by steps of 15 degrees).
  *
  * IDLE --down--> PRESSED --up--> IDLE (one step). A press that does not move makes a shape of some size there, whose width is then
@@ -8,7 +8,7 @@
  */
 #include "base/real.h"
 #include "document/document.h"
-#include "editor/edit/curves_of.h"
+#include "editor/edit/shapes/primitives.h"
 #include "editor/pick/spot.h"
 #include "editor/scene/seen.h"
 #include "editor/session/notice.h"
@@ -17,7 +17,7 @@
 #include "editor/tables/settings.h"
 #include "editor/tools/tool.h"
 #include "editor/view/stage.h"
-#include "hands/figures/outlines.h"
+#include "hands/figures/primitive.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -25,8 +25,6 @@
 
 static const double CLICK = 4;   /* px of travel that are no drag */
 static const double SHARE = 0.2; /* of the window: how large a click makes a shape */
-
-typedef enum form { RECTANGLE, ELLIPSE, POLYGON } form;
 
 typedef struct shaping {
     bool pressed;
@@ -89,24 +87,24 @@ static void find_corner(const bat_context *c, const shaping *s, double corner[2]
     corner[1] = s->from[1] + radius * bat_sin(angle);
 }
 
-static bat_status make(const bat_context *c, const shaping *s, form is, bat_curve **out) {
+static bat_primitive make(const bat_context *c, const shaping *s, bat_primitive_kind is) {
+    const double *values = c->settings->values;
     double box[4], corner[2];
-    if (is == POLYGON) {
+    if (is == BAT_POLYGON) {
         find_corner(c, s, corner);
-        return bat_figure_polygon(s->from, corner, (int)c->settings->values[BAT_PROPERTY_POLYGON_SIDES], out);
+        return bat_primitive_polygon(s->from, corner, (int)values[BAT_PROPERTY_POLYGON_SIDES]);
     }
     find_box(c, s, box);
-    return is == ELLIPSE ? bat_figure_ellipse(box, out)
-                         : bat_figure_rectangle(box, c->settings->values[BAT_PROPERTY_CORNER_RADIUS], out);
+    return is == BAT_ELLIPSE ? bat_primitive_ellipse(box)
+                             : bat_primitive_rectangle(box, values[BAT_PROPERTY_CORNER_RADIUS]);
 }
 
-static bat_status commit(bat_context *c, const shaping *s, form is) {
+static bat_status commit(bat_context *c, const shaping *s, bat_primitive_kind is) {
     static const bat_string labels[] = {BAT_STRING_STEP_RECTANGLE, BAT_STRING_STEP_ELLIPSE,
                                         BAT_STRING_STEP_POLYGON};
-    bat_curve *curve = NULL;
-    const bat_status status = make(c, s, is, &curve);
-    if (status == BAT_COUNT) return BAT_OK; /* without a width or a height: nothing was drawn */
-    return status == BAT_OK ? bat_commit_chosen_curve(c, curve, labels[is]) : status;
+    const bat_primitive made = make(c, s, is);
+    const bat_status status = bat_primitive_commit(c, &made, labels[is]);
+    return status == BAT_COUNT ? BAT_OK : status; /* without a width or a height: nothing was drawn */
 }
 
 /* As if the pen had been dragged from the press to the right and down. */
@@ -117,7 +115,7 @@ static void spread(const bat_context *c, shaping *s) {
     for (int k = 0; k < 2; k++) s->at[k] = s->from[k] + side;
 }
 
-static void lift(bat_context *c, shaping *s, const bat_pointer *event, form is) {
+static void lift(bat_context *c, shaping *s, const bat_pointer *event, bat_primitive_kind is) {
     if (!s->pressed) return; /* cancelled */
     locate(c, s, event, s->at);
     const bool drawn = is_drag(s);
@@ -144,10 +142,10 @@ static bool busy(const bat_context *c, const void *state) {
 }
 
 /* Numbers beside the pointer: width and height; of a polygon the radius. */
-static void show_numbers(const bat_context *c, const shaping *s, form is, bat_overlay *list) {
+static void show_numbers(const bat_context *c, const shaping *s, bat_primitive_kind is, bat_overlay *list) {
     char text[80];
     double box[4], corner[2];
-    if (is == POLYGON) {
+    if (is == BAT_POLYGON) {
         find_corner(c, s, corner);
         snprintf(text, sizeof text, "%.4g", bat_hypot(corner[0] - s->from[0], corner[1] - s->from[1]));
     } else {
@@ -157,10 +155,11 @@ static void show_numbers(const bat_context *c, const shaping *s, form is, bat_ov
     bat_overlay_label(list, BAT_ROLE_VALUE, s->at, 24, 24, text);
 }
 
-static void show(bat_context *c, const shaping *s, form is, bat_overlay *list) {
+static void show(bat_context *c, const shaping *s, bat_primitive_kind is, bat_overlay *list) {
     bat_curve *curve = NULL;
     double domain[2];
-    if (!is_drag(s) || make(c, s, is, &curve) != BAT_OK) return;
+    const bat_primitive made = make(c, s, is);
+    if (!is_drag(s) || bat_primitive_curve(&made, &curve) != BAT_OK) return;
     bat_curve_domain(curve, domain);
     bat_overlay_item(list, BAT_ROLE_FIT, BAT_ITEM_STROKED, 2);
     bat_overlay_stretch(list, curve, domain[0], domain[1]);
@@ -171,20 +170,24 @@ static void show(bat_context *c, const shaping *s, form is, bat_overlay *list) {
 /* ---- the three tools ---- */
 
 static void up_rectangle(bat_context *c, void *state, const bat_pointer *event) {
-    lift(c, state, event, RECTANGLE);
+    lift(c, state, event, BAT_RECTANGLE);
 }
 static void up_ellipse(bat_context *c, void *state, const bat_pointer *event) {
-    lift(c, state, event, ELLIPSE);
+    lift(c, state, event, BAT_ELLIPSE);
 }
 static void up_polygon(bat_context *c, void *state, const bat_pointer *event) {
-    lift(c, state, event, POLYGON);
+    lift(c, state, event, BAT_POLYGON);
 }
 
 static void show_rectangle(bat_context *c, void *state, bat_overlay *list) {
-    show(c, state, RECTANGLE, list);
+    show(c, state, BAT_RECTANGLE, list);
 }
-static void show_ellipse(bat_context *c, void *state, bat_overlay *list) { show(c, state, ELLIPSE, list); }
-static void show_polygon(bat_context *c, void *state, bat_overlay *list) { show(c, state, POLYGON, list); }
+static void show_ellipse(bat_context *c, void *state, bat_overlay *list) {
+    show(c, state, BAT_ELLIPSE, list);
+}
+static void show_polygon(bat_context *c, void *state, bat_overlay *list) {
+    show(c, state, BAT_POLYGON, list);
+}
 
 static bat_string hint_box(const bat_context *c, const void *state) {
     (void)c, (void)state;

@@ -6,6 +6,7 @@
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
 #include "format/svg/walk.h"
+#include "kinds/primitive.h"
 
 #include <batten/bezier.h>
 
@@ -126,6 +127,32 @@ static void put(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bat_o
     }
 }
 
+typedef struct element_of {
+    const bat_svg_tree *tree;
+    uint32_t element;
+} element_of;
+
+static const char *shape_attribute(const void *element, const char *name) {
+    const element_of *e = element;
+    return bat_svg_tree_attribute(e->tree, e->element, name);
+}
+
+/* A rectangle, a circle or an ellipse stays one. */
+static void make_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bat_object **object) {
+    element_of holder = {w->tree, element};
+    const bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
+    bat_primitive own, mapped;
+    bat_object *made = NULL;
+    if (!bat_svg_shape_primitive(&shape, bat_svg_tree_name(w->tree, element), &own) ||
+        !bat_primitive_map(&own, s->matrix, &mapped))
+        return;
+    const bat_status status = bat_object_with_primitive(*object, &mapped, &made);
+    if (status == BAT_MEMORY) w->status = status;
+    if (status != BAT_OK) return;
+    bat_object_release(*object);
+    *object = made;
+}
+
 static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
                        const bat_svg_painted *painted, const bat_markers *markers) {
     const bat_style *style = &painted->style;
@@ -143,6 +170,7 @@ static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
                                         count, curves, &object);
     else
         for (int i = 0; i < count; i++) bat_curve_free(curves[i]);
+    if (object && count == 1 && !w->collected) make_shape(w, element, s, &object);
     if (object && !bat_paint_is_plain(&painted->paint))
         object = with_paint(w, element, object, &painted->paint);
     if (object && markers) object = with_markers(w, object, markers);
@@ -154,16 +182,6 @@ static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
     }
     if (status == BAT_MEMORY || status == BAT_COUNT) w->status = status;
     free(curves);
-}
-
-typedef struct element_of {
-    const bat_svg_tree *tree;
-    uint32_t element;
-} element_of;
-
-static const char *shape_attribute(const void *element, const char *name) {
-    const element_of *e = element;
-    return bat_svg_tree_attribute(e->tree, e->element, name);
 }
 
 /* As bat_svg_draw_shape, what is in w->outline. */

@@ -1,6 +1,7 @@
 /* Basic shapes as outlines (SVG 2, 10): start points and directions are those of the standard. */
 #include "text/number.h"
 #include "format/svg/svg.h"
+#include "hands/figures/primitive.h"
 
 #include <math.h>
 #include <string.h>
@@ -24,16 +25,24 @@ static double radius(const bat_svg_shape *s, const char *name, double whole, boo
     return value;
 }
 
-static bool rect(const bat_svg_shape *s, bat_outline *o) {
+/* x, y, width, height, and the radii of the corners, which fit. False: one could not be read. */
+static bool rect_numbers(const bat_svg_shape *s, double box[4], double radii[2]) {
     bool good = true;
-    double x = length(s, "x", s->width, 0, &good), y = length(s, "y", s->height, 0, &good);
-    double w = length(s, "width", s->width, 0, &good), h = length(s, "height", s->height, 0, &good);
+    box[0] = length(s, "x", s->width, 0, &good), box[1] = length(s, "y", s->height, 0, &good);
+    box[2] = length(s, "width", s->width, 0, &good), box[3] = length(s, "height", s->height, 0, &good);
     double rx = radius(s, "rx", s->width, &good), ry = radius(s, "ry", s->height, &good);
     if (rx < 0) rx = ry < 0 ? 0 : ry;
     if (ry < 0) ry = rx;
+    radii[0] = fmin(rx, box[2] / 2), radii[1] = fmin(ry, box[3] / 2);
+    return good;
+}
+
+static bool rect(const bat_svg_shape *s, bat_outline *o) {
+    double box[4], radii[2];
+    const bool good = rect_numbers(s, box, radii);
+    const double x = box[0], y = box[1], w = box[2], h = box[3], rx = radii[0], ry = radii[1];
     if (w < 0 || h < 0) return false;
     if (w == 0 || h == 0) return good;
-    rx = fmin(rx, w / 2), ry = fmin(ry, h / 2);
     if (rx == 0 || ry == 0) {
         bat_outline_move(o, x, y);
         bat_outline_line(o, x + w, y);
@@ -63,19 +72,27 @@ static void quarters(bat_outline *o, double cx, double cy, double rx, double ry)
     bat_outline_close(o);
 }
 
-static bool ellipse(const bat_svg_shape *s, bool circle, bat_outline *o) {
+/* 0: it says no radii. */
+static bool ellipse_numbers(const bat_svg_shape *s, bool circle, double middle[2], double radii[2]) {
     bool good = true;
-    double cx = length(s, "cx", s->width, 0, &good), cy = length(s, "cy", s->height, 0, &good), rx, ry;
-    if (circle)
-        rx = ry = length(s, "r", sqrt((s->width * s->width + s->height * s->height) / 2), 0, &good);
-    else {
-        rx = radius(s, "rx", s->width, &good), ry = radius(s, "ry", s->height, &good);
-        if (rx < 0) rx = ry;
-        if (ry < 0) ry = rx;
-        if (rx < 0) return good;
+    middle[0] = length(s, "cx", s->width, 0, &good), middle[1] = length(s, "cy", s->height, 0, &good);
+    if (circle) {
+        radii[0] = length(s, "r", sqrt((s->width * s->width + s->height * s->height) / 2), 0, &good);
+        radii[1] = radii[0];
+        return good;
     }
-    if (rx < 0 || ry < 0) return false;
-    if (rx > 0 && ry > 0) quarters(o, cx, cy, rx, ry);
+    radii[0] = radius(s, "rx", s->width, &good), radii[1] = radius(s, "ry", s->height, &good);
+    if (radii[0] < 0) radii[0] = radii[1];
+    if (radii[1] < 0) radii[1] = radii[0];
+    if (radii[0] < 0) radii[0] = radii[1] = 0; /* it says none */
+    return good;
+}
+
+static bool ellipse(const bat_svg_shape *s, bool circle, bat_outline *o) {
+    double middle[2], radii[2];
+    const bool good = ellipse_numbers(s, circle, middle, radii);
+    if (radii[0] < 0 || radii[1] < 0) return false;
+    if (radii[0] > 0 && radii[1] > 0) quarters(o, middle[0], middle[1], radii[0], radii[1]);
     return good;
 }
 
@@ -126,4 +143,24 @@ bool bat_svg_shape_outline(const bat_svg_shape *shape, const char *name, bat_out
         return ellipse(shape, name[0] == 'c', outline);
     if (strcmp(name, "line") == 0) return line(shape, outline);
     return polyline(shape, strcmp(name, "polygon") == 0, outline);
+}
+
+bool bat_svg_shape_primitive(const bat_svg_shape *shape, const char *name, bat_primitive *out) {
+    double box[4], radii[2];
+    bat_primitive p;
+    if (strcmp(name, "rect") == 0) {
+        (void)rect_numbers(shape, box, radii);
+        p = (bat_primitive){.kind = BAT_RECTANGLE,
+                            .place = {box[2], 0, 0, box[3], box[0], box[1]},
+                            .radii = {radii[0], radii[1]}};
+        if (!(radii[0] > 0 && radii[1] > 0)) p.radii[0] = p.radii[1] = 0;
+    } else if (strcmp(name, "circle") == 0 || strcmp(name, "ellipse") == 0) {
+        (void)ellipse_numbers(shape, name[0] == 'c', box, radii);
+        p = (bat_primitive){
+            .kind = BAT_ELLIPSE, .place = {radii[0], 0, 0, radii[1], box[0], box[1]}, .sweep = 360};
+    } else
+        return false;
+    if (bat_primitive_check(&p) != BAT_OK) return false;
+    *out = p;
+    return true;
 }

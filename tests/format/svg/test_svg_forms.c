@@ -34,6 +34,12 @@ static bat_document *read_svg(const char *text, bat_svg_report *report) {
 static char *seen(const char *text, bat_svg_report *report) {
     bat_document *document = read_svg(text, report);
     char *out = NULL;
+    for (int i = 0; i < bat_document_count(document); i++) { /* shapes as the curves that they are */
+        bat_object *path = NULL;
+        if (bat_object_to_path(bat_document_at(document, i), &path) != BAT_OK) continue;
+        assert_int_equal(bat_document_replace(document, i, path), BAT_OK);
+        bat_object_release(path);
+    }
     size_t size;
     assert_int_equal(bat_svg_write(document, false, &out, &size), BAT_OK);
     bat_document_free(document);

@@ -538,13 +538,15 @@ static void random_edits_are_written(void **state) {
 
 /* The native document keeps the file, too, and journals begin with one. */
 static const char *begin_of(const bat_document *document) {
-    static const char *const begins[] = {"{\"batten\":3", "{\"batten\":4", "{\"batten\":6", "{\"batten\":7"};
+    static const char *const begins[] = {"{\"batten\":3", "{\"batten\":4", "{\"batten\":6", "{\"batten\":7",
+                                         "{\"batten\":12"};
     int most = 0;
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_paint *paint = bat_object_paint(object);
         const bool faded = bat_object_is_group(object) && bat_object_style(object)->opacity != 1;
-        const int needs = paint && paint->width_count ? 3
+        const int needs = bat_object_kind(object) == BAT_KIND_PRIMITIVE ? 4
+                          : paint && paint->width_count                 ? 3
                           : faded || bat_object_is_foreign(object) || (paint && paint->stroke_first)
                               ? 2
                               : paint != NULL;

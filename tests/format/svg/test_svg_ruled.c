@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
+#include "editor/edit/affine.h"
 #include "document/document.h"
 #include "document/markers.h"
 #include "support/svg_kept.h"
@@ -57,12 +58,11 @@ static bat_document *opened(const char *body) {
 }
 
 static void map(bat_document *document, int index, const double rows[6]) {
-    bat_curve *curve = NULL;
     bat_object *made = NULL;
     const bat_object *object = bat_document_at(document, index);
+    const double m[6] = {rows[0], rows[3], rows[1], rows[4], rows[2], rows[5]};
     assert_int_equal(bat_object_curve_count(object), 1);
-    assert_int_equal(bat_curve_transform(bat_object_curve(object, 0), rows, &curve), BAT_OK);
-    assert_int_equal(bat_object_with_curves(object, 1, &curve, &made), BAT_OK);
+    assert_int_equal(bat_affine_object(object, m, false, &made), BAT_OK);
     assert_int_equal(bat_document_replace(document, index, made), BAT_OK);
     bat_object_release(made);
 }
@@ -134,7 +134,12 @@ static void shapes_stay_what_they_are(void **state) {
         {"<line x2='9' y2='4' stroke='red'/>",
          {1, 0, 2, 0, 1, 3},
          "<line x2=\"11\" y2=\"7\" stroke='red' x1=\"2\" y1=\"3\"/>"},
-        {"<rect width='30' height='10'/>", {0, -1, 0, 1, 0, 0}, "<path "}, /* dashes would begin elsewhere */
+        {"<rect width='30' height='10' x='0'/>",
+         {0, -1, 0, 1, 0, 0},
+         "<rect width=\"10\" height=\"30\" x=\"-10\"/>"},
+        {"<rect width='30' height='10' stroke='red' stroke-dasharray='2 3'/>",
+         {0, -1, 0, 1, 0, 0},
+         "<path "}, /* they would begin elsewhere */
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bat_document *document = opened(cases[i].before);

@@ -5,6 +5,7 @@
 #include "format/svg/write/covered.h"
 #include "format/svg/markup.h"
 #include "format/svg/svg.h"
+#include "format/svg/write/basic.h"
 #include "format/svg/write/patch.h"
 
 #include <math.h>
@@ -150,17 +151,26 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
         return;
     }
     double pen[6], back[6], m[6];
+    bat_svg_basic basic;
     const bool uneven = bat_svg_pen(object, pen, back);
+    const bool shaped = !uneven && bat_svg_has_basic(object, p->precision, out, &basic);
+    if (shaped && bat_svg_inverse(basic.turn, back)) memcpy(pen, basic.turn, sizeof pen);
     bat_svg_ids ids = bat_svg_write_gradients(out, object, back, bat_svg_patch_number(p));
     p->status = bat_svg_write_clip(out, object, back, bat_svg_patch_number(p), &ids);
     bat_svg_patch_markers(p, object, pen, &ids);
     bat_svg_patch_mark(p, bat_object_id(object));
-    bat_text_string(out, "<path");
+    bat_text_string(out, "<");
+    bat_text_string(out, shaped ? basic.name : "path");
     bat_svg_write_name(out, " data-name=\"", bat_object_name(object));
     write_hidden(out, object, hides);
     bat_matrix_compose(s->back, pen, m);
     write_transform(m, out);
     bat_svg_write_style_attribute(out, object, &style, &ids);
+    if (shaped) {
+        bat_svg_write_basic(out, &basic);
+        bat_text_string(out, "/>");
+        return;
+    }
     bat_text_string(out, " d=\"");
     const bat_status status = bat_svg_write_curves(out, object, uneven ? back : NULL, p->precision);
     if (status != BAT_OK) p->status = status;

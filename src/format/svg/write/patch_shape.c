@@ -1,5 +1,7 @@
 /* A rectangle, circle, ellipse or line that still is one stays one: its numbers are proposed, and compared with the curve. */
+#include "format/svg/write/basic.h"
 #include "format/svg/write/patch.h"
+#include "kinds/primitive.h"
 #include "text/number.h"
 
 #include <math.h>
@@ -14,6 +16,8 @@ typedef struct proposal {
     const bat_svg_retag *r;
     const bat_svg_cubics *cubics; /* of the curve, in the element's units */
     double low[2], high[2];       /* their box */
+    bool shaped;                  /* the object is a shape that stays one: */
+    double radii[2];              /* of its corners */
     int count;
     const char *names[MOST];
     double numbers[MOST];
@@ -55,13 +59,14 @@ static double said(const bat_svg_retag *r, const char *name) {
 /* Round corners grow with their sides. */
 static void propose_radii(proposal *p) {
     const double rx = said(p->r, "rx"), ry = said(p->r, "ry");
-    if (isnan(rx) && isnan(ry)) return;
-    const double radii[2] = {(isnan(rx) ? ry : rx) * (p->high[0] - p->low[0]) / said(p->r, "width"),
-                             (isnan(ry) ? rx : ry) * (p->high[1] - p->low[1]) / said(p->r, "height")};
+    if (p->shaped ? isnan(rx) && isnan(ry) && !(p->radii[0] > 0) : isnan(rx) && isnan(ry)) return;
+    double radii[2] = {(isnan(rx) ? ry : rx) * (p->high[0] - p->low[0]) / said(p->r, "width"),
+                       (isnan(ry) ? rx : ry) * (p->high[1] - p->low[1]) / said(p->r, "height")};
+    if (p->shaped) memcpy(radii, p->radii, sizeof radii);
     const bool round = fabs(radii[0] - radii[1]) <= SAME * fabs(radii[0]);
     double own[2];
     bat_svg_round(p->cubics, radii, own);
-    if (!round || !isnan(rx)) propose(p, "rx", own[0]);
+    if (!round || !isnan(rx) || isnan(ry)) propose(p, "rx", own[0]);
     if (!round || !isnan(ry)) propose(p, "ry", own[1]);
 }
 
@@ -123,6 +128,24 @@ static void find_box(proposal *p) {
         }
 }
 
+/* Whether a shape that stays one is still what the element is. */
+static bool is_shape_of(const bat_object *object, const double m[6], const char *name, proposal *p) {
+    const bat_paint *paint = bat_object_paint(object);
+    bat_primitive own;
+    bat_svg_basic basic;
+    if (!bat_primitive_map(bat_object_primitive(object), m, &own) || !bat_svg_basic_of(&own, &basic) ||
+        basic.turned)
+        return false;
+    if (basic.elsewhere && paint && paint->dash_count) return false;
+    p->shaped = true;
+    for (int i = 0; i < basic.count; i++) {
+        if (strcmp(basic.names[i], "rx") == 0) p->radii[0] = p->radii[1] = basic.numbers[i];
+        if (strcmp(basic.names[i], "ry") == 0) p->radii[1] = basic.numbers[i];
+    }
+    return strcmp(basic.name, name) == 0 ||
+           (strcmp(basic.name, "circle") == 0 && strcmp(name, "ellipse") == 0);
+}
+
 bool bat_svg_patch_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
                          double precision) {
     char name[8] = "";
@@ -140,7 +163,9 @@ bool bat_svg_patch_shape(bat_svg_retag *r, const bat_object *object, const bat_s
     if (status != BAT_OK) return false;
     proposal p = {.r = r, .cubics = &cubics};
     find_box(&p);
-    const bool stays = propose_all(&p, name) && is_drawn_by(&p, name, &r->failed);
+    const bool stays = bat_object_primitive(object)
+                           ? is_shape_of(object, m, name, &p) && propose_all(&p, name)
+                           : propose_all(&p, name) && is_drawn_by(&p, name, &r->failed);
     for (int i = 0; i < p.count && stays; i++) {
         const double before = said(r, p.names[i]);
         const bool absent = !bat_svg_retag_has(r, p.names[i], &piece);

@@ -53,18 +53,25 @@ static void see(bat_style *style, bat_paint *paint, const double pen[6], const d
     for (int k = 0; k < 4; k++) paint->pen[k] = pen[k] / scale;
 }
 
-bat_status bat_svg_see_path(const bat_text *text, size_t start, const bat_object *object,
-                            bat_outline *outline, uint64_t *digest) {
-    double pen[6], back[6], dashes[BAT_DASHES_MAX];
+bat_status bat_svg_see_outline(const bat_object *object, const double pen[6], const double back[6],
+                               bat_outline *outline, uint64_t *digest) {
+    double dashes[BAT_DASHES_MAX];
     bat_style style = *bat_object_style(object);
     bat_paint paint = bat_object_paint(object) ? *bat_object_paint(object) : (bat_paint){0};
-    bat_outline_clear(outline);
-    bat_svg_path(text->data + start, text->size - start, outline);
     if (outline->failed || outline->full) return outline->failed ? BAT_MEMORY : BAT_COUNT;
-    if (bat_svg_pen(object, pen, back)) {
+    if (!(pen[0] == 1 && pen[1] == 0 && pen[2] == 0 && pen[3] == 1)) {
         bat_outline_transform(outline, pen);
         see(&style, &paint, pen, back, dashes);
     }
     *digest = bat_svg_digest(*digest, outline, &style, &paint);
     return BAT_OK;
+}
+
+bat_status bat_svg_see_path(const bat_text *text, size_t start, const bat_object *object,
+                            bat_outline *outline, uint64_t *digest) {
+    double pen[6], back[6];
+    bat_outline_clear(outline);
+    bat_svg_path(text->data + start, text->size - start, outline);
+    (void)bat_svg_pen(object, pen, back);
+    return bat_svg_see_outline(object, pen, back, outline, digest);
 }

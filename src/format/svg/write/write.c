@@ -8,6 +8,7 @@
 #include "format/native/native.h"
 #include "format/svg/svg.h"
 #include "format/svg/digest.h"
+#include "format/svg/write/basic.h"
 #include "format/svg/markup.h"
 #include "format/svg/write/markers.h"
 #include "format/svg/write/patch.h"
@@ -89,30 +90,43 @@ static bat_status write_path(bat_text *text, const bat_object *object, bool as_i
                              double precision, bat_outline *outline, uint64_t *digest) {
     const bat_style *style = bat_object_style(object);
     double pen[6], back[6];
+    bat_svg_basic basic;
     const bool uneven = bat_svg_pen(object, pen, back);
+    const bool shaped = !uneven && bat_svg_has_basic(object, precision, text, &basic);
+    const bool turned = uneven || (shaped && basic.turned && bat_svg_inverse(basic.turn, back));
+    if (shaped) memcpy(pen, basic.turn, sizeof pen);
     bat_svg_ids ids = bat_svg_write_gradients(text, object, back, number);
     uint64_t marked = 0;
     bat_status status = bat_svg_write_clip(text, object, back, number, &ids);
     if (status == BAT_OK)
         status = bat_svg_write_markers(text, object, pen, number, precision, outline, &ids, &marked);
-    bat_text_string(text, "<path");
+    bat_text_string(text, "<");
+    bat_text_string(text, shaped ? basic.name : "path");
     bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
     bat_svg_write_state(text, object);
-    if (uneven) {
+    if (turned) {
         bat_text_string(text, " transform=\"");
         bat_svg_write_matrix(pen, text);
         bat_text_string(text, "\"");
     }
     bat_svg_write_style(text, object, &ids);
-    bat_text_string(text, " d=\"");
+    bat_text_string(text, shaped ? "" : " d=\"");
     const size_t start = text->size;
-    if (status == BAT_OK) status = bat_svg_write_curves(text, object, uneven ? back : NULL, precision);
+    if (shaped)
+        bat_svg_write_basic(text, &basic);
+    else if (status == BAT_OK)
+        status = bat_svg_write_curves(text, object, uneven ? back : NULL, precision);
     if (status == BAT_OK && text->failed) status = BAT_MEMORY;
     const bool seen = !hidden && (style->stroked || style->filled || bat_object_markers(object));
     if (status == BAT_OK && seen) status = bat_svg_see_clip(object, pen, back, outline, digest);
-    if (status == BAT_OK && seen) status = bat_svg_see_path(text, start, object, outline, digest);
+    if (status == BAT_OK && seen && shaped) {
+        bat_outline_clear(outline);
+        bat_svg_basic_outline(&basic, outline);
+        status = bat_svg_see_outline(object, pen, back, outline, digest);
+    } else if (status == BAT_OK && seen)
+        status = bat_svg_see_path(text, start, object, outline, digest);
     if (marked && seen) *digest = bat_digest_number(*digest, marked);
-    bat_text_string(text, "\"/>\n");
+    bat_text_string(text, shaped ? "/>\n" : "\"/>\n");
     return status;
 }
 

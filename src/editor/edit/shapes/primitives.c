@@ -1,0 +1,88 @@
+#include "editor/edit/shapes/primitives.h"
+
+#include "base/real.h"
+#include "document/document.h"
+#include "editor/choice/choice.h"
+#include "editor/edit/arrange.h"
+#include "editor/edit/curves_of.h"
+#include "editor/edit/style.h"
+#include "editor/session/session.h"
+#include "editor/session/transaction.h"
+#include "editor/view/stage.h"
+#include "kinds/primitive.h"
+
+static const double INSET = 15; /* px from the outline, out of the way of the box's handles */
+static const double LEAST = 60; /* px of an axis that has handles */
+
+static const bat_object *selected(const bat_context *c, int i, int *index) {
+    *index = bat_document_find(c->session->document, c->choice->selection.ids[i]);
+    return bat_document_at(c->session->document, *index);
+}
+
+bat_status bat_primitive_commit(bat_context *c, const bat_primitive *primitive, bat_string label) {
+    bat_curve *curve = NULL;
+    bat_object *made = NULL;
+    bat_id id = 0;
+    bat_status status = bat_primitive_curve(primitive, &curve);
+    if (status == BAT_OK) status = bat_transaction_begin(c);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
+    status = bat_put_new_curve(c, curve, &id);
+    const int index = bat_document_find(c->session->document, id);
+    if (status == BAT_OK)
+        status = bat_object_with_primitive(bat_document_at(c->session->document, index), primitive, &made);
+    if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
+    bat_object_release(made);
+    status = bat_transaction_end(c, status, label);
+    if (status != BAT_OK) return status;
+    bat_selection_clear(&c->choice->selection);
+    return bat_selection_add(&c->choice->selection, id);
+}
+
+bool bat_primitives_get(const bat_context *c, bat_primitive_number number, double *value) {
+    for (int i = 0, index; i < c->choice->selection.count; i++) {
+        const bat_object *object = selected(c, i, &index);
+        const bat_primitive *p = object ? bat_object_primitive(object) : NULL;
+        if (p && bat_primitive_get(p, number, value)) return true;
+    }
+    return false;
+}
+
+bat_status bat_primitives_set(bat_context *c, bat_primitive_number number, double value) {
+    bat_status status = bat_transaction_begin(c);
+    for (int i = 0, index; i < c->choice->selection.count && status == BAT_OK; i++) {
+        const bat_object *object = selected(c, i, &index);
+        const bat_primitive *p = object ? bat_object_primitive(object) : NULL;
+        bat_primitive other;
+        bat_object *made = NULL;
+        if (!p) continue;
+        other = *p;
+        if (!bat_primitive_set(&other, number, value)) continue;
+        status = bat_object_with_primitive(object, &other, &made);
+        if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
+        bat_object_release(made);
+    }
+    return bat_transaction_end(c, status, BAT_STRING_STEP_SHAPE);
+}
+
+const bat_primitive *bat_primitive_held(const bat_context *c) {
+    int index;
+    if (c->choice->selection.count != 1 || bat_stage_tilted(c->stage)) return NULL;
+    const bat_object *object = selected(c, 0, &index);
+    const bat_primitive *p = object ? bat_object_primitive(object) : NULL;
+    const double scale = bat_stage_scale(c->stage) * (p && p->kind == BAT_RECTANGLE ? 1 : 2);
+    return p && scale * bat_hypot(p->place[0], p->place[1]) >= LEAST &&
+                   scale * bat_hypot(p->place[2], p->place[3]) >= LEAST
+               ? p
+               : NULL;
+}
+
+bool bat_primitive_grip(const bat_context *c, const bat_primitive *p, bat_primitive_number number,
+                        double pixel[2]) {
+    double at[2];
+    if (!bat_primitive_handle(p, number, INSET * bat_stage_pixel(c->stage), at)) return false;
+    bat_stage_project(c->stage, at, pixel);
+    return true;
+}
