@@ -307,7 +307,7 @@ static void bad_documents_are_told(void **state) {
         bat_status status;
     } cases[] = {
         {"{}", "version", BAT_SYNTAX},
-        {"{\"batten\":11,\"objects\":[]}", "version 1, 2, 3, 4, 5, 6, 7, 8, 9 or 10, found number 11",
+        {"{\"batten\":11,\"objects\":[]}", "version 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 or 12, found number 11",
          BAT_UNSUPPORTED},
         {"{\"batten\":1}", "objects", BAT_SYNTAX},
         {"{\"batten\":1,\"objects\":[{\"id\":1,\"kind\":\"blob\"}]}", "\"path\"", BAT_UNSUPPORTED},

@@ -4,6 +4,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/follow.h"
+#include "document/lettering.h"
 #include "document/scale.h"
 #include "text/base64.h"
 #include "format/json/curve.h"
@@ -21,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with masks, with patterns, with markers, with strokes whose width
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with texts, with masks, with patterns, with markers, with strokes whose width
  * changes, drawings with meshes or with
  * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that
  * keep the file that they were read from, drawings with something in space, and all others. */
@@ -35,7 +36,8 @@ enum {
     WIDENED = 7,
     MARKED = 8,
     PATTERNED = 9,
-    MASKED = 10
+    MASKED = 10,
+    WRITTEN = 12 /* 11 is what stands beside a drawing (format/svg/held.h) */
 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
@@ -226,9 +228,9 @@ static bat_status read_document(const bat_fields *f, bat_document *document, boo
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (!(number >= PLAIN && number <= MASKED && number == floor(number)))
+    if (!((number >= PLAIN && number <= MASKED && number == floor(number)) || number == WRITTEN))
         return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten",
-                                 "version 1, 2, 3, 4, 5, 6, 7, 8, 9 or 10", f->problem);
+                                 "version 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 or 12", f->problem);
     bat_id next = 0;
     bat_status status = read_page(f, bat_json_member(f->json, 1, "page"), document);
     if (status == BAT_OK) status = read_scale(f, document);
@@ -341,7 +343,11 @@ static uint64_t version_of(const bat_document *document, bool whole) {
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_paint *paint = bat_object_paint(object);
-        if (is_masked(object)) return MASKED;
+        if (bat_object_lettering(object)) return WRITTEN;
+        if (is_masked(object) || version == MASKED) {
+            version = MASKED;
+            continue;
+        }
         if ((paint && (paint->fill.tile || paint->stroke.tile)) || version == PATTERNED) {
             version = PATTERNED;
             continue;
