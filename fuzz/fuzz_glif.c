@@ -5,7 +5,7 @@
 #include <batten/document.h>
 
 #include "document/format.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 
 #include <stdio.h>
 #include <stdlib.h>

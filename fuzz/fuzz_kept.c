@@ -2,7 +2,7 @@
  * unedited it is the same. The first byte says how much of the rest are edits. */
 #include "bytes.h"
 #include "demand.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 
 #include <batten/bezier.h>
 #include <batten/format.h>

@@ -1,5 +1,6 @@
 /* Bytes become a document with objects of every kind, which are changed in every way. The document stays
  * valid, a copy of it is unchanged, and what an object was made from can be read from it again. */
+#include "document/lettering.h"
 #include <batten/bezier.h>
 #include <batten/format.h>
 #include <batten/paint.h>
@@ -113,6 +114,16 @@ static bat_status image(source *s, bat_id id, bat_object **out) {
         *out = NULL;
         status = bat_object_create_foreign(id, "words", alone, matrix, opacity, out);
         bat_picture_release(alone);
+    }
+    if (id % 5 == 0 && status == BAT_OK) {
+        bat_lettering letters = bat_lettering_defaults();
+        letters.content = id % 2 ? "one\ntwo" : "\xff";
+        letters.size = opacity, letters.box[2] = matrix[0], letters.box[3] = matrix[3];
+        bat_object *text = NULL;
+        if (bat_object_create_text(id, "text", &letters, matrix, id, opacity, &text) == BAT_OK) {
+            bat_object_release(*out);
+            *out = text;
+        }
     }
     bat_picture_release(bat_picture_retain(picture));
     bat_picture_release(picture);
@@ -312,13 +323,14 @@ static void ask(const bat_object *object) {
                                             bat_object_curve(object, i)));
     }
     const bat_picture *picture = bat_object_picture(object);
-    demand((picture != NULL) == (kind == BAT_KIND_IMAGE || kind == BAT_KIND_FOREIGN));
+    demand((picture != NULL) ==
+           (kind == BAT_KIND_IMAGE || kind == BAT_KIND_FOREIGN || kind == BAT_KIND_TEXT));
     demand(bat_object_is_foreign(object) == (kind == BAT_KIND_FOREIGN));
     if (!picture) return;
     bat_object_corners(object, corners);
     bat_picture_sides(picture, sides);
     demand(bat_object_matrix(object) && bat_picture_bytes(picture, &bytes) && bytes > 0);
-    demand(strcmp(bat_picture_type(picture), kind == BAT_KIND_FOREIGN ? "image/svg+xml" : "image/png") == 0 &&
+    demand(strcmp(bat_picture_type(picture), kind == BAT_KIND_IMAGE ? "image/png" : "image/svg+xml") == 0 &&
            bat_picture_digest(picture) != 0);
     const double *m = bat_object_matrix(object);
     demand(corners[0] == m[4] && corners[1] == m[5]);

@@ -37,7 +37,8 @@ BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round ca
  * has no curves either; a guide, an endless line that paints nothing; a plane in space to draw on; a surface in space,
  * whose curves are its lines at the knots, which cannot be replaced; a camera move, whose curves only show it; a view that
  * was saved, which paints nothing; curves that are bound to wires; a mesh, whose curves are strips of its edges; a skeleton that moves; a rectangle, an ellipse or
- * a polygon, whose numbers (corners, angles, sides) stay editable and give its one curve. */
+ * a polygon, whose numbers (corners, angles, sides) stay editable and give its one curve; a text, which is letters until a host shapes
+ * them, and shows them as a picture. */
 typedef enum bat_kind {
     BAT_KIND_PATH = 1,
     BAT_KIND_SPLINE = 2,
@@ -54,7 +55,8 @@ typedef enum bat_kind {
     BAT_KIND_BOUND = 13,
     BAT_KIND_FOREIGN = 14,
     BAT_KIND_SKELETON = 15,
-    BAT_KIND_PRIMITIVE = 16
+    BAT_KIND_PRIMITIVE = 16,
+    BAT_KIND_TEXT = 17
 } bat_kind;
 typedef struct bat_object bat_object;
 
@@ -218,7 +220,7 @@ BAT_API const bat_spline *bat_object_spline(const bat_object *object);
 BAT_API const bat_tangents_options *bat_object_spline_options(const bat_object *object);
 /* The levels of a curve; NULL: it has none. */
 BAT_API const bat_shape *bat_object_shape(const bat_object *object, int index);
-/* NULL when the object is neither an image nor foreign content. */
+/* NULL when the object is neither an image, nor foreign content, nor a text. */
 BAT_API const bat_picture *bat_object_picture(const bat_object *object);
 BAT_API const double *bat_object_matrix(const bat_object *object);
 /* The corners of an image: of pixels (0, 0), (w, 0), (w, h), (0, h). */

@@ -85,6 +85,20 @@ BAT_API bat_status bat_editor_add_picture(bat_editor *editor, const void *bytes,
 /* The picture that an item of role IMAGE shows; NULL: there is no picture with that number. */
 BAT_API const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture);
 
+/* The text that BAT_ASK_TEXT asks for, or that was written last, as JSON: {"id", "text": lines that end with "\n", "family": fonts as
+ * CSS lists them, "size", "weight", "italic", "spacing" of letters, "line" in sizes, "align": "start", "middle" or "end", "at": [x, y]
+ * of the first base line, "box": what is seen, low x, low y, high x, high y, all in units of its own, "matrix": from these to the
+ * document, "fill": "#rrggbbaa", "opacity", "screen": the matrix to view pixels}. One that is yet to be written has "id":0 and an empty
+ * text. texts: a list of those that are selected. Owned by the editor, valid until the next call of either; NULL: there is none, or
+ * out of memory. */
+BAT_API const char *bat_editor_writing(bat_editor *editor);
+BAT_API const char *bat_editor_texts(bat_editor *editor);
+/* Changes a text to what such JSON says, whose missing members stay as they are, and selects it; with "id":0 it is a new one, at the
+ * place asked for. Or several, in a list. The box must be measured by whoever shapes the letters. One that is empty is deleted. This
+ * is a step of the history. BAT_STATE: a gesture is under way, or the document is read-only; other statuses: there is no such text, a
+ * member is missing, or out of its range. */
+BAT_API bat_status bat_editor_write(bat_editor *editor, const char *json, size_t size);
+
 /* What of the drawing is copied: as it is, with its page; everything, or the selection with all that is in it, without a
  * page, so that files show the box of what is painted. */
 typedef enum bat_excerpt { BAT_EXCERPT_PAGE, BAT_EXCERPT_ALL, BAT_EXCERPT_SELECTION } bat_excerpt;

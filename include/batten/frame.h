@@ -132,8 +132,9 @@ enum {
     BAT_ASK_WIDTH = 65536,    /* let the number width-here be typed */
     BAT_ASK_SIZE = 131072,    /* let the number width be typed, of what is selected */
     BAT_ASK_SAVE_AS = 262144, /* the file that the drawing is from now on, chosen and written */
-    BAT_ASK_EXPORT_AGAIN = 524288, /* the export that was chosen last, once more */
-    BAT_ASK_COPY_PICTURE = 1048576 /* the selection, or else the page, as a picture on the clipboard */
+    BAT_ASK_EXPORT_AGAIN = 524288,  /* the export that was chosen last, once more */
+    BAT_ASK_COPY_PICTURE = 1048576, /* the selection, or else the page, as a picture on the clipboard */
+    BAT_ASK_TEXT = 2097152          /* let a text be typed in place: bat_editor_writing */
 };
 
 typedef struct bat_frame {

@@ -18,14 +18,15 @@ typedef enum bat_trait {
     BAT_DRAWN = 4, /* visible in pictures, and can be selected */
     BAT_CURVES =
         8, /* has at least one curve, and a full style; of a drawn kind without this, only the opacity has a meaning */
-    BAT_MADE = 16,    /* its curves are computed from something else, which is edited instead */
-    BAT_FIXED = 32,   /* its curves only show what it is: no other curves can take their place */
-    BAT_SPACE = 64,   /* lies in space: files that hold one are of version 2, which older programs refuse */
-    BAT_AID = 128,    /* seen while drawing; pictures leave it out */
-    BAT_MOVES = 256,  /* a camera or a skeleton, whose move can be played */
-    BAT_NEW = 512,    /* files that hold one are of the newest version */
-    BAT_STAYS = 1024, /* when the object that it follows is gone, it lets go and stays; others go with it */
-    BAT_PLAIN = 2048  /* when it is edited as a curve, it becomes one without a word */
+    BAT_MADE = 16,      /* its curves are computed from something else, which is edited instead */
+    BAT_FIXED = 32,     /* its curves only show what it is: no other curves can take their place */
+    BAT_SPACE = 64,     /* lies in space: files that hold one are of version 2, which older programs refuse */
+    BAT_AID = 128,      /* seen while drawing; pictures leave it out */
+    BAT_MOVES = 256,    /* a camera or a skeleton, whose move can be played */
+    BAT_NEW = 512,      /* files that hold one are of the newest version */
+    BAT_STAYS = 1024,   /* when the object that it follows is gone, it lets go and stays; others go with it */
+    BAT_PLAIN = 2048,   /* when it is edited as a curve, it becomes one without a word */
+    BAT_PICTURED = 4096 /* a placed picture shows it: its own part begins with a bat_placed (placed.h) */
 } bat_trait;
 
 typedef struct bat_kind_type {
@@ -46,6 +47,9 @@ typedef struct bat_kind_type {
      * NULL with BAT_OK: what the curves are made from cannot produce the image; the transformed curves as a
      * path can. */
     bat_status (*transform)(const bat_object *object, const double matrix[6], bat_object **out);
+    /* For kinds without curves whose fill has a colour: a copy that shows the style that the object has now. NULL: of the style
+     * only the opacity has a meaning. */
+    bat_status (*restyle)(const bat_object *object, bat_object **out);
     /* For objects with an outer side: a copy with the other side out, bound to what it is bound to, made from nothing.
      * NULL: it has no sides. */
     bat_status (*flip)(const bat_object *object, bat_object **out);

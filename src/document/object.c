@@ -236,6 +236,17 @@ static bat_status keep_paint(bat_object *object, const bat_style *style) {
     return BAT_OK;
 }
 
+/* The same in another colour; takes `copy` over. */
+static bat_status recolour(bat_object *copy, uint32_t colour, bat_object **out) {
+    const bool same = copy->head.style.fill == colour;
+    copy->head.style.fill = colour;
+    *out = copy;
+    if (same) return BAT_OK;
+    const bat_status status = copy->type->restyle(copy, out);
+    bat_object_release(copy);
+    return status;
+}
+
 bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out) {
     if (!object || !style || !out || !bat_style_valid(style)) return BAT_ARGUMENT;
     bat_object *copy = share(object);
@@ -251,7 +262,7 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
              bat_object_is(object, BAT_HOLDS)) /* what paints nothing has no style, and files store none */
         copy->head.style.opacity = style->opacity;
     *out = copy;
-    return BAT_OK;
+    return copy->type->restyle ? recolour(copy, style->fill, out) : BAT_OK;
 }
 
 bat_status bat_object_faded(const bat_object *object, double factor, bat_object **out) {

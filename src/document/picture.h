@@ -18,6 +18,17 @@ uint32_t bat_picture_turn(const unsigned char *bytes, size_t size);
  * <svg xmlns="http://www.w3.org/2000/svg" width="W" height="H" viewBox="..."> and whole numbers W and H of pixels. */
 bool bat_picture_is_drawing(const bat_picture *picture);
 
+/* The start tag of such a file, of that size in pixels and with that viewBox; or one that shows a box (low x, low y, high x, high
+ * y) with about 512 pixels along its longer side, which are a power of two of units: the box grows by less than one pixel. False:
+ * the box is empty or too large. */
+struct bat_text;
+void bat_drawing_head(const double sides[2], const double view[4], struct bat_text *out);
+bool bat_drawing_open(const double box[4], struct bat_text *out);
+/* Of such a file: from its pixels to the units of its viewBox. */
+bool bat_drawing_matrix(const bat_picture *picture, double m[6]);
+/* The size of one for a box of that size: about so many pixels, of these proportions as far as pixels are whole. */
+void bat_drawing_sides(double width, double height, uint32_t sides[2]);
+
 /* The pictures of an object: its own, those of its patterns, and those of its masks, the innermost first; NULL: it has none
  * there. */
 enum { BAT_OBJECT_PICTURES = 3 + 16 };

@@ -266,6 +266,16 @@ bat_status bat_editor_add_picture(bat_editor *editor, const void *bytes, size_t 
     return settled(editor, bat_picture_place(&editor->context, bytes, size, name));
 }
 
+const char *bat_editor_writing(bat_editor *editor) { return bat_panel_writing(&editor->context); }
+
+const char *bat_editor_texts(bat_editor *editor) { return bat_panel_texts(&editor->context); }
+
+bat_status bat_editor_write(bat_editor *editor, const char *json, size_t size) {
+    if (!editor || !json) return BAT_ARGUMENT;
+    if (!face_on(&editor->context)) return BAT_STATE;
+    return settled(editor, bat_panel_write(&editor->context, json, size));
+}
+
 const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture) {
     return bat_picture_shown(&editor->context, picture);
 }

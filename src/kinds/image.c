@@ -4,85 +4,62 @@
 #include "document/clip.h"
 #include "document/digest.h"
 #include "document/picture.h"
+#include "document/placed.h"
 #include "format/json/fields.h"
 #include "kinds/kinds.h"
 #include "text/text.h"
 
 #include <batten/paint.h>
 
-#include <math.h>
-
-typedef struct placed {
-    double matrix[6];
-    bat_picture *picture;
-} placed;
-
 static const char expected_matrix[] = "six numbers that do not flatten";
 
-static void corners_of(const placed *g, double corners[8]) {
-    const double *m = g->matrix;
-    double sides[2];
-    bat_picture_sides(g->picture, sides);
-    for (int i = 0; i < 4; i++) {
-        double x = i == 1 || i == 2 ? sides[0] : 0, y = i >= 2 ? sides[1] : 0;
-        corners[2 * i] = m[0] * x + m[2] * y + m[4];
-        corners[2 * i + 1] = m[1] * x + m[3] * y + m[5];
-    }
+static void share(const void *own) { (void)bat_picture_retain(((const bat_placed *)own)->picture); }
+static void end(void *own) { bat_picture_release(((bat_placed *)own)->picture); }
+
+static const bat_placed *own_of(const bat_object *object) {
+    const bat_kind_type *type = object ? bat_object_type(object) : NULL;
+    return type && type->traits & BAT_PICTURED ? bat_object_own(object, type) : NULL;
 }
 
-/* -0 becomes 0, so that equal images have equal bits. */
-static bat_status set(const bat_picture *picture, const double matrix[6], placed *out) {
-    double corners[8];
-    out->picture = (bat_picture *)picture; /* no reference added yet */
-    for (int i = 0; i < 6; i++) out->matrix[i] = matrix[i] + 0.0;
-    if (!(bat_matrix_area(matrix) > 0)) return BAT_NUMBER;
-    corners_of(out, corners);
-    for (int i = 0; i < 8; i++)
-        if (!(fabs(corners[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
-    return BAT_OK;
-}
-
-static void share(const void *own) { (void)bat_picture_retain(((const placed *)own)->picture); }
-static void end(void *own) { bat_picture_release(((placed *)own)->picture); }
-
-static const placed *own_of(const bat_object *object) {
-    const placed *image = bat_object_own(object, &bat_kind_of_image);
-    return image ? image : bat_object_own(object, &bat_kind_of_foreign);
+/* Else it makes its picture itself. */
+static bool is_kept(const bat_object *object) {
+    const bat_kind_type *type = bat_object_type(object);
+    return type == &bat_kind_of_image || type == &bat_kind_of_foreign;
 }
 
 static bat_status create(const bat_kind_type *type, bat_id id, const char *name, const bat_picture *picture,
                          const double matrix[6], double opacity, bat_object **out) {
-    placed own;
+    bat_placed own;
     if (!picture || !matrix || !(opacity >= 0 && opacity <= 1)) return BAT_ARGUMENT;
     if (bat_picture_is_drawing(picture) != (type == &bat_kind_of_foreign)) return BAT_UNSUPPORTED;
     bat_style style = bat_style_defaults();
     style.stroked = false;
     style.filled = true; /* it covers what lies behind it */
     style.opacity = opacity;
-    bat_status status = set(picture, matrix, &own);
+    bat_status status = bat_placed_set(picture, matrix, &own);
     if (status == BAT_OK) status = bat_object_make(type, id, name, &style, &own, 0, NULL, out);
     if (status == BAT_OK) share(&own);
     return status;
 }
 
 bat_status bat_object_with_matrix(const bat_object *object, const double matrix[6], bat_object **out) {
-    const placed *old = object ? own_of(object) : NULL;
-    placed own;
+    const bat_placed *old = object && is_kept(object) ? own_of(object) : NULL;
+    bat_placed own;
     if (!old || !matrix || !out) return BAT_ARGUMENT;
-    bat_status status = set(old->picture, matrix, &own);
+    bat_status status = bat_placed_set(old->picture, matrix, &own);
     if (status == BAT_OK) status = bat_object_remake(object, bat_object_type(object), &own, 0, NULL, out);
     if (status == BAT_OK) share(&own);
     return status;
 }
 
 const bat_picture *bat_object_picture(const bat_object *object) {
-    const placed *g = own_of(object);
+    const bat_placed *g = own_of(object);
     return g ? g->picture : NULL;
 }
 
 const bat_picture *bat_object_picture_at(const bat_object *object, int index) {
     const bat_paint *paint = index > 0 ? bat_object_paint(object) : NULL;
-    if (index == 0) return bat_object_picture(object);
+    if (index == 0) return is_kept(object) ? bat_object_picture(object) : NULL;
     if (index > 2) {
         const bat_clip *clip = bat_object_clip(object);
         while (clip && index-- > 3) clip = bat_clip_within(clip);
@@ -96,32 +73,23 @@ bool bat_object_is_foreign(const bat_object *object) {
 }
 
 const double *bat_object_matrix(const bat_object *object) {
-    const placed *g = own_of(object);
+    const bat_placed *g = own_of(object);
     return g ? g->matrix : NULL;
 }
 
 void bat_object_corners(const bat_object *object, double corners[8]) {
-    const placed *g = own_of(object);
+    const bat_placed *g = own_of(object);
     if (g)
-        corners_of(g, corners);
+        bat_placed_corners(g, corners);
     else
         for (int i = 0; i < 8; i++) corners[i] = 0;
 }
 
 static uint64_t digest_placed(uint64_t before, const void *own) {
-    const placed *g = own;
+    const bat_placed *g = own;
     uint64_t made = bat_digest_number(before, bat_picture_digest(g->picture));
     for (int i = 0; i < 6; i++) made = bat_digest_double(made, g->matrix[i]);
     return made;
-}
-
-static void bounds(const void *own, double box[4]) {
-    double corners[8];
-    corners_of(own, corners);
-    for (int i = 0; i < 8; i++) {
-        box[i & 1] = fmin(box[i & 1], corners[i]);
-        box[2 + (i & 1)] = fmax(box[2 + (i & 1)], corners[i]);
-    }
 }
 
 static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
@@ -189,23 +157,23 @@ static bat_status read_foreign(const bat_fields *f, uint32_t node, bat_id id, co
 
 const bat_kind_type bat_kind_of_image = {.number = BAT_KIND_IMAGE,
                                          .name = "image",
-                                         .traits = BAT_DRAWN,
-                                         .size = sizeof(placed),
+                                         .traits = BAT_DRAWN | BAT_PICTURED,
+                                         .size = sizeof(bat_placed),
                                          .share = share,
                                          .end = end,
                                          .digest = digest_placed,
-                                         .bounds = bounds,
+                                         .bounds = bat_placed_bounds,
                                          .transform = transform,
                                          .write = write,
                                          .read = read_image};
 const bat_kind_type bat_kind_of_foreign = {.number = BAT_KIND_FOREIGN,
                                            .name = "foreign",
-                                           .traits = BAT_DRAWN | BAT_NEW,
-                                           .size = sizeof(placed),
+                                           .traits = BAT_DRAWN | BAT_NEW | BAT_PICTURED,
+                                           .size = sizeof(bat_placed),
                                            .share = share,
                                            .end = end,
                                            .digest = digest_placed,
-                                           .bounds = bounds,
+                                           .bounds = bat_placed_bounds,
                                            .transform = transform,
                                            .write = write,
                                            .read = read_foreign};

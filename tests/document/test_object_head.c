@@ -9,6 +9,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/batten.h>
+#include "document/lettering.h"
 #include "editor/edit/affine.h"
 #include "kinds/primitive.h"
 #include "support/pen.h"
@@ -20,7 +21,7 @@ enum { ID = 12, PARENT = 3, WIRE = 9 };
 static const bat_kind kinds[] = {BAT_KIND_PATH,     BAT_KIND_SPLINE, BAT_KIND_GROUP,   BAT_KIND_LAYER,
                                  BAT_KIND_SHAPE,    BAT_KIND_IMAGE,  BAT_KIND_GUIDE,   BAT_KIND_PLANE,
                                  BAT_KIND_SURFACE,  BAT_KIND_CAMERA, BAT_KIND_VIEW,    BAT_KIND_MESH,
-                                 BAT_KIND_SKELETON, BAT_KIND_BOUND,  BAT_KIND_FOREIGN, BAT_KIND_PRIMITIVE};
+                                 BAT_KIND_SKELETON, BAT_KIND_BOUND,  BAT_KIND_FOREIGN, BAT_KIND_PRIMITIVE, BAT_KIND_TEXT};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {
@@ -62,6 +63,7 @@ static bat_object *bare(bat_kind kind, bat_id id) {
     bat_camera_options along = bat_camera_defaults();
     bat_shape_options options = bat_shape_defaults();
     bat_curve *curve = pen_curve(10, 20, 10, 3, 12);
+    bat_lettering letters = bat_lettering_defaults();
     switch (kind) {
     case BAT_KIND_SPLINE:
         assert_int_equal(bat_object_create_spline(id, "", &style, &spline, NULL, &object), BAT_OK);
@@ -81,6 +83,12 @@ static bat_object *bare(bat_kind kind, bat_id id) {
         assert_int_equal(
             bat_object_create_foreign(id, "", picture, (double[]){1, 0, 0, 1, 5, 6}, 0.5, &object), BAT_OK);
         bat_picture_release(picture);
+        break;
+    case BAT_KIND_TEXT:
+        letters.content = "Hello", letters.box[2] = 60, letters.box[1] = -20;
+        assert_int_equal(
+            bat_object_create_text(id, "", &letters, (double[]){1, 0, 0, 1, 5, 6}, 0x123456ff, 0.5, &object),
+            BAT_OK);
         break;
     case BAT_KIND_GUIDE: assert_int_equal(bat_object_create_guide(id, 1, 40, &object), BAT_OK); break;
     case BAT_KIND_PLANE:

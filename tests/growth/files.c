@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "growth.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include "support/pen.h"
 #include "support/xml.h"
 #include "text/text.h"

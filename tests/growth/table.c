@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include "growth.h"
 #include "support/random_curve.h"
 #include "text/text.h"

@@ -2,7 +2,7 @@
 #ifndef BATTEN_TESTS_SVG_KEPT_H
 #define BATTEN_TESTS_SVG_KEPT_H
 
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include <batten/format.h>
 
 /* options and report may be NULL. */

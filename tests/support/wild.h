@@ -72,6 +72,22 @@ static inline bat_id wild_id(const bat_editor *editor, session_bytes *bytes) {
     return which == 255 || count == 0 ? 77 : bat_object_id(bat_document_at(document, which % count));
 }
 
+/* Writes a text, or what is no text. */
+static inline void wild_text(bat_editor *editor, unsigned more) {
+    static const char *const texts[] = {
+        "{\"text\":\"a\\nb\",\"box\":[0,-20,30,40]}",
+        "{\"text\":\"\"}",
+        "{\"text\":\"c\",\"box\":[0,0,0,0]}",
+        "[{\"id\":1,\"text\":\"d\"}]",
+        "{\"text\":\"e\",\"box\":[0,-9,9,9],\"size\":7,\"align\":\"end\",\"fill\":\"#11223344\"}",
+        "{"};
+    const char *text = texts[more % 6];
+    bat_editor_write(editor, text, strlen(text));
+    bat_editor_writing(editor);
+    bat_editor_texts(editor);
+    if (more & 32) bat_editor_command(editor, "text-edit");
+}
+
 /* Other calls that hosts make. */
 static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
     static const char *const keys[] = {"Ctrl+Q", "Q Shift+Q", "", NULL, "Ctrl+", "+", "\xff"};
@@ -99,7 +115,10 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
             abort();
         break;
     case 7: bat_editor_rename(editor, wild_id(editor, bytes), names[more % 4]); break;
-    case 8: bat_editor_picture(editor, more); break;
+    case 8:
+        bat_editor_picture(editor, more);
+        wild_text(editor, more);
+        break;
     case 9:
         bat_editor_refit(editor, more % 7 / 5.0, more & 8);
         bat_editor_refit_other(editor, more % 3 / 2.0, more & 8);

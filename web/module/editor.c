@@ -93,6 +93,12 @@ int editor_export(const bat_editor *editor, const char *format, int part, uint32
                   bat_problem *problem);
 MODULE_EXPORT(editor_add_picture)
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name);
+MODULE_EXPORT(editor_writing)
+const char *editor_writing(bat_editor *editor);
+MODULE_EXPORT(editor_texts)
+const char *editor_texts(bat_editor *editor);
+MODULE_EXPORT(editor_write)
+int editor_write(bat_editor *editor, const char *json);
 MODULE_EXPORT(editor_picture)
 const void *editor_picture(const bat_editor *editor, uint32_t picture, size_t *size);
 MODULE_EXPORT(editor_save) int editor_save(const bat_editor *editor, int native, int kept, module_bytes *out);
@@ -448,6 +454,21 @@ int editor_export(const bat_editor *editor, const char *format, int part, uint32
 int editor_add_picture(bat_editor *editor, const void *bytes, size_t size, const char *name) {
     MODULE_CHECK(editor);
     return (int)bat_editor_add_picture(editor, bytes, size, name);
+}
+
+const char *editor_writing(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_writing(editor);
+}
+
+const char *editor_texts(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_texts(editor);
+}
+
+int editor_write(bat_editor *editor, const char *json) {
+    MODULE_CHECK(editor && json);
+    return (int)bat_editor_write(editor, json, strlen(json));
 }
 
 /* The bytes of a picture, not copied; NULL when there is none. */

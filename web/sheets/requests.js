@@ -54,6 +54,7 @@ export class Requests {
       [Ask.HISTORY, () => this.#history()],
       [Ask.WIDTH, () => panel.askNumber('width-here')],
       [Ask.SIZE, () => panel.askNumber('width')],
+      [Ask.TEXT, async () => (await want(import('../stage/writing.js'))).write(this.shell)],
     ];
     for (const [asked, run] of requests ? ways : []) {
       if (requests & asked) {

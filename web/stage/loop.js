@@ -150,10 +150,10 @@ export class Loop {
 
   /** Passes on what a frame says besides its picture. @param {Frame} frame */
   #tell(frame) {
-    const { stage, files, notices, drawings } = this.shell;
+    const { stage, files, notices, drawings, painter } = this.shell;
     stage.dataset.cursor = CURSORS[frame.cursor] ?? 'cross';
     const empty = frame.still.length === 0;
-    part('welcome').hidden = !frame.still.every(isPage) || frame.live.some((item) => item.role < Role.GRID);
+    part('welcome').hidden = painter.unseen >= 0 || !frame.still.every(isPage) || frame.live.some((item) => item.role < Role.GRID);
     const { ours } = drawings;
     this.selected = frame.selected;
     this.tool = frame.tool;

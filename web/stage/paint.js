@@ -89,6 +89,7 @@ export class Painter {
     this.timer = 0;
     /** Requests another frame. */
     this.onidle = () => {};
+    this.unseen = -1; // the id of the text that is being typed
     /** Counts for tests and measurements. */
     this.counts = { full: 0, part: 0, moved: 0 };
   }
@@ -280,7 +281,7 @@ export class Painter {
   /** @param {Context} context @param {Item} item @param {Float32Array} path @param {number} zoom */
   #drawPicture(context, item, path, zoom) {
     const bitmap = this.#fetched()?.pictureOf(this, item.picture);
-    if (bitmap) {
+    if (bitmap && item.id !== this.unseen) {
       this.paints?.drawPicture(context, item, path, bitmap, zoom, this.warp);
     }
   }

@@ -20,4 +20,5 @@ void bat_choice_forget(bat_context *c) {
     bat_isolate_end(c);
     c->choice->layer = c->choice->entered = 0;
     c->choice->repetition.count = 0;
+    c->choice->writing = (bat_writing){0};
 }

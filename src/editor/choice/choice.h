@@ -5,6 +5,7 @@
 #include "editor/choice/isolation.h"
 #include "editor/choice/repetition.h"
 #include "editor/choice/selection.h"
+#include "editor/choice/writing.h"
 #include "editor/session/context.h"
 #include "editor/tables/tables.h"
 
@@ -14,6 +15,7 @@ typedef struct bat_choice {
     bat_id layer;   /* the active layer, where new curves go; 0: none */
     bat_isolation isolation;
     bat_repetition repetition;
+    bat_writing writing;
     bat_tool_id tool; /* the chosen tool */
     unsigned wanted;  /* trait of a tool to be chosen when the event is over; 0: none */
 } bat_choice;

@@ -1,6 +1,7 @@
 /* Tracing pictures: images behind the drawing. */
 #include "editor/edit/pictures.h"
 #include "base/real.h"
+#include "document/lettering.h"
 #include "editor/edit/affine.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
@@ -65,13 +66,17 @@ const bat_picture *bat_picture_shown(const bat_context *c, uint32_t picture) {
     for (int i = 0; i < c->session->pictures.count; i++)
         if ((uint32_t)bat_picture_digest(c->session->pictures.list[i]) == picture)
             return c->session->pictures.list[i];
+    for (int i = 0; i < bat_document_count(c->session->document); i++) { /* a text makes its own */
+        const bat_picture *own = bat_object_picture(bat_document_at(c->session->document, i));
+        if (own && (uint32_t)bat_picture_digest(own) == picture) return own;
+    }
     return NULL;
 }
 
 /* ---- all of them together ---- */
 
 static bool is_picture(const bat_object *object) {
-    return bat_object_picture(object) && !bat_object_is_foreign(object);
+    return bat_object_picture(object) && !bat_object_is_foreign(object) && !bat_object_lettering(object);
 }
 
 int bat_tracing_count(const bat_document *document) {

@@ -8,7 +8,7 @@
 #include "editor/view/unit.h"
 
 typedef struct bat_panels {
-    char *actions, *layers, *outline, *readings, *tables, *move, *mixed, *history, *colours, *view;
+    char *actions, *layers, *outline, *readings, *tables, *move, *mixed, *history, *colours, *view, *writing;
     char number_text[BAT_UNIT_ROOM]; /* the text returned by bat_panel_number */
     bat_told told;
 } bat_panels;
@@ -26,6 +26,9 @@ const char *bat_panel_unshown(bat_context *c);
 const char *bat_panel_holds(bat_context *c);
 const char *bat_panel_points(bat_context *c, bat_id id);
 bat_status bat_panel_choose(bat_context *c, bat_id id, int point);
+const char *bat_panel_writing(bat_context *c);
+const char *bat_panel_texts(bat_context *c);
+bat_status bat_panel_write(bat_context *c, const char *json, size_t size);
 const char *bat_panel_said(bat_context *c);
 bat_status bat_panel_enter(bat_context *c, const char *name, const char *text);
 const char *bat_panel_number(bat_context *c, const char *name);

@@ -10,6 +10,7 @@
 #include "editor/edit/affine.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/shapes/primitives.h"
+#include "editor/choice/writing.h"
 #include "editor/choice/repetition.h"
 #include "base/vec.h"
 #include "editor/choice/choice.h"
@@ -357,6 +358,7 @@ static void press(bat_context *c, bat_selecting *s, const bat_pointer *event) {
     bat_stack there;
     if (s->below && stack_at(c, s, event->device, event->modifiers, &there) == BAT_OK && there.selected)
         s->pressed = there.selected;
+    s->twice = twice && s->pressed;
     s->was_selected = s->pressed && bat_selection_has(selection, s->pressed);
     bool adds = event->modifiers & BAT_SHIFT;
     if (!s->pressed) {
@@ -479,6 +481,8 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
                                         [BAT_SELECTING_SHAPING] = BAT_STRING_STEP_SHAPE};
     bat_selecting_state was = s->state;
     if (was == BAT_SELECTING_PRESSED) click(c, s);
+    if (was == BAT_SELECTING_PRESSED && s->twice && !bat_stage_tilted(c->stage))
+        (void)bat_command_text_edit(c, BAT_COMMAND_TEXT_EDIT);
     if (was == BAT_SELECTING_MARQUEE) select_box(c, s);
     if (dragging(s)) {
         /* A handle that was only tapped changes nothing. */

@@ -28,6 +28,7 @@ typedef struct bat_selecting {
     int handle;     /* under the pointer, or grabbed */
 
     bat_id pressed;    /* 0: on nothing */
+    bool twice;        /* it is the second of a double click */
     bool was_selected; /* before the press: a click then selects it alone */
     bool below;        /* with Alt: a click selects what lies below */
     bool replaced;     /* the press has begun a new selection; `earlier` is the previous one */

@@ -4,6 +4,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "document/follow.h"
+#include "document/lettering.h"
 #include "document/scale.h"
 #include "text/base64.h"
 #include "format/json/curve.h"
@@ -21,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with shapes that stay shapes, with masks, with patterns, with markers, with strokes whose width
+/* Versions of the format, of which older programs refuse those that they would not keep whole: drawings with shapes that stay shapes or texts, with masks, with patterns, with markers, with strokes whose width
  * changes, drawings with meshes or with
  * what is bound to wires, drawings with surfaces that are made from curves, drawings with paint beyond styles, drawings that
  * keep the file that they were read from, drawings with something in space, and all others. */
@@ -37,7 +38,7 @@ enum {
     PATTERNED = 9,
     MASKED = 10,
     BESIDE = 11, /* what stands beside a drawing (held.h) */
-    SHAPED = 12
+    NEWEST = 12  /* shapes, texts */
 };
 
 /* Replaces *object with `made`, or reports what went wrong (fault NULL: with the status's own message). */
@@ -228,7 +229,7 @@ static bat_status read_document(const bat_fields *f, bat_document *document, boo
     if (bat_json_type_of(f->json, version) != BAT_JSON_NUMBER)
         return bat_fields_complain(f, version ? version : 1, "batten", "the version of the format, a number");
     const double number = f->json->nodes[version].value.number;
-    if (!(number >= PLAIN && number <= SHAPED && number != BESIDE && number == floor(number)))
+    if (!(number >= PLAIN && number <= NEWEST && number != BESIDE && number == floor(number)))
         return bat_json_complain(f->json, version, BAT_UNSUPPORTED, "batten", "version 1 to 10, or 12",
                                  f->problem);
     bat_id next = 0;
@@ -341,11 +342,16 @@ static bool is_masked(const bat_object *object) {
 static uint64_t version_of(const bat_document *document, bool whole) {
     uint64_t version = whole && bat_document_origin(document) ? SOURCED : PLAIN;
     for (int i = 0; i < bat_document_count(document); i++)
-        if (bat_object_is(bat_document_at(document, i), BAT_PLAIN)) return SHAPED;
+        if (bat_object_is(bat_document_at(document, i), BAT_PLAIN) ||
+            bat_object_lettering(bat_document_at(document, i)))
+            return NEWEST;
     for (int i = 0; i < bat_document_count(document); i++) {
         const bat_object *object = bat_document_at(document, i);
         const bat_paint *paint = bat_object_paint(object);
-        if (is_masked(object)) return MASKED;
+        if (is_masked(object) || version == MASKED) {
+            version = MASKED;
+            continue;
+        }
         if ((paint && (paint->fill.tile || paint->stroke.tile)) || version == PATTERNED) {
             version = PATTERNED;
             continue;

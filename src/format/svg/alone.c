@@ -7,10 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 512, BYTES_MAX = 1 << 22, LISTED_MAX = 4096 };
-
-static const char HEAD[] = "<svg xmlns=\"" BAT_SVG_NAMESPACE "\" width=\"", HEIGHT[] = "\" height=\"",
-                  VIEW[] = "\" viewBox=\"";
+enum { BYTES_MAX = 1 << 22, LISTED_MAX = 4096 };
 
 /* ---- what it refers to ---- */
 
@@ -165,7 +162,7 @@ static void write_root(const bat_svg_walk *w, bat_text *out) {
         bat_text_number(out, page[i]);
         bat_text_string(out, "\"");
     }
-    bat_text_string(out, VIEW + 1);
+    bat_text_string(out, " viewBox=\"");
     write_numbers(page, 4, out);
     bat_text_string(out, "\" overflow=\"visible\">");
 }
@@ -206,28 +203,6 @@ static bool write_sheets(const bat_svg_walk *w, bat_text *out) {
     for (uint32_t i = 0; i < w->style_count && good; i++)
         good = copy(w, tag_of(w, w->styles[i])->open, tag_of(w, w->styles[i])->end, out);
     return good;
-}
-
-static void write_head(const double sides[2], const double view[4], bat_text *out) {
-    bat_text_string(out, HEAD);
-    bat_text_integer(out, (uint64_t)sides[0]);
-    bat_text_string(out, HEIGHT);
-    bat_text_integer(out, (uint64_t)sides[1]);
-    bat_text_string(out, VIEW);
-    write_numbers(view, 4, out);
-    bat_text_string(out, "\">");
-}
-
-/* Whole pixels that are a power of two of units: the box grows by less than one pixel. */
-static bool write_box(const double box[4], bat_text *out) {
-    const double width = box[2] - box[0], height = box[3] - box[1];
-    int power;
-    if (!(width > 0 && height > 0 && width < 1e30 && height < 1e30)) return false;
-    frexp(SIDE / fmax(width, height), &power);
-    const double scale = ldexp(1, power - 1),
-                 sides[2] = {fmax(1, ceil(width * scale)), fmax(1, ceil(height * scale))};
-    write_head(sides, (double[4]){box[0], box[1], sides[0] / scale, sides[1] / scale}, out);
-    return true;
 }
 
 /* What the element needs, and what all need. */
@@ -282,7 +257,7 @@ static bat_status make(bat_svg_walk *w, uint32_t element, const content *c, bat_
 
 bat_status bat_svg_alone(bat_svg_walk *w, uint32_t element, const double box[4], bat_picture **out) {
     bat_text text = {0};
-    if (!write_box(box, &text)) return BAT_UNSUPPORTED;
+    if (!bat_drawing_open(box, &text)) return BAT_UNSUPPORTED;
     return make(w, element, &(content){NULL, NULL}, &text, out);
 }
 
@@ -290,7 +265,7 @@ bat_status bat_svg_alone_within(bat_svg_walk *w, uint32_t element, const uint32_
                                 const bat_text *before, const char *after, bat_picture **out) {
     const double own[2] = {sides[0], sides[1]};
     bat_text text = {0};
-    write_head(own, (double[4]){0, 0, own[0], own[1]}, &text);
+    bat_drawing_head(own, (double[4]){0, 0, own[0], own[1]}, &text);
     return make(w, element, &(content){before, after}, &text, out);
 }
 
@@ -369,30 +344,4 @@ void bat_svg_alone_around(const bat_svg_walk *w, uint32_t holder, bat_text *befo
         way[depth++] = at;
     while (depth > 0)
         if (open_around(w, way[--depth], before)) bat_text_string(after, "</g>");
-}
-
-/* About so many pixels, of these proportions as far as pixels are whole. */
-void bat_svg_alone_sides(double width, double height, uint32_t sides[2]) {
-    int power;
-    frexp(SIDE / fmax(width, height), &power);
-    sides[0] = (uint32_t)fmax(1, floor(ldexp(width, power - 1) + 0.5));
-    sides[1] = (uint32_t)fmax(1, floor(ldexp(height, power - 1) + 0.5));
-}
-
-bool bat_svg_alone_matrix(const bat_picture *picture, double m[6]) {
-    size_t size;
-    const char *text = bat_picture_bytes(picture, &size), *end = text + size;
-    double sides[2], view[4];
-    bat_picture_sides(picture, sides);
-    if (!bat_picture_is_drawing(picture)) return false;
-    const char *at = text + sizeof HEAD - 1;
-    for (int quotes = 0; at < end && quotes < 4; at++) quotes += *at == '"';
-    for (int i = 0; i < 4; i++) {
-        while (at < end && *at == ' ') at++;
-        at = at < end ? bat_number_scan(at, end, &view[i]) : NULL;
-        if (!at) return false;
-    }
-    const double made[6] = {view[2] / sides[0], 0, 0, view[3] / sides[1], view[0], view[1]};
-    for (int i = 0; i < 6; i++) m[i] = made[i];
-    return view[2] > 0 && view[3] > 0;
 }

@@ -8,15 +8,11 @@
 /* box: what is shown, in units of the document. BAT_UNSUPPORTED: the file's text is not at hand, or the element cannot stand
  * alone; BAT_COUNT: it would be too large. O(size of what is written). */
 bat_status bat_svg_alone(bat_svg_walk *w, uint32_t element, const double box[4], bat_picture **out);
-/* Where the picture lies as long as it is not moved: a matrix from its pixels. */
-bool bat_svg_alone_matrix(const bat_picture *picture, double m[6]);
 
 /* The same for what an element holds, which is written between two texts, in the pixels of a picture of that size. */
 bat_status bat_svg_alone_within(bat_svg_walk *w, uint32_t element, const uint32_t sides[2],
                                 const bat_text *before, const char *after, bat_picture **out);
 
-/* The size of such a picture for a box of that size. */
-void bat_svg_alone_sides(double width, double height, uint32_t sides[2]);
 /* Opens elements with the attributes of those around a holder, which what is in it inherits, and closes them: in `before` and
  * `after`. The effects of those elements are none of the holder's, and left out. */
 void bat_svg_alone_around(const bat_svg_walk *w, uint32_t holder, bat_text *before, bat_text *after);

@@ -26,7 +26,7 @@ static bool put(bat_svg_walk *w, uint32_t element, const double box[4], bat_obje
     double m[6];
     bat_status status = bat_svg_alone(w, element, box, &picture);
     if (status == BAT_OK) status = bat_pictures_add(&w->pictures, picture);
-    if (status == BAT_OK && !bat_svg_alone_matrix(picture, m)) status = BAT_NUMBER;
+    if (status == BAT_OK && !bat_drawing_matrix(picture, m)) status = BAT_NUMBER;
     if (status == BAT_OK)
         status = bat_object_create_foreign(bat_document_new_id(w->document), bat_svg_find_name(w, element),
                                            picture, m, 1, out);
@@ -54,8 +54,9 @@ bool bat_svg_draw_text(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
     double own[4];
     if (strcmp(bat_svg_tree_name(w->tree, element), "text") != 0)
         return false; /* others show what never was in SVG */
-    if (!bat_svg_may_stand_alone(w) || !s->style.visible || !bat_svg_text_box(w, element, s, own))
-        return false;
+    if (!bat_svg_may_stand_alone(w) || !s->style.visible) return false;
+    if (bat_svg_draw_lettering(w, element, s)) return true;
+    if (!bat_svg_text_box(w, element, s, own)) return false;
     return put_within(w, element, s, own);
 }
 

@@ -16,7 +16,7 @@
  * from now on is how far it is moved from where it is. */
 static void place_foreign(bat_sourced *entry, const bat_object *object) {
     double read[6], back[6], first[6], was[6];
-    if (!bat_svg_alone_matrix(bat_object_picture(object), first) ||
+    if (!bat_drawing_matrix(bat_object_picture(object), first) ||
         !bat_svg_inverse(bat_object_matrix(object), back))
         return;
     memcpy(read, entry->inner, sizeof read);

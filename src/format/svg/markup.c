@@ -3,6 +3,7 @@
 #include "base/matrix.h"
 #include "base/real.h"
 #include "document/document.h"
+#include "document/lettering.h"
 #include "document/scale.h"
 #include "format/svg/digest.h"
 #include "format/svg/svg.h"
@@ -70,6 +71,17 @@ void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const dou
     bat_text_string(text, ";base64,");
     bat_base64_write(text, bytes, size);
     bat_text_string(text, "\"/>");
+}
+
+void bat_svg_write_lettering(bat_text *text, const bat_object *object, const double m[6], double opacity,
+                             const bat_svg_ids *ids) {
+    bat_text_string(text, " transform=\"");
+    bat_svg_write_matrix(m, text);
+    bat_text_string(text, "\"");
+    if (opacity != 1) bat_svg_write_number(text, " opacity=\"", opacity);
+    bat_svg_refer_clip(text, ids);
+    bat_lettering_markup(bat_object_lettering(object), bat_object_style(object)->fill, text);
+    bat_text_string(text, "</text>");
 }
 
 void bat_svg_write_matrix(const double m[6], bat_text *out) {

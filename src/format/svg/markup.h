@@ -56,6 +56,9 @@ void bat_svg_write_style_attribute(bat_text *text, const bat_object *object, con
 /* The rest of an image element after its name: placed by m, and ended. */
 void bat_svg_write_picture(bat_text *text, const bat_picture *picture, const double m[6], double opacity,
                            const bat_svg_ids *ids);
+/* The rest of a text's element, of which the name has been written; m: as above, of bat_object_place. */
+void bat_svg_write_lettering(bat_text *text, const bat_object *object, const double m[6], double opacity,
+                             const bat_svg_ids *ids);
 void bat_svg_write_state(bat_text *text, const bat_object *object); /* hidden, locked */
 /* Writes the lines as paths of a group, hidden ones, dashed and below the others, when `dashed`. digest (may be NULL): of
  * what a reader will find, is added to. */

@@ -157,7 +157,7 @@ static bat_status draw(bat_svg_walk *w, const bat_svg_scope *s, const region *r,
     bat_text before = {0}, after = {0};
     uint32_t sides[2];
     if (!id || !is_plain(id) || !bat_svg_may_stand_alone(w)) return BAT_UNSUPPORTED;
-    bat_svg_alone_sides(r->box[2], r->box[3], sides);
+    bat_drawing_sides(r->box[2], r->box[3], sides);
     write_around(w, s->mask, r, sides, &before, &after);
     bat_text_add(&after, "", 1);
     const bat_status status = before.failed || after.failed

@@ -27,6 +27,8 @@ static const struct {
     {"cx", BAT_SVG_ATTRIBUTE},
     {"cy", BAT_SVG_ATTRIBUTE},
     {"d", BAT_SVG_ATTRIBUTE},
+    {"data-box", BAT_SVG_ATTRIBUTE},
+    {"data-line", BAT_SVG_ATTRIBUTE},
     {"data-locked", BAT_SVG_ATTRIBUTE},
     {"data-name", BAT_SVG_ATTRIBUTE},
     {"decoding", BAT_SVG_ATTRIBUTE},

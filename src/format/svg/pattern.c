@@ -194,7 +194,7 @@ static bat_picture *draw(bat_svg_walk *w, const tile *t) {
     bat_text before = {0}, after = {0};
     bat_picture *picture = NULL;
     uint32_t sides[2];
-    bat_svg_alone_sides(t->box[2], t->box[3], sides);
+    bat_drawing_sides(t->box[2], t->box[3], sides);
     write_around(w, t, sides, &before, &after);
     const bat_status status = before.failed || after.failed
                                   ? BAT_MEMORY

@@ -53,11 +53,4 @@ size_t bat_svg_tag_name(const char *tag, size_t size);
 /* Its name without a prefix; *length: of that. */
 const char *bat_svg_tag_local(const char *tag, size_t size, size_t *length);
 
-/* Reads the text as a parser would and feeds it to a reader. BAT_UNSUPPORTED: an entity that it does not know. */
-bat_status bat_svg_feed(const char *text, size_t size, bat_svg_reader *reader);
-/* Adds a value with its entities replaced; types: the document type, where more of them may be declared. False: one is
- * not known. */
-bool bat_svg_decode(const char *raw, size_t size, const char *types, size_t types_size, bool attribute,
-                    bat_text *out);
-
 #endif

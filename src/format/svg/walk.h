@@ -224,6 +224,8 @@ bat_status bat_svg_match(const char *text, size_t size, const bat_svg_tree *tree
 /* Whether foreign content can be taken from the file. */
 bool bat_svg_may_stand_alone(bat_svg_walk *w);
 void bat_svg_stand_free(bat_svg_walk *w);
+/* draw_lettering.c: a text as this program writes it becomes one again. False: it is another. */
+bool bat_svg_draw_lettering(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 /* False: it is not shown. */
 bool bat_svg_draw_text(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);

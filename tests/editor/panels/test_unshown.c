@@ -11,7 +11,7 @@
 #include "document/document.h"
 #include "document/source.h"
 #include "editor/editor.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include "support/alloc_fail.h"
 #include <batten/format.h>
 #include <batten/panels.h>

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "document/document.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include "support/alloc_fail.h"
 #include <batten/bezier.h>
 #include <batten/format.h>

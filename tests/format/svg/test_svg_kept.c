@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "document/document.h"
 #include "format/svg/write/covered.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 #include "support/svg_kept.h"

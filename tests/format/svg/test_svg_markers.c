@@ -11,7 +11,7 @@
 #include "document/document.h"
 #include "document/markers.h"
 #include "editor/edit/affine.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include "support/alloc_fail.h"
 #include <batten/bezier.h>
 #include <batten/format.h>

@@ -10,7 +10,7 @@
 #include "document/object.h"
 #include "document/paint.h"
 #include "editor/edit/affine.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include "support/alloc_fail.h"
 #include "support/svg_kept.h"
 #include <batten/bezier.h>

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "format/svg/outline.h"
-#include "format/svg/tags.h"
+#include "format/svg/write/feed.h"
 #include "format/svg/svg.h"
 #include "support/random_curve.h"
 #include <batten/bezier.h>

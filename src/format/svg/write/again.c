@@ -1,5 +1,6 @@
 /* What is written is read again before it is handed over. */
 #include "format/svg/walk.h"
+#include "format/svg/write/feed.h"
 #include "format/svg/write/patch.h"
 
 #include <stdlib.h>

@@ -52,7 +52,7 @@ static bool find_units(const bat_svg_retag *r, const bat_object *object, const b
     double was[6], back[6], moved[6], own[6];
     if (!matrix || !bat_svg_reshaped(object, entry)) return bat_svg_inverse(entry->inner, m);
     if (!bat_object_is_foreign(object) || bat_svg_is_written_alone(r)) return bat_svg_inverse(matrix, m);
-    if (!bat_svg_alone_matrix(bat_object_picture(object), was) || !bat_svg_inverse(was, back)) return false;
+    if (!bat_drawing_matrix(bat_object_picture(object), was) || !bat_svg_inverse(was, back)) return false;
     bat_matrix_compose(matrix, back, moved);
     bat_matrix_compose(moved, entry->inner, own);
     return bat_svg_inverse(own, m);

@@ -2,6 +2,7 @@
  * and order allow, so that as little as possible of what is around it has an effect on it. */
 #include "base/matrix.h"
 #include "document/kind.h"
+#include "document/lettering.h"
 #include "format/svg/write/covered.h"
 #include "format/svg/markup.h"
 #include "format/svg/svg.h"
@@ -143,11 +144,15 @@ static void write_new(bat_svg_patch *p, const bat_object *object, const spot *s,
         if (bat_svg_inverse(bat_object_matrix(object), own))
             p->status = bat_svg_write_clip(out, object, own, bat_svg_patch_number(p), &ids);
         bat_svg_patch_mark(p, bat_object_id(object));
-        bat_matrix_compose(s->back, bat_object_matrix(object), m);
-        bat_text_string(out, "<image");
+        const bat_lettering *lettering = bat_object_lettering(object);
+        bat_matrix_compose(s->back, lettering ? bat_object_place(object) : bat_object_matrix(object), m);
+        bat_text_string(out, lettering ? "<text" : "<image");
         bat_svg_write_name(out, " data-name=\"", bat_object_name(object));
         write_hidden(out, object, hides);
-        bat_svg_write_picture(out, bat_object_picture(object), m, style.opacity, &ids);
+        if (lettering)
+            bat_svg_write_lettering(out, object, m, style.opacity, &ids);
+        else
+            bat_svg_write_picture(out, bat_object_picture(object), m, style.opacity, &ids);
         return;
     }
     double pen[6], back[6], m[6];
@@ -194,7 +199,8 @@ static void write_moved(bat_svg_patch *p, const bat_object *object, const bat_so
     const bool apart = tag->parent != s->in;
     double m[6];
     if (apart &&
-        bat_object_is_foreign(object)) { /* what it has from the elements around it would be missing */
+        (bat_object_is_foreign(object) ||
+         bat_object_lettering(object))) { /* what it has from the elements around it would be missing */
         write_new(p, object, s, hides);
         return;
     }

@@ -288,7 +288,7 @@ static bat_status set_image(bat_svg_retag *r, const bat_object *object, const ba
 /* Before the element's own transform comes what has moved the content since it was read. */
 static bat_status set_foreign(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
     double back[6], was[6], moved[6], to[6], own[6], m[6];
-    if (!bat_svg_alone_matrix(bat_object_picture(object), was) || !bat_svg_inverse(was, back) ||
+    if (!bat_drawing_matrix(bat_object_picture(object), was) || !bat_svg_inverse(was, back) ||
         !bat_svg_inverse(entry->outer, to))
         return BAT_UNSUPPORTED;
     bat_matrix_compose(bat_object_matrix(object), back, moved);

@@ -1,6 +1,7 @@
 #include "format/svg/write/plan.h"
 
 #include "document/clip.h"
+#include "document/lettering.h"
 #include "document/markers.h"
 #include "document/nesting.h"
 #include "document/sheet.h"
@@ -49,7 +50,8 @@ static void find_types(bat_svg_plan *plan) {
 }
 
 bool bat_svg_is_remade(const bat_object *object, const bat_sourced *entry) {
-    return entry->part || bat_object_widths(object).count > 0;
+    return entry->part || bat_object_widths(object).count > 0 ||
+           (bat_object_lettering(object) && bat_svg_reshaped(object, entry));
 }
 
 /* Objects and entries find each other by the object's id; of its parts the first stands for it. */

@@ -67,7 +67,8 @@ bool bat_svg_restyled(const bat_svg_plan *plan, const bat_object *object, const 
 /* How much wider its stroke would be if its element stayed as it is: one that does not scale is as wide as so many pixels. */
 double bat_svg_plan_widens(const bat_svg_plan *plan, const bat_sourced *entry);
 bool bat_svg_remarked(const bat_object *object, const bat_sourced *entry); /* it has other markers */
-/* Its stroke's width changes along it, or did: its element gives way to parts, or they to one element. */
+/* Its stroke's width changes along it, or did: its element gives way to parts, or they to one element. Or it is a text that says, or
+ * lies, otherwise. */
 bool bat_svg_is_remade(const bat_object *object, const bat_sourced *entry);
 
 #endif

@@ -1,4 +1,5 @@
 #include "format/svg/write/retag.h"
+#include "text/entities.h"
 
 #include <string.h>
 
@@ -69,7 +70,7 @@ void bat_svg_retag_begin(bat_svg_retag *r, const char *tag, size_t size, const c
     bat_svg_piece piece;
     r->styled = bat_svg_retag_has(r, "style", &piece);
     if (r->styled &&
-        !bat_svg_decode(tag + piece.value, piece.end - piece.value, types, types_size, true, &r->style))
+        !bat_xml_decode(tag + piece.value, piece.end - piece.value, types, types_size, true, &r->style))
         r->failed = true;
     if (r->style.failed) r->failed = true;
 }

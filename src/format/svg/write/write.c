@@ -3,6 +3,7 @@
 #include "base/matrix.h"
 #include "document/digest.h"
 #include "document/document.h"
+#include "document/lettering.h"
 #include "document/nesting.h"
 #include "format/svg/write/covered.h"
 #include "format/native/native.h"
@@ -155,6 +156,7 @@ static bat_status write_widened(bat_text *text, const bat_object *object, bool a
     return status;
 }
 
+/* An image, foreign content, or a text. */
 static bat_status write_image(bat_text *text, const bat_object *object, bool as_id, bool hidden,
                               bat_outline *outline, uint64_t *digest) {
     const double *m = bat_object_matrix(object), opacity = bat_object_style(object)->opacity;
@@ -165,10 +167,14 @@ static bat_status write_image(bat_text *text, const bat_object *object, bool as_
         status = bat_svg_write_clip(text, object, back, 1, &ids);
         if (status == BAT_OK && !hidden) status = bat_svg_see_clip(object, m, back, outline, digest);
     }
-    bat_text_string(text, "<image");
+    const bat_lettering *lettering = bat_object_lettering(object);
+    bat_text_string(text, lettering ? "<text" : "<image");
     bat_svg_write_name(text, as_id ? " id=\"" : " data-name=\"", bat_object_name(object));
     bat_svg_write_state(text, object);
-    bat_svg_write_picture(text, bat_object_picture(object), m, opacity, &ids);
+    if (lettering)
+        bat_svg_write_lettering(text, object, bat_object_place(object), opacity, &ids);
+    else
+        bat_svg_write_picture(text, bat_object_picture(object), m, opacity, &ids);
     bat_text_string(text, "\n");
     if (!hidden) *digest = bat_svg_digest_image(*digest, bat_object_picture(object), m, opacity);
     return status;
