@@ -81,7 +81,8 @@ class Gcode(ProgramTest):
         native = self.json("convert", name, "-", "--to", "batten")
         scale = native.get("scale", 25.4 / 96)
         page = native.get("page") or [0, 0, 0, 0]
-        curves = [json.dumps(curve) for thing in native["objects"] for curve in thing.get("curves", [])]
+        listed = self.json("convert", name, "-", "--to", "json")
+        curves = [json.dumps(curve) for curve in (listed if isinstance(listed, list) else [listed])]
         flat = self.done("curve", "flatten", "-", "--lines", "--tolerance", 0.005, stdin="\n".join(curves)).splitlines()
         for points in (numpy.array(json.loads(line)["points"]) for line in flat):
             yield scale * numpy.column_stack([points[:, 0] - page[0], page[1] + page[3] - points[:, 1]])

@@ -7,6 +7,7 @@
 #include "editor/commands/surfaces.h"
 #include "editor/commands/tuning.h"
 #include "editor/commands/wires.h"
+#include "editor/edit/shapes/primitives.h"
 #include "editor/panels/panels.h"
 #include "editor/session/context.h"
 #include "editor/session/session.h"
@@ -116,6 +117,9 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
         return f->curved > 1 && f->curved == f->others && f->open + f->space == 0;
     case BAT_COMMAND_COMBINE: return f->curved > 1;
     case BAT_COMMAND_RELEASE: return f->compound > 0;
+    case BAT_COMMAND_ARC_PIE: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_PIE);
+    case BAT_COMMAND_ARC_CHORD: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_CHORD);
+    case BAT_COMMAND_ARC_OPEN: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_OPEN);
     case BAT_COMMAND_CURVE_BLEND: return f->open == 1 || f->open == 2;
     case BAT_COMMAND_CURVE_MATCH:
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;

@@ -9,6 +9,7 @@
 #include <batten/measure.h>
 
 #include <math.h>
+#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -236,9 +237,17 @@ static void an_ellipse_becomes_a_pie(void **state) {
     assert_string_equal(bat_editor_number(editor, "shape-end"), "90°");
     is_in(only_curve(editor), 500, 200, 700, 400);
     assert_true(fabs(fabs(bat_curve_area(only_curve(editor))) - PI * 1e4) < 3e-4 * PI * 1e4);
+    assert_non_null(strstr(bat_editor_actions(editor), "arc-chord"));
+    assert_int_equal(bat_editor_command(editor, "arc-chord"), BAT_OK);
+    assert_null(strstr(bat_editor_actions(editor), "arc-chord"));
+    assert_true(fabs(fabs(bat_curve_area(only_curve(editor))) - (PI - 2) * 1e4) < 3e-4 * PI * 1e4);
+    assert_int_equal(bat_editor_command(editor, "arc-open"), BAT_OK);
+    assert_false(bat_curve_is_closed(bat_object_curve(bat_document_at(bat_editor_document(editor), 0), 0)));
+    assert_int_equal(bat_editor_command(editor, "arc-pie"), BAT_OK);
     assert_int_equal(bat_editor_enter(editor, "shape-start", "45"), BAT_OK);
     assert_int_equal(bat_editor_enter(editor, "shape-end", "405"), BAT_OK); /* all of it */
     assert_string_equal(bat_editor_number(editor, "shape-end"), "360°");
+    assert_int_equal(bat_editor_command(editor, "arc-pie"), BAT_STATE); /* it is none */
     goes_back_and_replays(editor, first);
     bat_editor_free(editor);
 }

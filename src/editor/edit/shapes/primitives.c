@@ -50,7 +50,10 @@ bool bat_primitives_get(const bat_context *c, bat_primitive_number number, doubl
     return false;
 }
 
-bat_status bat_primitives_set(bat_context *c, bat_primitive_number number, double value) {
+/* Those of all selected shapes that `change` changes, as one step. BAT_STATE: there are none. */
+static bat_status change_all(bat_context *c, bool (*change)(bat_primitive *p, const void *how),
+                             const void *how) {
+    bool some = false;
     bat_status status = bat_transaction_begin(c);
     for (int i = 0, index; i < c->choice->selection.count && status == BAT_OK; i++) {
         const bat_object *object = selected(c, i, &index);
@@ -59,12 +62,46 @@ bat_status bat_primitives_set(bat_context *c, bat_primitive_number number, doubl
         bat_object *made = NULL;
         if (!p) continue;
         other = *p;
-        if (!bat_primitive_set(&other, number, value)) continue;
+        if (!change(&other, how)) continue;
+        some = true;
         status = bat_object_with_primitive(object, &other, &made);
         if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
         bat_object_release(made);
     }
+    if (status == BAT_OK && !some) status = BAT_STATE;
     return bat_transaction_end(c, status, BAT_STRING_STEP_SHAPE);
+}
+
+typedef struct setting {
+    bat_primitive_number number;
+    double value;
+} setting;
+
+static bool set_number(bat_primitive *p, const void *how) {
+    const setting *s = how;
+    return bat_primitive_set(p, s->number, s->value);
+}
+
+bat_status bat_primitives_set(bat_context *c, bat_primitive_number number, double value) {
+    return change_all(c, set_number, &(setting){number, value});
+}
+
+static bool set_ends(bat_primitive *p, const void *how) {
+    const bat_arc_ends *ends = how;
+    if (p->kind != BAT_ELLIPSE || p->sweep >= 360) return false;
+    p->ends = *ends;
+    return true;
+}
+
+bat_status bat_primitives_end(bat_context *c, bat_arc_ends ends) { return change_all(c, set_ends, &ends); }
+
+bool bat_primitives_are_arcs(const bat_context *c, bat_arc_ends but) {
+    for (int i = 0, index; i < c->choice->selection.count; i++) {
+        const bat_object *object = selected(c, i, &index);
+        const bat_primitive *p = object ? bat_object_primitive(object) : NULL;
+        if (p && p->kind == BAT_ELLIPSE && p->sweep < 360 && p->ends != but) return true;
+    }
+    return false;
 }
 
 const bat_primitive *bat_primitive_held(const bat_context *c) {

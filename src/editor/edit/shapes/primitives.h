@@ -12,8 +12,13 @@ bat_status bat_primitive_commit(bat_context *c, const bat_primitive *primitive, 
 
 /* Of the first selected shape that has such a number. False: there is none. */
 bool bat_primitives_get(const bat_context *c, bat_primitive_number number, double *value);
-/* Of all of them, as one step. */
+/* Of all of them, as one step. BAT_STATE: there are none. */
 bat_status bat_primitives_set(bat_context *c, bat_primitive_number number, double value);
+
+/* How all selected parts of ellipses are closed, as one step. BAT_STATE: there are none. */
+bat_status bat_primitives_end(bat_context *c, bat_arc_ends ends);
+/* Whether one of them is closed in another way. */
+bool bat_primitives_are_arcs(const bat_context *c, bat_arc_ends but);
 
 /* The shape that is selected alone, and large enough to be seen for handles to be on it; NULL: there is none. */
 const bat_primitive *bat_primitive_held(const bat_context *c);
