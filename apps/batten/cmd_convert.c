@@ -285,9 +285,8 @@ const cli_command command_convert = {
     .details =
         "Formats go by the names' endings: .batten, .svg, .svgz, .json (a CURVE or a list), .jsonl, "
         ".dxf, .obj,\n"
-        ".stl, .3mf, .glb, .gltf and .ply (meshes), .glif, .gcode, .pdf and .eps; standard input is "
-        "recognised.\n"
-        "G-code and EPS are only written. Of a PDF (.ai\n"
+        ".stl, .3mf, .glb, .gltf and .ply (meshes), .step and .iges (surfaces), .glif, .gcode, .pdf and "
+        ".eps;\nstandard input is recognised. G-code and EPS are only written. Of a PDF (.ai\n"
         "files are PDFs, too) the first page is read, by pdftocairo of poppler-utils. One line on "
         "standard error\n"
         "counts what an SVG held that was left out: texts, gradients, clips and the like. As SVG or "

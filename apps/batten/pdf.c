@@ -30,7 +30,9 @@ bool pdf_is_postscript(const char *data, size_t size) {
 
 /* Starts it with the file `in` as its input and the pipe's end `out` as its output. */
 static int start(int in, int out, pid_t *child) {
-    static char *const words[] = {"pdftocairo", "-svg", "-f", "1", "-l", "1", "-", "-", NULL};
+    /* or else a page whose size is no whole number of points is shrunk to one that is, and moved into its middle */
+    static char *const words[] = {"pdftocairo", "-svg", "-noshrink", "-nocenter", "-f", "1",
+                                  "-l",         "1",    "-",         "-",         NULL};
     posix_spawn_file_actions_t actions;
     int failed = posix_spawn_file_actions_init(&actions);
     if (failed) return failed;

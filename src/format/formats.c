@@ -56,10 +56,10 @@ bat_status bat_formats_read(const bat_reading *how, const char *text, size_t siz
     }
     if (!found)
         return bat_problem_set(problem, BAT_SYNTAX, "line 1, column 1",
-                               size ? "expected SVG, JSON, OBJ, STL, glTF, 3MF, PLY, DXF, BVH or columns of "
-                                      "numbers, found none of them"
-                                    : "expected SVG, JSON, OBJ, STL, glTF, 3MF, PLY, DXF, BVH or columns of "
-                                      "numbers, found nothing");
+                               size ? "expected SVG, JSON, OBJ, STL, glTF, 3MF, PLY, STEP, IGES, DXF, BVH or "
+                                      "columns of numbers, found none of them"
+                                    : "expected SVG, JSON, OBJ, STL, glTF, 3MF, PLY, STEP, IGES, DXF, BVH or "
+                                      "columns of numbers, found nothing");
     *format = found;
     return found->read(how, text, size, out, report, problem);
 }

@@ -57,10 +57,47 @@ static uint64_t take_apart(double value, int *exponent) {
     return biased ? fraction | (uint64_t)1 << 52 : fraction;
 }
 
+/* ---- numbers of every day: exact in 128 bits ---- */
+
+typedef struct wide {
+    uint64_t high, low;
+} wide;
+
+/* 5^k below 2^63. */
+enum { FIVES = 27 };
+static uint64_t five_to(int k) {
+    uint64_t five = 1;
+    for (uint64_t factor = 5; k; k >>= 1, factor *= factor)
+        if (k & 1) five *= factor;
+    return five;
+}
+
+static wide times(uint64_t a, uint64_t b) {
+    const uint64_t a0 = (uint32_t)a, a1 = a >> 32, b0 = (uint32_t)b, b1 = b >> 32;
+    const uint64_t low = a0 * b0, cross = a1 * b0 + (low >> 32), other = a0 * b1 + (uint32_t)cross;
+    return (wide){a1 * b1 + (cross >> 32) + (other >> 32), other << 32 | (uint32_t)low};
+}
+
+/* As `above` below, of digits of 64 bits; -1: this takes more than 128. */
+static int above_soon(uint64_t digits, long exponent, uint64_t mantissa, int e) {
+    const int by = (int)(1 - e + exponent);
+    if (exponent > 0 || exponent < -FIVES || by < 0 || by > 63) return -1;
+    const wide right = times(2 * mantissa + 1, five_to((int)-exponent));
+    const wide left = {by ? digits >> (64 - by) : 0, digits << by};
+    if (left.high != right.high) return left.high > right.high;
+    return left.low > right.low || (left.low == right.low && (mantissa & 1));
+}
+
 /* Whether digits * 10^exponent rounds to a double greater than x. */
 static bool above(const natural *decimal, long exponent, double x) {
     int e;
     uint64_t mantissa = take_apart(x, &e);
+    if (decimal->used <= 2) {
+        const uint64_t digits = decimal->words[0] |
+                                (decimal->used > 1 ? (uint64_t)decimal->words[1] << 32 : 0);
+        const int soon = above_soon(digits, exponent, mantissa, e);
+        if (soon >= 0) return soon;
+    }
     natural left = *decimal, right = natural_of(2 * mantissa + 1);
     e--;
     if (exponent > 0) times_ten_to(&left, exponent);
@@ -172,6 +209,45 @@ static int leading(const expansion *x, int *power) {
     while (lead < 9 && x->cells[x->first] >= tens[lead]) lead++;
     *power = 9 * (POINT - x->first) + lead - 1;
     return lead;
+}
+
+/* Sets *out to value * 10^k, rounded half to even; 1: it is read back as the value, 0: it is not, -1: unknown, since it takes more
+ * than 128 bits or the doubles below the value are closer than those above. */
+static int scaled(double value, int k, uint64_t *out) {
+    int e;
+    const uint64_t mantissa = take_apart(value, &e);
+    const int by = -e - k;
+    if (k < 0 || k > FIVES || by < 1 || by > 63 || mantissa == (uint64_t)1 << 52) return -1;
+    const uint64_t five = five_to(k), half = (uint64_t)1 << (by - 1);
+    const wide product = times(mantissa, five);
+    if (product.high >> by) return -1;
+    const uint64_t whole = product.high << (64 - by) | product.low >> by, rest = product.low & (2 * half - 1);
+    const bool up = rest > half || (rest == half && (whole & 1));
+    const uint64_t off = up ? 2 * half - rest : rest;
+    *out = whole + up;
+    return off <= five / 2; /* five is a unit of the mantissa, and odd: nothing is half way */
+}
+
+int bat_digits_shortest(double value, char *digits, int *power) {
+    int e;
+    (void)take_apart(value, &e);
+    const int lowest = (int)floor(
+        (e + 52) * 0.30103); /* the value is 2^(e + 52) at least, or too small to be found here */
+    int place = lowest, known = 0;
+    uint64_t whole = 0;
+    for (int count = 15; count <= 17 && known <= 0; count++) {
+        const uint64_t most = five_to(count) << count;
+        place = lowest;
+        known = scaled(value, count - 1 - place, &whole);
+        while (known >= 0 && whole >= most) known = scaled(value, count - 1 - ++place, &whole);
+        if (known < 0) return 0;
+    }
+    while (whole % 10 == 0) whole /= 10;
+    int n = 0;
+    for (uint64_t left = whole; left; left /= 10) n++;
+    for (int i = n - 1; i >= 0; i--, whole /= 10) digits[i] = (char)('0' + whole % 10);
+    *power = place;
+    return n;
 }
 
 void bat_digits_leading(double value, int count, char *digits, int *power) {

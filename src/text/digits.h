@@ -8,6 +8,10 @@
 void bat_digits_leading(double value, int count, char *digits, int *power);
 int bat_digits_places(double value, int places, char *digits, int *power);
 
+/* The fewest digits, without trailing zeros, that read back as a value > 0, of those that are its nearest with 15, 16 or 17; they
+ * mean d.ddd * 10^power. Returns how many; 0: the value is so large, small or even that bat_digits_leading has to be asked. */
+int bat_digits_shortest(double value, char *digits, int *power);
+
 /* The double nearest to digits[0..n) * 10^exponent, ties to even; n is at most BAT_DIGITS_MOST, digits[0] != '0'. */
 double bat_digits_value(const char *digits, int n, long exponent);
 

@@ -106,6 +106,9 @@ int bat_number_print(double value, char out[BAT_NUMBER_ROOM]) {
     bool negative = signbit(value) != 0;
     double size = fabs(value);
     if (size == 0) return lay_out(negative, "0", 1, 0, out);
+    char soon[17];
+    int place, count = bat_digits_shortest(size, soon, &place);
+    if (count) return lay_out(negative, soon, count, place, out);
     /* 15 digits always survive conversion to a double and back, so no text is shorter (trailing zeros aside)
      * than a 15-digit one that reads back. This does not hold for subnormal numbers. */
     for (int precision = size < DBL_MIN ? 1 : 15;; precision++) {

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 import struct
 import unittest
 import zlib
@@ -183,6 +184,64 @@ class Sizes(ProgramTest):
                 self.close(found, [0, 0, 60, 60], (number, step))
                 self.done("convert", name, "b.batten")
                 self.done("convert", "b.batten", "b.svg")
+
+    @unittest.skipIf(not shutil.which("pdftocairo"), "poppler-utils is not installed")
+    def test_pdf_is_read_in_true_size(self):
+        for way in ("mm", "in", "px", "hundredths"):
+            self.done("convert", self.file("a.svg", svg(*WAYS[way])), "a.pdf")
+            self.done("convert", "a.pdf", "b.batten")
+            self.done("convert", "b.batten", "c.svg")
+            for step in ("a.pdf", "b.batten", "c.svg"):
+                self.assertRegex(self.done("info", step).decode(), r"(?m)^size +566\.9\d+ x 283\.4\d+ pt$")
+                found = gcode(self.done("convert", step, "-", "--to", "gcode").decode())
+                self.close(found, [10, 20, 70, 80], (way, step))
+
+    def rail(self, scale, flat=False):
+        """A curve from the origin to 60 mm to the right, 30 down and 20 away; flat: on the page."""
+        points = [[0, 0, 0], [30 / scale, 0, 0], [60 / scale, 30 / scale, 20 / scale]]
+        curve = {"degree": 2, "points": [p[:2] for p in points] if flat else points, "knots": [0, 0, 0, 1, 1, 1]}
+        return json.dumps({"batten": 1, "unit": "mm", "scale": scale, "next": 2,
+                           "objects": [{"id": 1, "kind": "path", "name": "", "curves": [curve]}]})
+
+    def ends(self, name):
+        """Of the drawing's first curve, in millimetres."""
+        curve = json.loads(self.done("convert", name, "-", "--to", "json"))
+        curve = curve[0] if isinstance(curve, list) else curve
+        return [b - a for a, b in zip(curve["points"][0], curve["points"][-1])]
+
+    def test_step_and_iges_open_in_true_size(self):
+        """Upright, and the same in a file whose unit is another, as other programs write them."""
+        inch = "#10=(CONVERSION_BASED_UNIT('INCH',#9001)LENGTH_UNIT()NAMED_UNIT(#9003));\n" \
+            "#9001=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#9002);\n#9002=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n" \
+            "#9003=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n"
+        others = {"step": [("#10=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n", inch, 25.4),
+                           ("SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT($,.METRE.)", 1000)],
+                  "iges": [("1.,2,2HMM,", "1.,1,2HIN,", 25.4), ("1.,2,2HMM,", "1.,6,1HM, ", 1000)]}
+        for scale in (1, 25.4, PX):
+            name = self.file("a.batten", self.rail(scale))
+            for kind in others:
+                self.done("convert", name, "a." + kind)
+                text = (self.folder / ("a." + kind)).read_text(encoding="ascii")
+                for before, after, unit in [("", "", 1), *others[kind]]:
+                    self.assertIn(before, text)
+                    # Whatever its name ends in.
+                    other = self.file("b.stp" if kind == "step" else "b.igs", text.replace(before, after, 1) if before else text)
+                    self.assertIn("size     a unit is 1 mm\n", self.done("info", other).decode())
+                    self.done("convert", other, "c.batten")
+                    self.done("convert", "c.batten", "d.svg")
+                    for step in (other, "c.batten", "d.svg"):
+                        self.close([v / unit for v in self.ends(step)], [60, 30, 20], (scale, kind, unit, step))
+                    self.done("convert", "c.batten", "e." + kind)  # and out again
+                    self.close([v / unit for v in self.ends("e." + kind)], [60, 30, 20], (scale, kind, unit))
+
+    def test_what_lies_flat_in_step_is_seen_from_above(self):
+        points = [[0, 0, 0], [30, 0, 0], [60, 30, 0]]
+        name = self.file("a.json", json.dumps({"degree": 2, "points": points, "knots": [0, 0, 0, 1, 1, 1]}))
+        for kind in ("step", "iges"):
+            self.done("surface", "convert", name, "a." + kind)
+            found = gcode(self.done("convert", "a." + kind, "-", "--to", "gcode").decode())
+            self.close(found, [0, 0, 60, 30], kind)  # y up, as in the file
+            self.assertEqual(self.ends("a." + kind), [60, -30])
 
     def test_pictures(self):
         name = self.file("a.svg", svg(*WAYS["in"]))

@@ -147,6 +147,32 @@ static void numbers_are_those_of_strtod(void **unused) {
     for (size_t i = 0; i < sizeof TEXTS / sizeof *TEXTS; i++) check_read(TEXTS[i]);
 }
 
+/* Of d.ddde+-x, without the zeros at the end of its digits. */
+static int digits_of(const char *text) {
+    int count = 0, kept = 0;
+    for (; *text && *text != 'e'; text++)
+        if (*text != '.' && (count || *text != '0') && ++count && *text != '0') kept = count;
+    return kept;
+}
+
+/* They read back, and no fewer of libc's digits do; beside powers of ten and of two, too. */
+static void as_few_digits_are_printed_as_read_back(void **unused) {
+    (void)unused;
+    for (int i = 0; i < RANDOM; i++) {
+        double value = sample(i);
+        if (i % 4 == 1) value = pow(10, (double)(i % 39) - 16);
+        if (i % 4 == 3) value = ldexp(1, i % 120 - 60);
+        if (i % 8 == 1 || i % 8 == 3) value = nextafter(value, i % 16 < 8 ? 0 : HUGE_VAL);
+        char found[BAT_NUMBER_ROOM], wanted[64];
+        bat_number_print(value, found);
+        assert_true(strtod(found, NULL) == value);
+        int count = value < DBL_MIN ? 1 : 15;
+        do snprintf(wanted, sizeof wanted, "%.*e", count - 1, value);
+        while (strtod(wanted, NULL) != value && ++count);
+        if (digits_of(found) != digits_of(wanted)) fail_msg("%s, where %s is enough", found, wanted);
+    }
+}
+
 static void same(const char *format, ...) {
     char found[600], wanted[600];
     for (size_t room = 1; room <= sizeof found;
@@ -187,6 +213,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(digits_are_those_of_printf),
         cmocka_unit_test(numbers_are_those_of_strtod),
+        cmocka_unit_test(as_few_digits_are_printed_as_read_back),
         cmocka_unit_test(the_module_prints_as_libc_does),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-// Meshes of other programs, dropped on the page: each opens as what it is, and one that is broken leaves the drawing alone.
+// Meshes and surfaces of other programs, dropped on the page: each opens as what it is, and one that is broken leaves the drawing alone.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -24,6 +24,21 @@ after(async () => {
 const arrive = (page, name, bytes) => page.evaluate(([called, list]) =>
   batten.files.arrive([{ file: new File([new Uint8Array(list)], called), place: null }]), [name, [...bytes]]);
 const drawing = (page) => page.evaluate(() => JSON.parse(new TextDecoder().decode(batten.engine.save(true))));
+
+test('STEP and IGES open as surfaces and curves in millimetres', async () => {
+  const { page, context } = await open(browser, server.address);
+  for (const [seed, name, kinds] of [['step/surface', 'surface.step', ['surface']], ['step/curves', 'curves.stp', ['path', 'path']],
+    ['iges/surface', 'surface.igs', ['surface']], ['iges/curves', 'curves.iges', ['path', 'path']]]) {
+    await arrive(page, name, fs.readFileSync(path.join(SEEDS, '..', seed)));
+    await page.waitForFunction((called) => document.getElementById('name').textContent === called, name);
+    const { unit, objects } = await drawing(page);
+    assert.equal(unit, 'mm', name);
+    assert.deepEqual(objects.map(({ kind }) => kind), kinds, name);
+    await settle(page);
+    await page.screenshot({ path: path.join(SCREENSHOTS, `opened-${name}.png`) });
+  }
+  await context.close();
+});
 
 test('STL, PLY, glTF and 3MF open as meshes in millimetres', async () => {
   const { page, context } = await open(browser, server.address);

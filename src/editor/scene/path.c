@@ -2,6 +2,7 @@
 #include "editor/scene/image.h"
 #include "editor/view/view.h"
 #include <batten/bezier.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -106,6 +107,17 @@ void bat_path_polygon(bat_path *path, int dimension, int count, const double *po
     if (closed && down) bat_path_close(path);
 }
 
+/* Whether a cubic is the line between its ends, evenly run through, to rounding: it then takes three numbers, not seven. */
+static bool straight(const double p[8]) {
+    double far = 0, size = 0;
+    for (int d = 0; d < 2; d++) {
+        const double step = (p[6 + d] - p[d]) / 3;
+        far = fmax(far, fmax(fabs(p[2 + d] - p[d] - step), fabs(p[4 + d] - p[6 + d] + step)));
+        size = fmax(size, fmax(fabs(p[d]), fabs(p[6 + d])));
+    }
+    return far <= 32 * DBL_EPSILON * size && (p[0] != p[6] || p[1] != p[7]);
+}
+
 void bat_path_curve(bat_path *path, const bat_curve *curve) {
     double *points = NULL;
     int count = 0, dimension = bat_curve_dimension(curve);
@@ -125,7 +137,10 @@ void bat_path_curve(bat_path *path, const bat_curve *curve) {
         double planar[8];
         for (int j = 0; j < 4; j++) bat_map_look(path->map, dimension, p + j * dimension, planar + 2 * j);
         if (i == 0) bat_path_move(path, planar[0], planar[1]);
-        bat_path_cubic(path, planar + 2);
+        if (straight(planar))
+            bat_path_line(path, planar[6], planar[7]);
+        else
+            bat_path_cubic(path, planar + 2);
     }
     if (count && bat_curve_is_closed(curve)) bat_path_close(path);
     bat_free(points);

@@ -20,7 +20,7 @@ void bat_path_move(bat_path *path, double x, double y);
 void bat_path_line(bat_path *path, double x, double y);
 void bat_path_cubic(bat_path *path, const double *three_points);
 void bat_path_close(bat_path *path);
-/* Adds the whole curve, as it is seen, as cubic segments; closed curves are closed. Exact up to degree 3,
+/* Adds the whole curve, as it is seen, as lines and cubic segments; closed curves are closed. Exact up to degree 3,
  * otherwise to float precision; in perspective within the tolerance, without what is behind the eye. */
 void bat_path_curve(bat_path *path, const bat_curve *curve);
 /* A polyline in space, or in the page (dimension 2), as it is seen; what is behind the eye is cut off. */

@@ -23,6 +23,15 @@ void bat_room_way(const bat_room *room, double way[9]);
  */
 bat_status bat_model_of_drawing(const bat_document *document, const bat_room *room, bat_model *out,
                                 int *flat);
+/* B-splines of a file whose unit is a millimetre and whose up is z, as a drawing of which one unit is a millimetre: upright before
+ * a wall, or where all lie in z = 0 seen from above. A mesh is left out. Statuses as of the reader. */
+typedef bat_status bat_model_reader(const char *text, size_t size, bat_model *out, bat_problem *problem);
+bat_status bat_model_open(bat_model_reader *reader, const char *text, size_t size, bat_document **out,
+                          int *left_out, bat_problem *problem);
+/* And back. BAT_COUNT: nothing is in space; the problem says why there is none. */
+typedef bat_status bat_model_writer(const bat_model *model, char **bytes, size_t *size);
+bat_status bat_model_save(bat_model_writer *writer, const bat_document *document, char **bytes, size_t *size,
+                          bat_problem *problem);
 /* Turns the surfaces that are closed in a direction whose normals point inward, by exchanging u and v. On failure some are not. */
 bat_status bat_model_face_outward(bat_model *model);
 
