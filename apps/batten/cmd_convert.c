@@ -154,6 +154,15 @@ static int options_fit(const cli_arguments *arguments, const char *format) {
     return EXIT_DONE;
 }
 
+/* Texts are kept by .svg and .batten, and painted by .pdf and the like; no other file has them. */
+static void remark_texts(const char *in, const bat_document *document) {
+    int count = 0;
+    for (int i = 0; i < bat_document_count(document); i++)
+        count += bat_object_kind(bat_document_at(document, i)) == BAT_KIND_TEXT;
+    if (count)
+        remark("%s: %d text%s left out: .svg, .pdf and .batten keep texts", in, count, count == 1 ? "" : "s");
+}
+
 static int put_drawing(const cli_arguments *arguments, const drawing_file *drawing,
                        const bat_format *format) {
     const char *in = arguments->operands[0], *out = arguments->operands[1];
@@ -169,6 +178,7 @@ static int put_drawing(const cli_arguments *arguments, const drawing_file *drawi
     bat_free(text);
     if (!failed && !(format->keeps && drawing_keeps_file(drawing))) drawing_remark(in, drawing);
     if (!failed && is_sized(format->name)) drawing_remark_size(in, drawing->document);
+    if (!failed && !format->keeps && strcmp(format->name, "batten") != 0) remark_texts(in, drawing->document);
     return failed;
 }
 
@@ -208,6 +218,7 @@ static int put_model(const cli_arguments *arguments, const drawing_file *drawing
     if (failed) return failed;
     if (flat) remark("%s: %d curve%s left out: on the page, not in space", in, flat, flat == 1 ? "" : "s");
     drawing_remark_size(in, drawing->document);
+    remark_texts(in, drawing->document);
     return EXIT_DONE;
 }
 

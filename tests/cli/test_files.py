@@ -87,6 +87,18 @@ class Convert(ProgramTest):
         self.assertRegex(result.stderr.decode(), r"m\.svg: Left out: .*1 image")
         self.assertEqual(self.run_program("convert", self.folder / "m.batten", self.folder / "n.svg").stderr, b"")
 
+    def test_texts_are_kept_or_said_to_be_left_out(self):
+        text = {"id": 1, "kind": "text", "text": "a\nb", "box": [0, -24, 30, 40], "matrix": [1, 0, 0, 1, 5, 30]}
+        line = {"id": 2, "kind": "path", "curves": [CURVE]}
+        name = self.file("t.batten", {"batten": 12, "page": [0, 0, 90, 90], "objects": [text, line]})
+        self.assertEqual(self.run_program("convert", name, self.folder / "t.svg").stderr, b"")
+        self.assertEqual(self.run_program("convert", self.folder / "t.svg", self.folder / "u.batten").stderr, b"")
+        again = json.loads((self.folder / "u.batten").read_text())["objects"][0]
+        self.assertEqual({key: again[key] for key in text}, text)
+        for ending in ("dxf", "json", "glif"):
+            said = self.run_program("convert", name, self.folder / f"t.{ending}").stderr.decode()
+            self.assertIn("t.batten: 1 text left out", said)
+
     def test_pipes_tell_the_format_from_the_text(self):
         native = self.done("convert", "-", "-", "--to", "batten", stdin=json.dumps(CURVE))
         svg = self.done("convert", "-", "-", "--to", "svg", stdin=native)

@@ -89,7 +89,7 @@ for (const [locale, options] of [['en', {}], ['ko-KR', { viewport: { width: 390,
     await page.click('[data-name=tool-rectangle]');
     assert.equal(await page.locator(flyout).count(), 0);
     await page.click('[data-name=tool-rectangle]');
-    assert.equal(await shown(page), 'rectangle* ellipse line polygon circle');
+    assert.equal(await shown(page), 'rectangle* ellipse line polygon circle text');
     const [menu, rail] = [await box(page, flyout), await box(page, '.rail')];
     assert.ok(menu.left >= rail.right || menu.bottom <= rail.top, 'beside the rail');
     assert.ok(menu.right <= page.viewportSize().width && menu.top >= 0);

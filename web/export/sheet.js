@@ -123,9 +123,12 @@ async function copy({ engine, notices }, choice) {
   notices.say(word('notice.copied'));
 }
 
+const LETTERED = ['svg', 'plain', 'pdf', 'batten']; // and pictures of pixels: what has texts
+
 /** A file, or several. @param {Shell} shell @param {Choice} choice @param {Space} model */
 async function deliver({ engine, files, notices }, choice, model) {
-  const { of, end, type, space } = formatOf(choice.format);
+  const { of, end, type, space, painted } = formatOf(choice.format);
+  const silent = !painted && !LETTERED.includes(of) && engine.ask('editor_holds').includes(JSON.stringify(word('kind.text')));
   if (space) {
     files.deliver(model.made(), end, type);
   } else if (of === 'pdf') {
@@ -141,6 +144,9 @@ async function deliver({ engine, files, notices }, choice, model) {
       files.deliver(zipOf(all.map(({ name, bytes }) => ({ name: `${name === '' || name.startsWith('@') ? stem : ''}${name}.${end}`, bytes }))), 'zip', ZIP);
     }
     notices.say(word('shell.exported', all.length === 1 ? formatOf(choice.format).name || word('shell.plain') : `${all.length} × ${end}`));
+  }
+  if (silent) {
+    notices.say(word('shell.without-texts', end));
   }
 }
 

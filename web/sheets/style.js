@@ -1,6 +1,7 @@
 // How curves look, what is mixed in the selection, the colours of the drawing: a section of the inspector. What a line or a fill has
 // is seen while it is on; what is rarely asked for is folded.
 
+import { want } from '../page/build.js';
 import { keep, kept } from '../page/kept.js';
 import { tell, word } from '../page/words.js';
 import { choose, colourOf, Swatches } from './swatches.js';
@@ -108,6 +109,19 @@ export function fill(panel, sheet) {
     }
   });
 
+  /** Of texts. @type {import('./lettering.js').Lettering | undefined} */
+  let lettering;
+  let asked = false;
+  const letters = async () => {
+    asked ||= engine.ask('editor_texts') !== '[]';
+    if (asked && !lettering) {
+      const { Lettering } = await want(import('./lettering.js'));
+      lettering ??= new Lettering(panel);
+      sheet.prepend(lettering.box);
+    }
+    lettering?.show();
+  };
+
   let shown = '';
   return {
     show(frame) {
@@ -124,6 +138,7 @@ export function fill(panel, sheet) {
       }
       swatches.refresh();
       controls.refresh();
+      void letters();
       for (const { name, on, folded } of parts) {
         folded.open = on || mixed.includes(name);
       }

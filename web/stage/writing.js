@@ -8,7 +8,7 @@ import { word } from '../page/words.js';
 /**
  * A text as the engine says it (bat_editor_writing).
  * @typedef {{ id: number, text: string, family: string, size: number, weight: number, italic: boolean, spacing: number, line: number,
- *   align: 'start' | 'middle' | 'end', at: [number, number], box: number[], fill: string, opacity?: number, screen: number[] }} Text
+ *   align: 'start' | 'middle' | 'end', at: [number, number], box: number[], matrix: number[], fill: string, opacity?: number, screen: number[] }} Text
  */
 
 const EM = 64; // pixels of letters while they are measured and typed; a matrix makes them as large as they are
