@@ -18,10 +18,10 @@
 #include "support/xml.h"
 
 enum { ID = 12, PARENT = 3, WIRE = 9 };
-static const bat_kind kinds[] = {BAT_KIND_PATH,     BAT_KIND_SPLINE, BAT_KIND_GROUP,   BAT_KIND_LAYER,
-                                 BAT_KIND_SHAPE,    BAT_KIND_IMAGE,  BAT_KIND_GUIDE,   BAT_KIND_PLANE,
-                                 BAT_KIND_SURFACE,  BAT_KIND_CAMERA, BAT_KIND_VIEW,    BAT_KIND_MESH,
-                                 BAT_KIND_SKELETON, BAT_KIND_BOUND,  BAT_KIND_FOREIGN, BAT_KIND_PRIMITIVE, BAT_KIND_TEXT};
+static const bat_kind kinds[] = {
+    BAT_KIND_PATH,     BAT_KIND_SPLINE, BAT_KIND_GROUP,   BAT_KIND_LAYER,     BAT_KIND_SHAPE, BAT_KIND_IMAGE,
+    BAT_KIND_GUIDE,    BAT_KIND_PLANE,  BAT_KIND_SURFACE, BAT_KIND_CAMERA,    BAT_KIND_VIEW,  BAT_KIND_MESH,
+    BAT_KIND_SKELETON, BAT_KIND_BOUND,  BAT_KIND_FOREIGN, BAT_KIND_PRIMITIVE, BAT_KIND_TEXT};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bat_style style_of(void) {

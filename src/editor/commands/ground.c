@@ -115,7 +115,7 @@ bat_status bat_command_plane_of_curve(bat_context *c, bat_command_id id) {
 
 bat_status bat_command_draw_on(bat_context *c, bat_command_id id) {
     if (id == BAT_COMMAND_DRAW_ON_PAGE) {
-        if (!c->stage->ground.object) return BAT_STATE;
+        if (bat_stage_dimension(c->stage) == 2) return BAT_STATE;
         bat_ground_take(c, NULL);
         return BAT_OK;
     }

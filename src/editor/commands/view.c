@@ -2,11 +2,13 @@
 #include "editor/tables/commands.h"
 #include "editor/input/input.h"
 #include "editor/pick/pivot.h"
+#include "editor/pick/surface.h"
 #include "editor/scene/seen.h"
 #include "editor/scene/space.h"
 #include "editor/session/notice.h"
 #include "editor/show/moves.h"
 #include "editor/tables/settings.h"
+#include "editor/tables/words.h"
 #include "editor/session/session.h"
 #include "editor/view/room.h"
 #include "editor/view/saved.h"
@@ -15,8 +17,9 @@
 #include "format/seen/seen.h"
 #include <math.h>
 
-static const double TURN = 15; /* degrees per step */
-static const double TAP = 300; /* ms that a tap of a key takes at most */
+static const double TURN = 15;      /* degrees per step */
+static const double EDGE_ON = 1e-6; /* sine of the angle */
+static const double TAP = 300;      /* ms that a tap of a key takes at most */
 
 bat_status bat_command_view_fit(bat_context *c, bat_command_id id) {
     (void)id;
@@ -44,11 +47,28 @@ bat_status bat_command_zoom(bat_context *c, bat_command_id id) {
     return BAT_OK;
 }
 
+/* Where what the pen draws on is seen edge-on, it draws on the plane of the view: through the pivot, at right angles to the gaze.
+ * Where nothing is, the plane of the view before goes. */
+static void draw_on_seen(bat_context *c) {
+    bat_stage *stage = c->stage;
+    double axes[9];
+    const bool had = bat_ground_is_of_view(&stage->ground);
+    if (had) stage->ground = bat_ground_page();
+    if (bat_ground_bounded(&stage->ground) || bat_stage_slant(stage) > EDGE_ON) {
+        if (had) bat_ground_take(c, NULL);
+        return;
+    }
+    bat_view_axes(&stage->view, axes, axes + 3, axes + 6);
+    stage->ground = bat_ground_of_view(stage->view.pivot, axes, axes + 3);
+    bat_notice_value(c, BAT_STRING_NOTICE_ON_PLANE, bat_word(c, BAT_STRING_A_PLANE));
+}
+
 /* Home from a tilted view: the last face-on page, as it was. */
 static bat_status go_home(bat_context *c) {
     bat_view *view = &c->stage->view, from = *view;
     bat_saved_leave(c);
     if (!bat_views_home(c->views, view)) return BAT_STATE;
+    draw_on_seen(c);
     bat_views_jump(c->views, &from, view);
     return BAT_OK;
 }
@@ -81,6 +101,7 @@ bat_status bat_command_view_named(bat_context *c, bat_command_id id) {
                                .tilt = id == BAT_COMMAND_VIEW_TOP ? 0 : 90};
     const bat_view from = leave(c);
     bat_room_take(&c->stage->view, is_wall(c), &pose);
+    draw_on_seen(c);
     bat_views_jump(c->views, &from, &c->stage->view);
     return BAT_OK;
 }

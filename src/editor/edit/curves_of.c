@@ -7,6 +7,9 @@
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
 #include "editor/tables/tables.h"
+#include "editor/view/stage.h"
+#include "format/model/drawn.h"
+#include "format/seen/seen.h"
 #include "kinds/kinds.h"
 
 #include <stdlib.h>
@@ -61,13 +64,28 @@ bat_status bat_dash_new(bat_context *c, bat_id id, bat_dashing dashes) {
     return status;
 }
 
-bat_status bat_put_new_curve(bat_context *c, bat_curve *curve, bat_id *id) {
+bat_status bat_keep_view_plane(bat_context *c, const bat_ground *ground, bat_id drawn) {
+    const bat_document *document = c->session->document;
+    bat_object *plane = NULL;
+    if (!bat_ground_is_of_view(ground) || bat_seen_in_space(document) ||
+        bat_stand_of(document) == BAT_STAND_FLOOR)
+        return BAT_OK;
+    bat_status status = bat_object_create_plane(drawn + 1, "", ground->numbers, ground->numbers + 3, &plane);
+    if (status == BAT_OK) status = bat_transaction_insert(c, 0, plane);
+    bat_object_release(plane);
+    return status;
+}
+
+bat_status bat_put_new_curve(bat_context *c, bat_id id, bat_curve *curve) {
     const bat_style style = bat_styling_new(c);
     bat_id parent; /* not a layer where it could not be seen, or not be chosen */
     bat_arrange_place(c, &parent);
-    *id = bat_document_new_id(c->session->document);
-    const bat_status status = bat_insert_curve(c, *id, &style, parent, curve);
-    return status == BAT_OK ? bat_dash_new(c, *id, bat_styling_dashes(c)) : status;
+    bat_status status = bat_keep_view_plane(c, &c->stage->ground, id);
+    if (status == BAT_OK)
+        status = bat_insert_curve(c, id, &style, parent, curve);
+    else
+        bat_curve_free(curve);
+    return status == BAT_OK ? bat_dash_new(c, id, bat_styling_dashes(c)) : status;
 }
 
 bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string label, bat_id *id) {
@@ -76,8 +94,8 @@ bat_status bat_commit_new_curve(bat_context *c, bat_curve *curve, bat_string lab
         bat_curve_free(curve);
         return status;
     }
-    bat_id made;
-    status = bat_transaction_end(c, bat_put_new_curve(c, curve, &made), label);
+    const bat_id made = bat_document_new_id(c->session->document);
+    status = bat_transaction_end(c, bat_put_new_curve(c, made, curve), label);
     if (status == BAT_OK && id) *id = made;
     return status;
 }

@@ -157,6 +157,11 @@ static bat_status press(bat_context *c, const bat_edit *edit) {
 static bat_status insert(bat_context *c, const bat_edit *edit, bat_edit_result *result) {
     bat_curve *curve = result->curve[0];
     result->curve[0] = NULL;
+    const bat_status status = bat_keep_view_plane(c, &edit->stage.ground, edit->object);
+    if (status != BAT_OK) {
+        bat_curve_free(curve);
+        return status;
+    }
     return bat_insert_curve(c, edit->object, &edit->style, edit->parent, curve);
 }
 

@@ -128,31 +128,41 @@ static bat_status hit_surface(const bat_ground *ground, bat_casters *casters, co
     return BAT_OK;
 }
 
-static const bat_ground_type GROUNDS[] = {{"page", 2, 0, NULL, hit_page},
-                                          {"plane", 3, 9, good_plane, hit_plane},
-                                          {"ruled", 3, 5, good_ruled, hit_ruled},
-                                          {"surface", 3, 1, good_surface, hit_surface}};
+enum { PAGE, PLANE, OF_VIEW, RULED, SURFACE };
+static const bat_ground_type GROUNDS[] = {[PAGE] = {"page", 2, 0, NULL, hit_page},
+                                          [PLANE] = {"plane", 3, 9, good_plane, hit_plane},
+                                          [OF_VIEW] = {"view", 3, 9, good_plane, hit_plane},
+                                          [RULED] = {"ruled", 3, 5, good_ruled, hit_ruled},
+                                          [SURFACE] = {"surface", 3, 1, good_surface, hit_surface}};
 
 bat_ground bat_ground_plane(const double origin[3], const double x[3], const double y[3]) {
-    bat_ground ground = {.type = &GROUNDS[1]};
+    bat_ground ground = {.type = &GROUNDS[PLANE]};
     memcpy(ground.numbers, origin, 3 * sizeof *origin);
     memcpy(ground.numbers + 3, x, 3 * sizeof *x);
     memcpy(ground.numbers + 6, y, 3 * sizeof *y);
     return ground;
 }
 
+bat_ground bat_ground_of_view(const double origin[3], const double x[3], const double y[3]) {
+    bat_ground ground = bat_ground_plane(origin, x, y);
+    ground.type = &GROUNDS[OF_VIEW];
+    return ground;
+}
+
+bool bat_ground_is_of_view(const bat_ground *ground) { return ground->type == &GROUNDS[OF_VIEW]; }
+
 bat_ground bat_ground_ruled(bat_id object, int curve, const double along[3]) {
-    return (bat_ground){.type = &GROUNDS[2],
+    return (bat_ground){.type = &GROUNDS[RULED],
                         .numbers = {along[0], along[1], along[2], (double)object, (double)curve},
                         .object = object};
 }
 
 bool bat_ground_rules(const bat_ground *ground, bat_id object, int curve) {
-    return ground->type == &GROUNDS[2] && ground->numbers[3] == (double)object &&
+    return ground->type == &GROUNDS[RULED] && ground->numbers[3] == (double)object &&
            ground->numbers[4] == (double)curve;
 }
 
-bat_ground bat_ground_page(void) { return (bat_ground){.type = &GROUNDS[0]}; }
+bat_ground bat_ground_page(void) { return (bat_ground){.type = &GROUNDS[PAGE]}; }
 
 const char *bat_ground_name(int index) {
     return index >= 0 && (size_t)index < sizeof GROUNDS / sizeof *GROUNDS ? GROUNDS[index].name : NULL;
@@ -181,11 +191,13 @@ bool bat_ground_of(const bat_object *object, bat_ground *out) {
     return found;
 }
 
-bool bat_ground_bounded(const bat_ground *ground) { return ground->type >= &GROUNDS[2]; }
+bool bat_ground_bounded(const bat_ground *ground) { return ground->type >= &GROUNDS[RULED]; }
 
 void bat_ground_axes(const bat_ground *ground, double x[3], double y[3]) {
     static const double page[6] = {1, 0, 0, 0, 1, 0};
-    const double *axes = ground->type == &GROUNDS[1] ? ground->numbers + 3 : page;
+    const double *axes = ground->type == &GROUNDS[PLANE] || ground->type == &GROUNDS[OF_VIEW]
+                             ? ground->numbers + 3
+                             : page;
     for (int k = 0; k < 3; k++) {
         x[k] = axes[k];
         y[k] = axes[3 + k];

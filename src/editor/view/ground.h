@@ -49,6 +49,9 @@ const char *bat_ground_name(int index);
 bool bat_ground_named(const char *name, int count, const double *numbers, bat_ground *out);
 /* The plane through a point, spanned by two axes of length 1 at right angles. */
 bat_ground bat_ground_plane(const double origin[3], const double x[3], const double y[3]);
+/* The same as a plane that a view brings along, which is no object of the drawing. */
+bat_ground bat_ground_of_view(const double origin[3], const double x[3], const double y[3]);
+bool bat_ground_is_of_view(const bat_ground *ground);
 /* The ruled surface of a curve of an object: the curve's points moved along a direction of length 1. */
 bat_ground bat_ground_ruled(bat_id object, int curve, const double along[3]);
 /* Whether it is the ruled surface of this curve. */

@@ -180,7 +180,8 @@ static void what_cannot_be_picked_is_said(void **state) {
     assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
     assert_null(strstr(bat_editor_frame(editor)->hint, "three points"));
     assert_null(pen_live(bat_editor_frame(editor), BAT_ROLE_PIVOT));
-    bat_editor_command(editor, "view-front"); /* nothing can be hit on the page */
+    bat_editor_command(editor, "view-front");
+    bat_editor_command(editor, "draw-on-page"); /* nothing can be hit on it */
     bat_editor_command(editor, "plane-of-points");
     tap(&p, 900, 100);
     assert_non_null(strstr(bat_editor_frame(editor)->notice, "Nothing"));

@@ -55,6 +55,8 @@ static void written_changed_and_undone(void **unused) {
              ids[1]);
     assert_int_equal(put(editor, json), BAT_OK);
     assert_true(lettering(editor, first)->weight == 700 && lettering(editor, first + 1)->weight == 400);
+    const char *texts = bat_editor_texts(editor), *bold = strstr(texts, "\"weight\":700");
+    assert_true(bold && strstr(bold, "\"weight\":400")); /* both are selected, back to front */
     assert_int_equal(bat_object_style(bat_document_at(document, first + 1))->fill, 0xff0000ff);
     assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
     assert_true(digest(editor) == two);

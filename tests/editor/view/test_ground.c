@@ -134,7 +134,7 @@ static void edge_on_is_refused(void **state) {
     assert_false(bat_ground_named("plane", 9, (double[]){0, 0, NAN, 1, 0, 0, 0, 1, 0}, &ground));
     assert_false(bat_ground_named("plane", 8, (double[]){0, 0, 0, 1, 0, 0, 0, 1}, &ground));
     assert_false(bat_ground_named("sphere", 0, NULL, &ground));
-    assert_true(bat_ground_named("page", 0, (double[]){0}, &ground) && !bat_ground_name(4));
+    assert_true(bat_ground_named("page", 0, (double[]){0}, &ground) && !bat_ground_name(5));
 }
 
 /* The whole promise: a stroke over the picture of a space curve redraws it where the pen passed, on the plane, and

@@ -388,7 +388,8 @@ static void edge_on_no_stroke_begins(void **state) {
     (void)state;
     bat_editor *editor = drawing();
     const uint64_t first = digest(editor);
-    bat_editor_command(editor, "view-front");
+    for (int steps = 0; steps < 6; steps++) bat_editor_command(editor, "orbit-up");
+    bat_editor_glide(editor, 1);
     pen p = pen_for(editor);
     pen_line(&p, 300, 300, 600, 420, 20);
     assert_true(digest(editor) == first);
@@ -397,6 +398,62 @@ static void edge_on_no_stroke_begins(void **state) {
     assert_true(tilt_of(editor) == 0);
     pen_line(&p, 300, 650, 600, 620, 20);
     assert_true(digest(editor) != first);
+    bat_editor_free(editor);
+}
+
+/* The views along the page have planes of their own, through what they turn about; on the way back the page is drawn on again. */
+static void front_and_side_draw_on_their_own_plane(void **state) {
+    (void)state;
+    static const char *const views[] = {"view-front", "view-side"};
+    bat_editor *editor = drawing();
+    const uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    double right[3], down[3], ahead[3];
+    for (int i = 0; i < 2; i++) {
+        bat_editor_command(editor, views[i]);
+        bat_editor_glide(editor, 1);
+        const bat_stage *stage = editor->context.stage;
+        bat_view_axes(&stage->view, right, down, ahead);
+        assert_true(fabs(bat_stage_slant(stage) - 1) < 1e-9);
+        pen_line(&p, 300, 300, 600, 420, 20);
+        const bat_document *document = bat_editor_document(editor);
+        const bat_curve *curve = bat_object_curve(bat_document_at(document, bat_document_count(document) - 1),
+                                                  0);
+        assert_int_equal(bat_curve_dimension(curve), 3);
+        double domain[2], seen[2], pixel[2], at[3];
+        bat_curve_domain(curve, domain);
+        for (int end = 0; end < 2; end++) { /* it lies in that plane, under the pen */
+            bat_curve_eval(curve, domain[end], 0, at);
+            double depth = 0;
+            for (int k = 0; k < 3; k++) depth += ahead[k] * (at[k] - stage->view.pivot[k]);
+            assert_true(fabs(depth) < 1e-9);
+            bat_stage_look(stage, 3, at, seen);
+            bat_stage_project(stage, seen, pixel);
+            assert_true(apart(pixel, end ? (double[]){600, 420} : (double[]){300, 300}, 2) < 2);
+        }
+        check(editor);
+    }
+    assert_int_equal(round_trip(editor, first), 2);
+    for (int i = 0; i < 2;
+         i++) { /* which the first of them has left in the drawing: the page stays the floor */
+        bat_editor_command(editor, views[i]);
+        bat_editor_glide(editor, 1);
+        assert_true(fabs(bat_stage_slant(editor->context.stage) - 1) < 1e-9);
+        assert_int_equal(bat_stage_dimension(editor->context.stage), 3);
+        bat_view_axes(&editor->context.stage->view, right, down, ahead);
+        assert_true(fabs(down[2] - 1) < 1e-9);
+    }
+    assert_int_equal(bat_document_count(bat_editor_document(editor)), 5);
+    bat_editor_command(editor, "view-top");
+    bat_editor_glide(editor, 1);
+    assert_int_equal(bat_stage_dimension(editor->context.stage), 2);
+    bat_editor_command(editor, "view-side");
+    assert_int_equal(bat_editor_command(editor, "draw-on-page"), BAT_OK);
+    assert_int_equal(bat_stage_dimension(editor->context.stage), 2);
+    bat_editor_command(editor, "view-side");
+    assert_int_equal(bat_editor_command(editor, "view-upright"), BAT_OK);
+    bat_editor_glide(editor, 1);
+    assert_int_equal(bat_stage_dimension(editor->context.stage), 2);
     bat_editor_free(editor);
 }
 
@@ -709,6 +766,7 @@ int main(void) {
         cmocka_unit_test(a_new_line_lands_on_the_page),
         cmocka_unit_test(a_redraw_is_that_of_the_page),
         cmocka_unit_test(edge_on_no_stroke_begins),
+        cmocka_unit_test(front_and_side_draw_on_their_own_plane),
         cmocka_unit_test(a_disc_lies_under_the_hovering_pen),
         cmocka_unit_test(orbits_go_round_the_rooms_upright),
         cmocka_unit_test(a_view_may_be_rolled),

@@ -22,14 +22,14 @@ static const bat_object *selected(const bat_context *c, int i, int *index) {
 bat_status bat_primitive_commit(bat_context *c, const bat_primitive *primitive, bat_string label) {
     bat_curve *curve = NULL;
     bat_object *made = NULL;
-    bat_id id = 0;
+    const bat_id id = bat_document_new_id(c->session->document);
     bat_status status = bat_primitive_curve(primitive, &curve);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status != BAT_OK) {
         bat_curve_free(curve);
         return status;
     }
-    status = bat_put_new_curve(c, curve, &id);
+    status = bat_put_new_curve(c, id, curve);
     const int index = bat_document_find(c->session->document, id);
     if (status == BAT_OK)
         status = bat_object_with_primitive(bat_document_at(c->session->document, index), primitive, &made);

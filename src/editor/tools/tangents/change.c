@@ -63,7 +63,8 @@ bat_status bat_splining_make(bat_context *c, const bat_spline *spline) {
     status = bat_object_create_spline(id, NULL, &style, spline, &options, &object);
     if (status == BAT_OK) status = bat_transaction_begin(c);
     if (status == BAT_OK) {
-        status = bat_arrange_insert(c, object);
+        status = bat_keep_view_plane(c, &c->stage->ground, id);
+        if (status == BAT_OK) status = bat_arrange_insert(c, object);
         if (status == BAT_OK) status = bat_dash_new(c, id, bat_styling_dashes(c));
         status = bat_transaction_end(c, status, BAT_STRING_STEP_SPLINE);
     }
