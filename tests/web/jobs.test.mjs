@@ -185,7 +185,7 @@ job('twelve recoloured and aligned', TWELVE, async (page, worker) => {
   await worker.click('.swatches >> nth=1 >> button.swatch >> nth=1');
   await worker.click('#numbers [data-name=align-middle]');
   await worker.click('#numbers [data-name=distribute-across]');
-  const objects = (await objectsOf(page)).filter((object) => object.curves);
+  const objects = (await objectsOf(page)).filter((object) => object.primitive);
   assert.equal(new Set(objects.map(({ style }) => style.fill)).size, 1, 'one colour');
   assert.equal(objects.length, 12);
   const [colour] = await stillColours(page, [[60, 264]]);
