@@ -53,11 +53,11 @@ static void shortcuts_do_not_clash(void **state) {
                            /* these find nothing to do where the other means something */
                            !(i >= BAT_COMMAND_NUDGE_LEFT && i <= BAT_COMMAND_NUDGE_DOWN) &&
                            i != BAT_COMMAND_POINT_DELETE && i != BAT_COMMAND_GUIDE_DELETE &&
-                           i != BAT_COMMAND_PLACE && i != BAT_COMMAND_READING_NEXT &&
-                           i != BAT_COMMAND_READING_PREVIOUS && i != BAT_COMMAND_LEVEL_DOWN &&
-                           i != BAT_COMMAND_LEVEL_UP && i != BAT_COMMAND_DRAW_ON_PAGE &&
-                           i != BAT_COMMAND_LOOK_NEXT && i != BAT_COMMAND_REACH_DOWN &&
-                           i != BAT_COMMAND_REACH_UP &&
+                           i != BAT_COMMAND_PLACE && i != BAT_COMMAND_TEXT_EDIT &&
+                           i != BAT_COMMAND_READING_NEXT && i != BAT_COMMAND_READING_PREVIOUS &&
+                           i != BAT_COMMAND_LEVEL_DOWN && i != BAT_COMMAND_LEVEL_UP &&
+                           i != BAT_COMMAND_DRAW_ON_PAGE && i != BAT_COMMAND_LOOK_NEXT &&
+                           i != BAT_COMMAND_REACH_DOWN && i != BAT_COMMAND_REACH_UP &&
                            !(i >= BAT_COMMAND_GAZE_NEXT && i <= BAT_COMMAND_GAZE_ALONG);
             assert_true(answers <= 1);
         }

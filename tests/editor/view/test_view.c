@@ -123,9 +123,10 @@ static void grounds_by_name(void **state) {
     bat_ground ground = bat_ground_page();
     assert_string_equal(bat_ground_name(0), "page");
     assert_string_equal(bat_ground_name(1), "plane");
-    assert_string_equal(bat_ground_name(2), "ruled");
-    assert_string_equal(bat_ground_name(3), "surface");
-    assert_null(bat_ground_name(4));
+    assert_string_equal(bat_ground_name(2), "view");
+    assert_string_equal(bat_ground_name(3), "ruled");
+    assert_string_equal(bat_ground_name(4), "surface");
+    assert_null(bat_ground_name(5));
     assert_null(bat_ground_name(-1));
     assert_false(bat_ground_named("lake", 0, NULL, &ground));
     assert_false(bat_ground_named("plane", 8, good, &ground));
