@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { drop, launch, open, place, quiet, SCREENSHOTS, settle, state } from './page.mjs';
+import { drop, launch, open, place, quiet, reveal, SCREENSHOTS, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 let browser;
@@ -77,6 +77,12 @@ test('typed, accepted, edited, moved, undone, and kept as text', async () => {
   const ink = await inkIn(page, [0, 0, 400, 300]);
   assert.ok(ink && ink[0] >= 59 && ink[1] < 100 && ink[3] < 115 && Math.abs(ink[2] - text.matrix[4] - text.box[2]) < 3, String(ink));
   await page.screenshot({ path: path.join(SCREENSHOTS, 'text-placed.png') });
+  await reveal(page, 'objects'); // named by what it says, with a picture
+  assert.equal(await page.textContent('#objects [role=row] .object-name'), 'Hello 한글');
+  await page.waitForFunction(() => {
+    const { width, height } = document.querySelector('#objects .thumbnail');
+    return document.querySelector('#objects .thumbnail').getContext('2d').getImageData(0, 0, width, height).data.some((value) => value > 0);
+  });
 
   // A double click edits it; Enter begins a line; undo and redo go over it.
   const middle = await place(page, 70, 95);

@@ -3,6 +3,7 @@
 #include "curve/curve.h"
 #include "document/document.h"
 #include "document/kind.h"
+#include "document/lettering.h"
 #include "document/nesting.h"
 #include "document/source.h"
 #include "editor/choice/choice.h"
@@ -35,7 +36,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ROWS_MAX = 500, POINTS_MAX = 1000 };
+enum { ROWS_MAX = 500, POINTS_MAX = 1000, NAME_ROOM = 48 };
 
 /* Writes the text with each % replaced by the next value. */
 static void fill(const bat_context *c, bat_text *text, bat_string words, const char *const *values) {
@@ -129,8 +130,22 @@ static int curves_of(const bat_object *object) {
     return bat_object_camera(object) ? 0 : bat_object_curve_count(object);
 }
 
-void bat_outline_name(const bat_context *c, const bat_object *object, bat_text *text) {
+/* Its name; what a text without one begins with; "". */
+static const char *name_of(const bat_object *object, char words[NAME_ROOM]) {
+    const bat_lettering *lettering = bat_object_lettering(object);
     const char *name = bat_object_name(object);
+    if (*name || !lettering) return name;
+    size_t size = strcspn(lettering->content, ",\n"); /* a comma ends a name in words */
+    if (size >= NAME_ROOM) size = NAME_ROOM - 1;
+    while (size > 0 && ((unsigned char)lettering->content[size] & 0xc0) == 0x80) size--;
+    memcpy(words, lettering->content, size);
+    words[size] = '\0';
+    return words;
+}
+
+void bat_outline_name(const bat_context *c, const bat_object *object, bat_text *text) {
+    char words[NAME_ROOM];
+    const char *name = name_of(object, words);
     const int curves = curves_of(object);
     bat_text_string(text, name);
     if (*name && curves < 2) bat_text_string(text, ", ");

@@ -38,6 +38,8 @@ static void written_changed_and_undone(void **unused) {
     assert_true(digest(editor) == before);
     assert_int_equal(put(editor, "{\"text\":\"a\\nb\",\"size\":20,\"box\":[0,-20,30,40]}"), BAT_OK);
     assert_string_equal(lettering(editor, first)->content, "a\nb");
+    assert_non_null(
+        strstr(bat_editor_outline(editor, 0, 500), "\"a, text\"")); /* its name, as long as it has no other */
     assert_int_equal(editor->choice.selection.count, 1);
     assert_int_equal(editor->choice.tool, BAT_TOOL_SELECT);
     const uint64_t one = digest(editor);
