@@ -148,6 +148,14 @@ test('empty ones are taken away, and nothing is written where nothing was typed'
   assert.deepEqual(await texts(page), []);
   await page.keyboard.press('Control+z');
   assert.equal((await texts(page))[0].text, 'gone');
+
+  // The page is hidden while something is typed, as on a phone that then ends it.
+  await write(page, 50, 150, 'half a wor');
+  await page.evaluate(() => {
+    Object.defineProperty(document, 'hidden', { value: true, configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+  assert.equal((await texts(page))[1].text, 'half a wor');
   await context.close();
 });
 

@@ -92,6 +92,8 @@ class Field {
     for (const own of ['keyup', 'copy', 'cut', 'paste']) {
       this.area.addEventListener(own, (event) => event.stopPropagation());
     }
+    this.hidden = () => document.hidden && this.close(); // before the drawing is kept, as a phone may end the page then
+    document.addEventListener('visibilitychange', this.hidden, true);
   }
 
   async begin() {
@@ -156,6 +158,7 @@ class Field {
     }
     this.done = true;
     open = null;
+    document.removeEventListener('visibilitychange', this.hidden, true);
     const { shell, text, area } = this;
     const { painter } = shell;
     const said = area.value.replace(/\s+$/, '').replace(/\t/g, ' ');
