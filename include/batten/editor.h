@@ -89,8 +89,9 @@ BAT_API const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t
  * CSS lists them, "size", "weight", "italic", "spacing" of letters, "line" in sizes, "align": "start", "middle" or "end", "at": [x, y]
  * of the first base line, "box": what is seen, low x, low y, high x, high y, all in units of its own, "matrix": from these to the
  * document, "fill": "#rrggbbaa", "opacity", "screen": the matrix to view pixels}. One that is yet to be written has "id":0 and an empty
- * text. texts: a list of those that are selected. Owned by the editor, valid until the next call of either; NULL: there is none, or
- * out of memory. */
+ * text; of foreign content, which may be nothing but a text, there are only "id", "matrix" from the pixels of its "picture"
+ * (bat_editor_picture; 0: it is clipped) and "screen", and writing it makes it a text, for which "matrix" must be given. texts: a list of
+ * those that are selected. Owned by the editor, valid until the next call of either; NULL: there is none, or out of memory. */
 BAT_API const char *bat_editor_writing(bat_editor *editor);
 BAT_API const char *bat_editor_texts(bat_editor *editor);
 /* Changes a text to what such JSON says, whose missing members stay as they are, and selects it; with "id":0 it is a new one, at the

@@ -196,3 +196,48 @@ test('how letters look is said in the inspector, of several texts in one step', 
   assert.deepEqual((await texts(page)).map(({ fill }) => fill), ['#ff0000ff', '#ff0000ff']);
   await context.close();
 });
+
+const BROUGHT = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300">
+  <g transform="translate(20 10) rotate(10)"><text id="title" x="40" y="60" style="font-size:24px;font-family:sans-serif;fill:#0000aa;font-weight:bold">Old words</text></g>
+  <text x="40" y="200" font-size="20">one <tspan fill="red">red</tspan> word</text>
+  <rect x="300" y="20" width="40" height="40" fill="#00f"/>
+</svg>`;
+
+test('a plain text that a file brings is edited as text; any other stays as it is, and that is said', async () => {
+  const { page, context } = await open(browser, server.address);
+  await drop(page, 'brought.svg', BROUGHT);
+  await page.keyboard.press('v');
+  await page.waitForFunction(() => [...batten.painter.pictures.values()].filter((picture) => picture).length === 2);
+  await quiet(page);
+  const before = await inkIn(page, [0, 0, 280, 120]);
+  assert.deepEqual(await texts(page), []);
+  await page.mouse.dblclick(...await place(page, 75, 80));
+  await page.waitForFunction(() => document.activeElement.matches('.writing textarea'));
+  assert.equal(await page.inputValue(field), 'Old words');
+  await page.screenshot({ path: path.join(SCREENSHOTS, 'text-brought.png') });
+  await accept(page); // nothing was changed: it stays foreign
+  assert.deepEqual(await texts(page), []);
+  await page.mouse.dblclick(...await place(page, 75, 80));
+  await page.waitForFunction(() => document.activeElement.matches('.writing textarea'));
+  await page.keyboard.press('End');
+  await page.keyboard.type('!');
+  await accept(page);
+  const [text] = await texts(page);
+  assert.equal(text.text, 'Old words!');
+  assert.deepEqual([text.size, text.weight, text.fill, text.family], [24, 700, '#0000aaff', 'sans-serif']);
+  const after = await inkIn(page, [0, 0, 280, 120]);
+  for (const k of [0, 1]) {
+    assert.ok(Math.abs(after[k] - before[k]) < 1.5, `${before} and ${after}`); // in the same place, turned as it was
+  }
+  const { svg } = await saved(page);
+  assert.match(svg, />Old words!</);
+  assert.match(svg, /<tspan fill="red">red<\/tspan>/);
+  assert.match(svg, /<rect x="300" y="20" width="40" height="40" fill="#00f"\/>/);
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await texts(page), []);
+
+  await page.mouse.dblclick(...await place(page, 60, 195));
+  await page.waitForSelector('text=one font and one colour');
+  assert.equal(await page.locator(field).count(), 0);
+  await context.close();
+});

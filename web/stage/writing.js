@@ -1,7 +1,7 @@
 // Text that is typed in place: a field over the drawing, shaped by the browser as the drawing's picture of it is. Fetched with the
 // first text.
 
-import { stand } from '../page/build.js';
+import { stand, want } from '../page/build.js';
 import { word } from '../page/words.js';
 
 /** @typedef {import('../main.js').Shell} Shell */
@@ -73,10 +73,12 @@ export function put({ engine, wake }, texts) {
 let open = null;
 
 class Field {
-  /** @param {Shell} shell @param {Text} text */
-  constructor(shell, text) {
+  /** @param {Shell} shell @param {Text} text @param {DOMMatrix} [inner] from its units to those that the engine speaks of */
+  constructor(shell, text, inner = new DOMMatrix()) {
     this.shell = shell;
     this.text = text;
+    this.inner = inner;
+    this.before = text.text;
     this.done = false;
     this.room = document.createElement('div');
     this.room.className = 'writing';
@@ -143,12 +145,12 @@ class Field {
     const { screen } = asked(this.shell) ?? text;
     const scale = text.size / EM;
     const [a, b, c, d, e, f] = screen;
-    const matrix = new DOMMatrix([a, b, c, d, e, f]).translate(text.at[0], text.at[1]).scale(scale);
+    const matrix = new DOMMatrix([a, b, c, d, e, f]).multiply(this.inner).translate(text.at[0], text.at[1]).scale(scale);
     room.style.inset = `${stage.offsetTop}px auto auto ${stage.offsetLeft}px`;
     room.style.width = `${stage.clientWidth}px`;
     room.style.height = `${stage.clientHeight}px`;
     area.style.transform = `${matrix} ${this.shift}`;
-    area.style.setProperty('--pixel', `${1 / (Math.hypot(a, b) * scale || 1)}px`);
+    area.style.setProperty('--pixel', `${1 / (Math.hypot(matrix.a, matrix.b) || 1)}px`);
   }
 
   /** Accepts what it says; it goes when the drawing shows it. */
@@ -163,7 +165,7 @@ class Field {
     const { painter } = shell;
     const said = area.value.replace(/\s+$/, '').replace(/\t/g, ' ');
     area.readOnly = true;
-    const taken = said || text.id ? put(shell, { ...text, text: said }) : false;
+    const taken = said !== this.before && put(shell, { ...text, text: said });
     const id = asked(shell)?.id;
     for (let i = 0; i < PATIENCE && taken && said && id; i++) {
       await new Promise((resolve) => requestAnimationFrame(resolve));
@@ -181,12 +183,26 @@ class Field {
   }
 }
 
+/** Foreign content as a text, where it is plain; else the user is told. @param {Shell} shell @param {Text & { picture: number }} foreign */
+async function adopted(shell, foreign) {
+  const { plainOf } = await want(import('./plain.js'));
+  const plain = plainOf(shell.engine.picture(foreign.picture));
+  if (!plain) {
+    shell.notices.say(word('notice.text-not-plain'));
+    return null;
+  }
+  const { a, b, c, d, e, f } = new DOMMatrix(foreign.matrix).multiply(plain.inner);
+  return { text: /** @type {Text} */ ({ ...foreign, ...plain.text, matrix: [a, b, c, d, e, f] }), inner: plain.inner };
+}
+
 /** Lets the text be typed that the engine asks for. @param {Shell} shell */
 export async function write(shell) {
   await open?.close();
   const text = asked(shell);
-  if (text) {
-    open = new Field(shell, text.id ? text : { ...text, ...last });
+  const found = !text ? null : 'picture' in text ? await adopted(shell, /** @type {Text & { picture: number }} */ (text)) :
+    { text: text.id ? text : { ...text, ...last }, inner: undefined };
+  if (found) {
+    open = new Field(shell, found.text, found.inner);
     await open.begin();
   }
 }

@@ -10,7 +10,7 @@
 const bat_object *bat_writing_text(const bat_context *c, bat_id id) {
     const int index = id ? bat_document_find(c->session->document, id) : -1;
     const bat_object *object = index < 0 ? NULL : bat_document_at(c->session->document, index);
-    return object && bat_object_lettering(object) ? object : NULL;
+    return object && (bat_object_lettering(object) || bat_object_is_foreign(object)) ? object : NULL;
 }
 
 void bat_writing_ask(bat_context *c, bat_id id, const double at[2]) {

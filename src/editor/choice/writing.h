@@ -14,9 +14,9 @@ typedef struct bat_writing {
 
 /* Asks the host to let that text be typed; id 0: a new one, which stands at `at` on the page. */
 void bat_writing_ask(bat_context *c, bat_id id, const double at[2]);
-/* The object of that id, if it is a text; else NULL. */
+/* The object of that id, if it is a text, or foreign content, which may be one; else NULL. */
 const bat_object *bat_writing_text(const bat_context *c, bat_id id);
-/* Asks for the one text that is selected; BAT_STATE: it is not one. */
+/* Asks for the one such object that is selected; BAT_STATE: it is not one. */
 bat_status bat_command_text_edit(bat_context *c, bat_command_id id);
 
 #endif

@@ -1,4 +1,5 @@
 /* A text as the host edits it in place, and as it hands it back. */
+#include "document/clip.h"
 #include "document/kind.h"
 #include "document/lettering.h"
 #include "editor/choice/choice.h"
@@ -54,7 +55,13 @@ static void say(const bat_context *c, const bat_object *object, bat_text *out) {
     bat_lettering fresh = bat_lettering_defaults();
     bat_text_string(out, "{\"id\":");
     bat_text_integer(out, object ? bat_object_id(object) : 0);
-    if (object) {
+    if (object && bat_object_is_foreign(object)) {
+        memcpy(place, bat_object_matrix(object), sizeof place);
+        bat_text_numbers(out, ",\"matrix\":", place, 6);
+        bat_text_string(out, ",\"picture\":");
+        const bool clipped = bat_object_clip(object) != NULL; /* which a text could not keep */
+        bat_text_integer(out, clipped ? 0 : (uint32_t)bat_picture_digest(bat_object_picture(object)));
+    } else if (object) {
         memcpy(place, bat_object_place(object), sizeof place);
         bat_object_type(object)->write(object, out);
     } else {
@@ -84,7 +91,7 @@ const char *bat_panel_texts(bat_context *c) {
     bat_text_string(&text, "[");
     for (int i = 0; i < selection->count; i++) {
         const bat_object *object = bat_writing_text(c, selection->ids[i]);
-        if (!object) continue;
+        if (!object || !bat_object_lettering(object)) continue;
         if (count++) bat_text_string(&text, ",");
         say(c, object, &text);
     }
@@ -112,9 +119,14 @@ static bat_status read_wish(const bat_context *c, const bat_fields *f, uint32_t 
                   .colour = colour_of_new(c)};
     const bat_object *object = bat_writing_text(c, out->id);
     if (out->id && !object) return BAT_ARGUMENT;
-    memcpy(out->place, object ? bat_object_place(object) : place, sizeof out->place);
-    if (object) out->lettering = *bat_object_lettering(object);
-    if (object) out->colour = bat_object_style(object)->fill;
+    const bool known = object && bat_object_lettering(object);
+    memcpy(out->place, known ? bat_object_place(object) : place, sizeof out->place);
+    if (known) out->lettering = *bat_object_lettering(object);
+    if (known) out->colour = bat_object_style(object)->fill;
+    if (object && !known) {
+        const bat_status status = bat_fields_numbers(f, node, "matrix", 6, "six numbers", out->place);
+        if (status != BAT_OK) return status;
+    }
     if (fill && !bat_colour_scan(bat_json_text(f->json, fill), &out->colour))
         return bat_fields_complain(f, fill, "fill", "a colour \"#rrggbbaa\"");
     return bat_lettering_from_json(f, node, &out->lettering);
@@ -138,6 +150,21 @@ static bat_status insert(bat_context *c, const wish *w, bat_id *id) {
     return status;
 }
 
+/* Foreign content as a text, in its place. */
+static bat_status create_instead(const bat_object *object, const wish *w, bat_object **out) {
+    bat_object *made = NULL, *placed = NULL;
+    if (bat_object_clip(object)) return BAT_UNSUPPORTED;
+    bat_status status = bat_object_create_text(w->id, bat_object_name(object), &w->lettering, w->place,
+                                               w->colour, bat_object_style(object)->opacity, &made);
+    if (status == BAT_OK) status = bat_object_with_parent(made, bat_object_parent(object), &placed);
+    if (status == BAT_OK)
+        status = bat_object_with_state(placed, bat_object_is_hidden(object), bat_object_is_locked(object),
+                                       out);
+    bat_object_release(made);
+    bat_object_release(placed);
+    return status;
+}
+
 /* Within a transaction. */
 static bat_status exchange(bat_context *c, const wish *w) {
     const int index = bat_document_find(c->session->document, w->id);
@@ -145,6 +172,12 @@ static bat_status exchange(bat_context *c, const wish *w) {
     bat_object *said = NULL, *made = NULL;
     bat_style style = *bat_object_style(object);
     if (!*w->lettering.content) return bat_transaction_remove(c, index);
+    if (bat_object_is_foreign(object)) {
+        bat_status status = create_instead(object, w, &made);
+        if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
+        bat_object_release(made);
+        return status;
+    }
     if (bat_lettering_same(&w->lettering, bat_object_lettering(object)) && style.fill == w->colour)
         return BAT_OK;
     style.fill = w->colour;
