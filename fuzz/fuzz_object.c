@@ -120,7 +120,7 @@ static bat_status image(source *s, bat_id id, bat_object **out) {
         letters.content = id % 2 ? "one\ntwo" : "\xff";
         letters.size = opacity, letters.box[2] = matrix[0], letters.box[3] = matrix[3];
         bat_object *text = NULL;
-        if (bat_object_create_text(id, "text", &letters, matrix, id, opacity, &text) == BAT_OK) {
+        if (bat_object_create_text(id, "text", &letters, matrix, (uint32_t)id, opacity, &text) == BAT_OK) {
             bat_object_release(*out);
             *out = text;
         }

@@ -87,8 +87,8 @@ test('an icon from an empty page to files', async () => {
     assert.equal(ours.width, 24 * (i + 1));
     assert.equal(theirs.width, ours.width);
     const apart = ours.data.map((value, k) => Math.abs(value - theirs.data[k]));
-    assert.ok(Math.max(...apart) < 64, `${file}: ${Math.max(...apart)}`); // along edges, which each smooths in its way
-    assert.ok(apart.reduce((sum, value) => sum + value) / apart.length < 1.5, file);
+    assert.ok(Math.max(...apart) < 24, `${file}: ${Math.max(...apart)}`); // along edges, which each smooths in its way
+    assert.ok(apart.reduce((sum, value) => sum + value) / apart.length < 0.3, file);
     const middle = 3 * (12 * (i + 1) * ours.width + 12 * (i + 1));
     assert.deepEqual(ours.data.slice(middle, middle + 3), [0xff, 0xd1, 0x66]);
   }

@@ -5,6 +5,15 @@ import { Refusal, word } from '../page/words.js';
 
 const MOST = 16384; // pixels a side
 const AREA = 1 << 28;
+/** Up to so many pixels a picture is painted four times as large and averaged: browsers paint small circles with a few straight lines. */
+const SMALL = 1 << 20;
+
+/** @param {CanvasImageSource} source @param {number[]} size */
+function painted(source, [width, height]) {
+  const canvas = new OffscreenCanvas(width, height);
+  canvas.getContext('2d')?.drawImage(source, 0, 0, width, height); // half as large: each pixel is the middle of four
+  return canvas;
+}
 
 /**
  * A picture of it. @param {Uint8Array} svg
@@ -19,13 +28,17 @@ export async function pictureOf(svg, { width, scale: each, white }, type) {
   if (!(image.width > 0 && image.height > 0) || Math.max(...size) > MOST || size[0] * size[1] > AREA) {
     throw new Refusal(word('shell.too-large', `${size[0]} × ${size[1]}`));
   }
-  const canvas = new OffscreenCanvas(size[0], size[1]);
+  let times = size[0] * size[1] <= SMALL ? 4 : 1;
+  let canvas = painted(image, size.map((side) => side * times));
+  for (; times > 1; times /= 2) {
+    canvas = painted(canvas, size.map((side) => side * times / 2));
+  }
   const context = canvas.getContext('2d');
   if (context && white) {
+    context.globalCompositeOperation = 'destination-over';
     context.fillStyle = '#fff';
     context.fillRect(0, 0, size[0], size[1]);
   }
-  context?.drawImage(image, 0, 0, size[0], size[1]);
   const blob = await canvas.convertToBlob({ type, quality: 1 });
   if (blob.type !== type) { // browsers make a PNG of what they do not know
     throw new Refusal(word('shell.not-written'));
