@@ -58,6 +58,7 @@ for (const [how, body] of Object.entries(spoils)) {
     // It is read-only: a pen moves the view, keys change nothing, and there is no error.
     const corner = await place(page, 0, 0);
     await hand.stroke(await on(page, SKY));
+    await settle(page); // of what came with the pen's lift
     assert.notDeepEqual(await place(page, 0, 0), corner);
     await page.keyboard.press('v');
     await page.keyboard.press('Control+A');
