@@ -191,7 +191,7 @@ test('no rule of the style sheets knows left from right but what the canvas and 
   const styles = path.resolve(HERE, '../../web/styles');
   const sheet = fs.readdirSync(styles).map((file) => fs.readFileSync(path.join(styles, file), 'utf8')).join('');
   const physical = sheet.match(/^ +((margin|padding|border)-(left|right)|left|right|text-align: (left|right)).*$/gm) ?? [];
-  // The canvas, and the pen over that of a moving picture, whose transforms are measured from the left, as is the place in the colour
+  // The canvas, a text that is typed over it, and the pen over that of a moving picture, whose transforms are measured from the left, as is the place in the colour
   // picker and of its eyedropper; half is half from either side.
-  assert.deepEqual(physical.filter((rule) => !rule.includes('50%')), ['  left: var(--across);', '  left: var(--x);', '  left: 0;', '  left: 0;']);
+  assert.deepEqual(physical.filter((rule) => !rule.includes('50%')), ['  left: var(--across);', '  left: var(--x);', '  left: 0;', '  left: 0;', '  left: 0;']);
 });
