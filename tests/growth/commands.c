@@ -92,6 +92,16 @@ static int perform_all(const growth_scene *scene, bat_editor *editor, int from, 
     return faults;
 }
 
+/* What grows too fast from one size to the next, but for a step between two: it does so to the next but one, too. */
+static bool grows_on(const growth_scene *scene, int choice, uint64_t mid, uint64_t last) {
+    static reading more[MOST_CHOICES];
+    bat_editor *editor = scene->make(16 * middle);
+    const bool fails = perform_all(scene, editor, choice, choice + 1, more) > 0;
+    bat_editor_free(editor);
+    return fails || growth_judge(scene->name, name_of(choice), (uint64_t[]){mid, last, more[choice].work},
+                                 4 * middle, MOST);
+}
+
 /* How many grow too fast; done[command] becomes true for those that found something to do. The middle one need not be known
  * (growth_judge) where the last is no more than four times the first, and is taken to be as the first. */
 static int judge_scene(const growth_scene *scene, const char *only, bool *done) {
@@ -111,9 +121,9 @@ static int judge_scene(const growth_scene *scene, const char *only, bool *done) 
         if (first->work == NEVER || last->work == NEVER) continue;
         *mid = *first;
         if (last->work > 4 * first->work) faults += perform_all(scene, editors[1], i, i + 1, readings[1]);
-        if (mid->work != NEVER)
-            faults += growth_judge(scene->name, name_of(i), (uint64_t[]){first->work, mid->work, last->work},
-                                   middle, MOST);
+        if (mid->work != NEVER &&
+            growth_exceeds((uint64_t[]){first->work, mid->work, last->work}, middle, MOST))
+            faults += grows_on(scene, i, mid->work, last->work);
         if (i < BAT_COMMAND_COUNT && last->done) done[i] = true;
     }
     for (int k = 0; k < GROWTH_SIZES; k++) bat_editor_free(editors[k]);

@@ -15,8 +15,10 @@ extern uint64_t growth_work;
 
 /* How the work of three sizes grows: x of n^x, by the differences, so that what costs the same every time is left out. */
 double growth_exponent(const uint64_t work[GROWTH_SIZES]);
-/* Says what grows faster than n, and by its differences faster than n^most, but for 48 blocks a thing and a quarter of the
- * work, which rooms that double and places of chance explain; returns whether it does. n: the middle size. */
+/* Whether it grows faster than n, and by its differences faster than n^most, but for 48 blocks a thing and a quarter of the
+ * work, which rooms that double and places of chance explain. n: the middle size. */
+bool growth_exceeds(const uint64_t work[GROWTH_SIZES], int n, double most);
+/* The same, and says so. */
 bool growth_judge(const char *where, const char *what, const uint64_t work[GROWTH_SIZES], int n, double most);
 
 #endif

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "document/lettering.h"
+#include "kinds/primitive.h"
 #include "support/pen.h"
 #include "support/pictures.h"
 #include "support/walker.h"
@@ -556,6 +558,47 @@ static bat_editor *straight_among(int n) {
     return editor;
 }
 
+/* Parts of two ellipses, one closed and one open, chosen, with n lines beside them. */
+static bat_editor *arcs(int n) {
+    bat_document *made = document();
+    const bat_style style = bat_style_defaults();
+    bat_id ids[2];
+    for (int i = 0; i < n; i++) add_small(made, i, n, LINES, 0);
+    for (int k = 0; k < 2; k++) {
+        bat_primitive part = bat_primitive_ellipse((double[]){400 + 90 * k, 380, 480 + 90 * k, 440});
+        bat_object *object = NULL;
+        part.sweep = 200, part.ends = k ? BAT_ARC_OPEN : BAT_ARC_PIE;
+        ids[k] = bat_document_new_id(made);
+        if (bat_object_create_primitive(ids[k], "arc", &style, &part, &object) != BAT_OK) abort();
+        append(made, object, 0);
+    }
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    for (int k = 0; k < 2; k++) bat_editor_select(editor, ids[k], k > 0);
+    bat_editor_frame(editor);
+    return editor;
+}
+
+/* A text of n letters, chosen. */
+static bat_editor *lettered(int n) {
+    bat_document *made = document();
+    bat_lettering letters = bat_lettering_defaults();
+    bat_object *object = NULL;
+    char *content = calloc((size_t)n + 1, 1);
+    if (!content) abort();
+    for (int i = 0; i < n; i++) content[i] = "a b,c\n"[i % 6];
+    letters.content = content, letters.box[2] = 60, letters.box[3] = 4.0 * n;
+    const bat_id id = bat_document_new_id(made);
+    if (bat_object_create_text(id, "", &letters, (double[]){1, 0, 0, 1, 400, 300}, 0xff, 1, &object) !=
+        BAT_OK)
+        abort();
+    free(content);
+    append(made, object, 0);
+    bat_editor *editor = open(made, (const char *const[]){"tool-select", NULL});
+    bat_editor_select(editor, id, false);
+    bat_editor_frame(editor);
+    return editor;
+}
+
 static bat_editor *turned(int n) {
     bat_editor *editor = lines(n);
     bat_editor_command(editor, "view-right");
@@ -716,6 +759,8 @@ const growth_scene growth_scenes[] = {
     {"two surfaces that cross, and n curves", crossing_sheets},
     {"a straight line beside n", straight},
     {"a straight line among n, all chosen", straight_among},
+    {"parts of two ellipses beside n lines", arcs},
+    {"a text of n letters", lettered},
     {"n/4 groups, isolated", isolated},
     {NULL, NULL},
 };
