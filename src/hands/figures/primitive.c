@@ -192,6 +192,7 @@ static bat_status polygon(const bat_primitive *p, bat_curve **out) {
             cubic_to(&o, (double[]){from[0] + handle * in[0], from[1] + handle * in[1],
                                     to[0] - handle * away[0], to[1] - handle * away[1], to[0], to[1]});
     }
+    if (!o.points) return BAT_COUNT; /* no sides at all */
     if (p->roundness < 1) line_to(&o, first[0], first[1]);
     return finish(&o, true, out);
 }
