@@ -44,11 +44,10 @@ static void put_curve(bat_text *text, const bat_curve *curve) {
 
 /* What a shape is, and its numbers, as members or in words. */
 static void put_shape(bat_text *text, const bat_primitive *p, bool json) {
-    static const char *const kinds[] = {"rectangle", "ellipse", "polygon"};
     static const char *const names[] = {"radius", "start", "end", "sides", "depth", "roundness"};
     double value;
     bat_text_string(text, json ? "{\"is\":\"" : "    ");
-    bat_text_string(text, kinds[p->kind]);
+    bat_text_string(text, bat_primitive_name(p));
     bat_text_string(text, json ? "\"" : "");
     for (int i = 0; i < BAT_PRIMITIVE_NUMBERS; i++) {
         char line[64];

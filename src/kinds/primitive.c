@@ -33,6 +33,8 @@ bat_status bat_object_with_primitive(const bat_object *object, const bat_primiti
     return make(object, 0, NULL, NULL, primitive, out);
 }
 
+const char *bat_primitive_name(const bat_primitive *p) { return kind_words[p->kind]; }
+
 const bat_primitive *bat_object_primitive(const bat_object *object) {
     return bat_object_own(object, &bat_kind_of_primitive);
 }
@@ -126,7 +128,7 @@ static void write(const bat_object *object, bat_text *text) {
     bat_text_string(text, ",\n  \"style\":");
     bat_style_to_json(bat_object_style(object), text);
     bat_text_string(text, ",\n  \"primitive\":{\"is\":\"");
-    bat_text_string(text, kind_words[p->kind]);
+    bat_text_string(text, bat_primitive_name(p));
     bat_text_numbers(text, "\",\"place\":", p->place, 6);
     if (p->radii[0] > 0 || p->radii[1] > 0) bat_text_numbers(text, ",\"radii\":", p->radii, 2);
     for (int i = 0; i < NUMBERS; i++) {

@@ -12,6 +12,8 @@ bat_status bat_object_create_primitive(bat_id id, const char *name, const bat_st
 /* A copy of an object that is made of curves, as that shape. */
 bat_status bat_object_with_primitive(const bat_object *object, const bat_primitive *primitive,
                                      bat_object **out);
+const char *
+bat_primitive_name(const bat_primitive *p); /* as files have it: "rectangle", "ellipse" or "polygon" */
 /* Owned by the object; NULL when it is no such shape. */
 const bat_primitive *bat_object_primitive(const bat_object *object);
 

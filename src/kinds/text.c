@@ -107,14 +107,12 @@ static bat_status read(const bat_fields *f, uint32_t node, bat_id id, const char
     bat_lettering l = bat_lettering_defaults();
     double place[6], opacity = 1;
     uint32_t colour = 0x000000ff;
-    const uint32_t fill = bat_json_member(f->json, node, "fill");
     bat_status status = bat_lettering_from_json(f, node, &l);
     if (status == BAT_OK) status = bat_fields_numbers(f, node, "matrix", 6, expected_matrix, place);
     if (status == BAT_OK)
         status = bat_fields_number(f, node, "opacity", 0, 1, "a number from 0 to 1", &opacity);
+    if (status == BAT_OK) status = bat_colour_from_json(f, node, "fill", &colour);
     if (status != BAT_OK) return status;
-    if (fill && !bat_colour_scan(bat_json_text(f->json, fill), &colour))
-        return bat_fields_complain(f, fill, "fill", "a colour \"#rrggbbaa\"");
     return bat_fields_say(f, node, bat_object_create_text(id, name, &l, place, colour, opacity, out));
 }
 

@@ -109,27 +109,25 @@ typedef struct wish {
 } wish;
 
 static bat_status read_wish(const bat_context *c, const bat_fields *f, uint32_t node, wish *out) {
-    const uint32_t named = bat_json_member(f->json, node, "id"),
-                   fill = bat_json_member(f->json, node, "fill");
+    const uint32_t named = bat_json_member(f->json, node, "id");
     const bool numbered = bat_json_type_of(f->json, named) == BAT_JSON_NUMBER;
     const double number = numbered ? f->json->nodes[named].value.number : 0;
-    const double place[6] = {1, 0, 0, 1, c->choice->writing.at[0], c->choice->writing.at[1]};
     *out = (wish){.id = number >= 1 && number <= (double)BAT_ID_MAX ? (bat_id)number : 0,
                   .lettering = bat_lettering_defaults(),
+                  .place = {1, 0, 0, 1, c->choice->writing.at[0], c->choice->writing.at[1]},
                   .colour = colour_of_new(c)};
     const bat_object *object = bat_writing_text(c, out->id);
     if (out->id && !object) return BAT_ARGUMENT;
-    const bool known = object && bat_object_lettering(object);
-    memcpy(out->place, known ? bat_object_place(object) : place, sizeof out->place);
-    if (known) out->lettering = *bat_object_lettering(object);
-    if (known) out->colour = bat_object_style(object)->fill;
-    if (object && !known) {
-        const bat_status status = bat_fields_numbers(f, node, "matrix", 6, "six numbers", out->place);
-        if (status != BAT_OK) return status;
+    bat_status status = BAT_OK;
+    if (object && bat_object_lettering(object)) {
+        memcpy(out->place, bat_object_place(object), sizeof out->place);
+        out->lettering = *bat_object_lettering(object);
+        out->colour = bat_object_style(object)->fill;
+    } else if (object) {
+        status = bat_fields_numbers(f, node, "matrix", 6, "six numbers", out->place);
     }
-    if (fill && !bat_colour_scan(bat_json_text(f->json, fill), &out->colour))
-        return bat_fields_complain(f, fill, "fill", "a colour \"#rrggbbaa\"");
-    return bat_lettering_from_json(f, node, &out->lettering);
+    if (status == BAT_OK) status = bat_colour_from_json(f, node, "fill", &out->colour);
+    return status == BAT_OK ? bat_lettering_from_json(f, node, &out->lettering) : status;
 }
 
 /* Within a transaction, frontmost where new things go. */

@@ -22,7 +22,7 @@ bool bat_colour_scan(const char *text, uint32_t *colour) {
     return good;
 }
 
-static bat_status read_colour(const bat_fields *f, uint32_t object, const char *name, uint32_t *value) {
+bat_status bat_colour_from_json(const bat_fields *f, uint32_t object, const char *name, uint32_t *value) {
     uint32_t node = bat_json_member(f->json, object, name);
     if (!node || bat_colour_scan(bat_json_text(f->json, node), value)) return BAT_OK;
     return bat_fields_complain(f, node, name, "a colour \"#rrggbbaa\"");
@@ -50,8 +50,8 @@ bat_status bat_style_from_json(const bat_fields *f, uint32_t object, bat_style *
     bat_status status = bat_fields_flag(f, node, "stroked", &style->stroked);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "filled", &style->filled);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "even_odd", &style->even_odd);
-    if (status == BAT_OK) status = read_colour(f, node, "stroke", &style->stroke);
-    if (status == BAT_OK) status = read_colour(f, node, "fill", &style->fill);
+    if (status == BAT_OK) status = bat_colour_from_json(f, node, "stroke", &style->stroke);
+    if (status == BAT_OK) status = bat_colour_from_json(f, node, "fill", &style->fill);
     if (status == BAT_OK)
         status = bat_fields_number(f, node, "width", 0, BAT_COORDINATE_MAX, "a number from 0", &style->width);
     if (status == BAT_OK)

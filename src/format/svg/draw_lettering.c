@@ -9,19 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-/* All that an element may say; one that says more is foreign content, so that nothing of it is lost. */
-static bool says_more(const bat_svg_walk *w, uint32_t element, const char *const *known) {
-    const bat_svg_element *e = &w->tree->elements[element];
-    const uint32_t *pair = w->tree->attributes + e->attributes;
-    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
-        const char *name = w->tree->strings.data + pair[0];
-        int k = 0;
-        while (known[k] && strcmp(known[k], name) != 0) k++;
-        if (!known[k]) return true;
-    }
-    return false;
-}
-
 static bool read_box(const char *text, double box[4]) {
     const char *end = text ? text + strlen(text) : NULL;
     for (int i = 0; i < 4 && text; i++) {
@@ -36,6 +23,7 @@ static bool is_said(const bat_svg_walk *w, uint32_t element, const char *name, c
     return said && strcmp(said, value) == 0;
 }
 
+/* One that says more is foreign content, so that nothing of it is lost. */
 static bool read_look(const bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bat_lettering *l) {
     static const char *const known[] = {"x",
                                         "y",
@@ -61,7 +49,8 @@ static bool read_look(const bat_svg_walk *w, uint32_t element, const bat_svg_sco
                                         NULL};
     const char *weight = bat_svg_attribute_of(w, element, "font-weight"),
                *line = bat_svg_attribute_of(w, element, "data-line");
-    if (says_more(w, element, known) || !is_said(w, element, "xml:space", "preserve")) return false;
+    if (bat_svg_says_more(w->tree, element, known) || !is_said(w, element, "xml:space", "preserve"))
+        return false;
     if (!read_box(bat_svg_attribute_of(w, element, "data-box"), l->box)) return false;
     if (!line || bat_number_scan(line, line + strlen(line), &l->line) != line + strlen(line)) return false;
     if (weight && bat_number_scan(weight, weight + strlen(weight), &l->weight) != weight + strlen(weight))
@@ -82,8 +71,9 @@ static bool is_line(const bat_svg_walk *w, uint32_t element, const bat_svg_scope
     static const char *const known[] = {"x", "y", NULL};
     const double x = bat_svg_length_of(w, element, "x", s->width, NAN),
                  y = bat_svg_length_of(w, element, "y", s->height, NAN), by = 1e-6 * l->size;
-    return strcmp(bat_svg_tree_name(w->tree, element), "tspan") == 0 && !says_more(w, element, known) &&
-           fabs(x - l->at[0]) <= by && fabs(y - l->at[1] - number * (l->line * l->size)) <= by;
+    return strcmp(bat_svg_tree_name(w->tree, element), "tspan") == 0 &&
+           !bat_svg_says_more(w->tree, element, known) && fabs(x - l->at[0]) <= by &&
+           fabs(y - l->at[1] - number * (l->line * l->size)) <= by;
 }
 
 /* What it says, zero-terminated. */

@@ -96,18 +96,12 @@ static bool is_near(double a, double b) { return fabs(a - b) <= 1e-9 * fabs(b); 
 
 /* The attributes that an image may have which is as large as the tile. */
 static bool is_plain_image(const bat_svg_walk *w, uint32_t image) {
-    static const char *const known[] = {"id",        "x",      "y",          "width",
-                                        "height",    "href",   "xlink:href", "preserveAspectRatio",
-                                        "transform", "opacity"};
+    static const char *const known[] = {"id",        "x",       "y",          "width",
+                                        "height",    "href",    "xlink:href", "preserveAspectRatio",
+                                        "transform", "opacity", NULL};
     const bat_svg_element *e = &w->tree->elements[image];
-    const uint32_t *pair = w->tree->attributes + e->attributes;
-    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
-        bool found = false;
-        for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-            found = found || strcmp(w->tree->strings.data + pair[0], known[k]) == 0;
-        if (!found) return false;
-    }
-    return e->kind == BAT_SVG_IMAGE && !e->next && w->sheet->count == 0;
+    return !bat_svg_says_more(w->tree, image, known) && e->kind == BAT_SVG_IMAGE && !e->next &&
+           w->sheet->count == 0;
 }
 
 /* Whether the image fills the tile from corner to corner, as the picture says. */

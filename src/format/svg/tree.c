@@ -180,6 +180,17 @@ const char *bat_svg_tree_attribute(const bat_svg_tree *tree, uint32_t element, c
     return NULL;
 }
 
+bool bat_svg_says_more(const bat_svg_tree *tree, uint32_t element, const char *const *known) {
+    const bat_svg_element *e = &tree->elements[element];
+    const uint32_t *pair = tree->attributes + e->attributes;
+    for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
+        int k = 0;
+        while (known[k] && strcmp(known[k], tree->strings.data + pair[0]) != 0) k++;
+        if (!known[k]) return true;
+    }
+    return false;
+}
+
 /* qsort passes no context, so the entries carry their text. */
 typedef struct entry {
     const char *id;

@@ -70,7 +70,9 @@ void bat_svg_tree_free(bat_svg_tree *tree);
 
 const char *bat_svg_tree_name(const bat_svg_tree *tree, uint32_t element);
 const char *bat_svg_tree_attribute(const bat_svg_tree *tree, uint32_t element,
-                                   const char *name);                 /* or NULL */
+                                   const char *name); /* or NULL */
+/* Whether it has an attribute that is none of those names; the last one is NULL. */
+bool bat_svg_says_more(const bat_svg_tree *tree, uint32_t element, const char *const *known);
 uint32_t bat_svg_tree_find(const bat_svg_tree *tree, const char *id); /* the first with this id, or 0 */
 /* The element to which "#id" after url( refers; the id may be in quotes, and the text may continue after it.
  * 0: no element of this file. */

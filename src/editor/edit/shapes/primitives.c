@@ -14,9 +14,11 @@
 static const double INSET = 15; /* px from the outline, out of the way of the box's handles */
 static const double LEAST = 60; /* px of an axis that has handles */
 
-static const bat_object *selected(const bat_context *c, int i, int *index) {
+/* NULL: the selected object is no such shape. */
+static const bat_primitive *selected(const bat_context *c, int i, int *index) {
     *index = bat_document_find(c->session->document, c->choice->selection.ids[i]);
-    return bat_document_at(c->session->document, *index);
+    const bat_object *object = bat_document_at(c->session->document, *index);
+    return object ? bat_object_primitive(object) : NULL;
 }
 
 bat_status bat_primitive_commit(bat_context *c, const bat_primitive *primitive, bat_string label) {
@@ -43,8 +45,7 @@ bat_status bat_primitive_commit(bat_context *c, const bat_primitive *primitive, 
 
 bool bat_primitives_get(const bat_context *c, bat_primitive_number number, double *value) {
     for (int i = 0, index; i < c->choice->selection.count; i++) {
-        const bat_object *object = selected(c, i, &index);
-        const bat_primitive *p = object ? bat_object_primitive(object) : NULL;
+        const bat_primitive *p = selected(c, i, &index);
         if (p && bat_primitive_get(p, number, value)) return true;
     }
     return false;
@@ -56,15 +57,14 @@ static bat_status change_all(bat_context *c, bool (*change)(bat_primitive *p, co
     bool some = false;
     bat_status status = bat_transaction_begin(c);
     for (int i = 0, index; i < c->choice->selection.count && status == BAT_OK; i++) {
-        const bat_object *object = selected(c, i, &index);
-        const bat_primitive *p = object ? bat_object_primitive(object) : NULL;
+        const bat_primitive *p = selected(c, i, &index);
         bat_primitive other;
         bat_object *made = NULL;
         if (!p) continue;
         other = *p;
         if (!change(&other, how)) continue;
         some = true;
-        status = bat_object_with_primitive(object, &other, &made);
+        status = bat_object_with_primitive(bat_document_at(c->session->document, index), &other, &made);
         if (status == BAT_OK) status = bat_transaction_replace(c, index, made);
         bat_object_release(made);
     }
@@ -97,8 +97,7 @@ bat_status bat_primitives_end(bat_context *c, bat_arc_ends ends) { return change
 
 bool bat_primitives_are_arcs(const bat_context *c, bat_arc_ends but) {
     for (int i = 0, index; i < c->choice->selection.count; i++) {
-        const bat_object *object = selected(c, i, &index);
-        const bat_primitive *p = object ? bat_object_primitive(object) : NULL;
+        const bat_primitive *p = selected(c, i, &index);
         if (p && p->kind == BAT_ELLIPSE && p->sweep < 360 && p->ends != but) return true;
     }
     return false;
@@ -107,8 +106,7 @@ bool bat_primitives_are_arcs(const bat_context *c, bat_arc_ends but) {
 const bat_primitive *bat_primitive_held(const bat_context *c) {
     int index;
     if (c->choice->selection.count != 1 || bat_stage_tilted(c->stage)) return NULL;
-    const bat_object *object = selected(c, 0, &index);
-    const bat_primitive *p = object ? bat_object_primitive(object) : NULL;
+    const bat_primitive *p = selected(c, 0, &index);
     const double scale = bat_stage_scale(c->stage) * (p && p->kind == BAT_RECTANGLE ? 1 : 2);
     return p && scale * bat_hypot(p->place[0], p->place[1]) >= LEAST &&
                    scale * bat_hypot(p->place[2], p->place[3]) >= LEAST

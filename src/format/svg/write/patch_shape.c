@@ -59,7 +59,7 @@ static double said(const bat_svg_retag *r, const char *name) {
 /* Round corners grow with their sides. */
 static void propose_radii(proposal *p) {
     const double rx = said(p->r, "rx"), ry = said(p->r, "ry");
-    if (p->shaped ? isnan(rx) && isnan(ry) && !(p->radii[0] > 0) : isnan(rx) && isnan(ry)) return;
+    if (isnan(rx) && isnan(ry) && !(p->shaped && p->radii[0] > 0)) return;
     double radii[2] = {(isnan(rx) ? ry : rx) * (p->high[0] - p->low[0]) / said(p->r, "width"),
                        (isnan(ry) ? rx : ry) * (p->high[1] - p->low[1]) / said(p->r, "height")};
     if (p->shaped) memcpy(radii, p->radii, sizeof radii);
