@@ -120,16 +120,20 @@ static bool runs_along(const track *t, const stretch *s, double gap) {
     return most <= DOUBTFUL * gap || stays_near(t, s, worst, gap);
 }
 
-/* Steps along the one curve from a share of a stretch to another, while the foot on the other one, *v, goes along. Whether all are
- * within the gap; *worst: where they are farthest. */
-static bool steps_along(const track *t, const stretch *s, const double shares[2], double gap, double *v,
-                        double *worst) {
+/* Steps along the one curve over a part of a stretch, while the foot on the other one, *v, goes along. Whether all are within the gap. */
+typedef struct steps {
+    double from, to; /* shares of the stretch */
+    double worst;    /* where they are farthest; `before` it the foot was there */
+    double before;
+} steps;
+
+static bool steps_along(const track *t, const stretch *s, double gap, double *v, steps *part) {
     double most = -1;
     for (int k = 1; k <= FINE_PLACES; k++) {
-        const double share = shares[0] + (shares[1] - shares[0]) * k / FINE_PLACES,
+        const double share = part->from + (part->to - part->from) * k / FINE_PLACES, foot = *v,
                      d = away(t, brought_in(&t->own, s->u + share * s->du), v);
         if (!(d <= gap)) return false;
-        if (d > most) most = d, *worst = share;
+        if (d > most) most = d, part->worst = share, part->before = foot;
     }
     return true;
 }
@@ -138,18 +142,19 @@ static bool steps_along(const track *t, const stretch *s, const double shares[2]
  * on along the other one alone. */
 static bool leads_to(const track *t, const stretch *s, double gap) {
     const double end = brought_in(&t->own, s->u + s->du);
-    double v = s->v, worst = 0, other;
-    if (!steps_along(t, s, (const double[2]){0, 1}, gap, &v, &worst)) return false;
+    steps all = {.from = 0, .to = 1};
+    double v = s->v;
+    if (!steps_along(t, s, gap, &v, &all)) return false;
     const double left = way(&t->other, v, brought_in(&t->other, s->v + s->dv));
     const vec here = point_at(t->own.curve, end);
     for (int k = 0; k <= FINE_PLACES; k++) {
         const double on = brought_in(&t->other, v + left * k / FINE_PLACES);
         if (!(vec_norm(vec_sub(point_at(t->other.curve, on), here)) <= gap)) return false;
     }
-    double from = fmax(worst - 1.0 / FINE_PLACES, 0);
-    v = s->v;
-    return steps_along(t, s, (const double[2]){0, from}, gap, &v, &other) &&
-           steps_along(t, s, (const double[2]){from, fmin(worst + 1.0 / FINE_PLACES, 1)}, gap, &v, &other);
+    const double step = 1.0 / FINE_PLACES; /* once more around the worst, finer */
+    v = all.before;
+    return steps_along(t, s, gap, &v,
+                       &(steps){.from = fmax(all.worst - step, 0), .to = fmin(all.worst + step, 1)});
 }
 
 static bool are_linked(const track t[2], const bat_touching *x, const bat_touching *y, double gap) {
