@@ -43,9 +43,24 @@ static bat_status measure(bat_sums *sums, size_t piece, double x[2], double *dis
     return BAT_OK;
 }
 
+static void square(bat_squares *all, double weight, double distance) {
+    if (!(distance > 0)) return;
+    if (distance > all->greatest) {
+        const double share = all->greatest / distance;
+        all->greatest = distance, all->sum *= share * share;
+    }
+    const double share = distance / all->greatest;
+    all->sum += weight * (share * share);
+}
+
+static double root_mean(const bat_squares *all, double weight) {
+    return all->greatest * sqrt(all->sum / weight);
+}
+
 void bat_sums_weigh(bat_sums *sums, const double x[2], double distance, double weight) {
     sums->found.extent += weight;
-    sums->found.mean += weight * distance, sums->found.rms += weight * (distance * distance);
+    sums->found.mean += weight * distance;
+    square(&sums->weighted, weight, distance);
     if (!(distance > sums->piece.distance)) return;
     sums->piece.distance = distance, sums->piece.x[0] = x[0], sums->piece.x[1] = x[1];
 }
@@ -56,7 +71,8 @@ bat_status bat_sums_add(bat_sums *sums, const double x[2], double weight, double
     const bat_status status = measure(sums, sums->piece.piece, at, &d);
     if (status != BAT_OK) return status;
     sums->found.samples++;
-    sums->plain += d, sums->squares += d * d;
+    sums->plain += d;
+    square(&sums->squares, 1, d);
     bat_sums_weigh(sums, at, d, weight);
     if (distance) *distance = d;
     return BAT_OK;
@@ -103,10 +119,10 @@ bat_status bat_sums_finish(bat_sums *sums, bat_deviation *out) {
     if (status != BAT_OK) return status;
     bat_deviation *found = &sums->found;
     if (found->extent > 0) {
-        found->mean /= found->extent, found->rms = sqrt(found->rms / found->extent);
+        found->mean /= found->extent, found->rms = root_mean(&sums->weighted, found->extent);
     } else { /* a point */
         found->mean = sums->plain / (double)found->samples;
-        found->rms = sqrt(sums->squares / (double)found->samples);
+        found->rms = root_mean(&sums->squares, (double)found->samples);
     }
     *out = *found;
     return BAT_OK;

@@ -16,14 +16,20 @@ typedef struct bat_peak {
 /* A point of the thing at parameters of a piece, which are first moved into what the piece covers. */
 typedef void bat_sums_place(const void *thing, size_t piece, double x[2], double point[3]);
 
+/* A sum of weighted squares, as shares of the greatest one, so that none is lost below what a double holds. */
+typedef struct bat_squares {
+    double greatest, sum;
+} bat_squares;
+
 typedef struct bat_sums {
     const bat_reference *reference;
     const void *thing;
     bat_sums_place *place;
     bat_seek seek;
-    bat_deviation found;   /* mean and rms: sums */
-    double plain, squares; /* sums without weights */
-    double reach;          /* the greatest coordinate: distances are rounded to some of its last bits */
+    bat_deviation found;           /* mean: a sum */
+    double plain;                  /* a sum without weights */
+    bat_squares weighted, squares; /* with weights and without */
+    double reach; /* the greatest coordinate: distances are rounded to some of its last bits */
     bat_peak peaks[BAT_SUMS_PEAKS],
         piece; /* the greatest of as many pieces, falling; that of the piece in hand */
     size_t peak_count;

@@ -2,6 +2,8 @@
 
 #include "format/json/word.h"
 
+#include <float.h>
+
 static const char *const aligns[] = {"start", "middle", "end", NULL};
 
 static void write_number(bat_text *out, const char *before, double number) {
@@ -36,8 +38,8 @@ static bat_status read_text(const bat_fields *f, uint32_t object, const char *na
 }
 
 static bat_status read_numbers(const bat_fields *f, uint32_t object, bat_lettering *l) {
-    bat_status status = bat_fields_number(f, object, "size", 1e-9, BAT_COORDINATE_MAX, "a number above 0",
-                                          &l->size);
+    bat_status status = bat_fields_number(f, object, "size", DBL_TRUE_MIN, BAT_COORDINATE_MAX,
+                                          "a number above 0", &l->size);
     if (status == BAT_OK)
         status = bat_fields_number(f, object, "weight", 1, 1000, "a number from 1 to 1000", &l->weight);
     if (status == BAT_OK)

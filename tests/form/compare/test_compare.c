@@ -106,6 +106,24 @@ static void round_a_point(void **state) {
 }
 
 /* A square that leans over a plane: distances grow evenly from 0 to 2 sin a; at any scale. */
+/* However little above a triangle another lies: all three are that much, though its square is below what a double holds. */
+static void hair_above(void **state) {
+    (void)state;
+    const double below[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const int corners[3] = {0, 1, 2};
+    bat_polymesh *floor = mesh_of(3, below, 1, corners);
+    bat_reference *r = of_mesh(floor);
+    for (double h = 1; h > 1e-250; h *= 1e-20) {
+        const double above[9] = {0.1, 0.1, h, 0.3, 0.1, h, 0.1, 0.3, h};
+        bat_polymesh *mesh = mesh_of(3, above, 1, corners);
+        bat_deviation d;
+        assert_int_equal(bat_polymesh_deviation(mesh, r, 0, &d), BAT_OK);
+        near_to(d.greatest, h, 0), near_to(d.mean, h, 1e-13 * h), near_to(d.rms, h, 1e-13 * h);
+        bat_polymesh_free(mesh);
+    }
+    bat_reference_free(r), bat_polymesh_free(floor);
+}
+
 static void over_a_plane(void **state) {
     (void)state;
     const double sine = 0.6, cosine = 0.8, up[3] = {0, 0, 1};
@@ -341,10 +359,11 @@ static void each_allocation(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(concentric),       cmocka_unit_test(round_a_point),
-        cmocka_unit_test(over_a_plane),     cmocka_unit_test(between_samples),
-        cmocka_unit_test(nearest_of_all),   cmocka_unit_test(nearest_of_triangles),
-        cmocka_unit_test(within_hausdorff), cmocka_unit_test(from_itself),
-        cmocka_unit_test(what_is_refused),  cmocka_unit_test(each_allocation)};
+        cmocka_unit_test(concentric),           cmocka_unit_test(round_a_point),
+        cmocka_unit_test(over_a_plane),         cmocka_unit_test(hair_above),
+        cmocka_unit_test(between_samples),      cmocka_unit_test(nearest_of_all),
+        cmocka_unit_test(nearest_of_triangles), cmocka_unit_test(within_hausdorff),
+        cmocka_unit_test(from_itself),          cmocka_unit_test(what_is_refused),
+        cmocka_unit_test(each_allocation)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
