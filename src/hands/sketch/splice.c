@@ -314,9 +314,10 @@ static void closed_window(const bat_plan *plan, int side, closed_parts *c) {
     double *front = c->knots, *back = c->knots + p + 1 + r;
     for (int i = 0; i <= p; i++) {
         const int before = p - i;
-        front[i] = before == 0 || a->kind == BAT_END_POINT ? c->start
-                   : before <= k                           ? c->kept[k - before] - c->period
-                                                           : b->cut - c->period;
+        const double at = before == 0 || a->kind == BAT_END_POINT ? c->start
+                          : before <= k                           ? c->kept[k - before] - c->period
+                                                                  : b->cut - c->period;
+        front[i] = at - base;
         back[i] = i == 0 || b->kind == BAT_END_POINT ? b->cut + c->shift - base
                   : i <= k                           ? c->kept[i - 1] + c->shift - base
                                                      : c->start + c->period + c->shift - base;

@@ -56,8 +56,37 @@ static void two_pins(void **state) {
     redraws(true, 4, 2);
 }
 
+/* Most of a drop, from its tip or up to it, so coarsely that the new piece has hardly a knot of its own: its pins hang on
+ * knots before it, too. */
+static void most_of_a_drop(void **state) {
+    (void)state;
+    random_source r = {5};
+    const double knots[9] = {0, 2, 4, 4, 4, 5, 6, 8, 10};
+    for (int n = 0; n < 60; n++) {
+        double points[16];
+        for (int i = 0; i < 8; i++) {
+            const double a = 0.785 * i, radius = i == 4 ? 380 : 200 + 20 * random_between(&r, -1, 1);
+            points[2 * i] = 400 + radius * cos(a), points[2 * i + 1] = 300 + radius * sin(a);
+        }
+        bat_curve *curve = NULL, *now = NULL;
+        assert_int_equal(bat_curve_create(2, 3, true, 8, points, 9, knots, &curve), BAT_OK);
+        const double length = random_between(&r, 5, 8.9);
+        const bool up = random_unit(&r) < 0.5, back = random_unit(&r) < 0.5;
+        const double from = up ? 14 - length : 4, to = up ? 14 : 4 + length;
+        drawn d = draw_along(&r, curve, back ? to : from, back ? from : to, 12, 12, 0);
+        bat_sketch_options options = bat_sketch_defaults();
+        options.tolerance = 150, options.keep_corners = true;
+        bat_sketch_report report;
+        const bat_status status = bat_sketch(curve, &d.stroke, &options, &now, &report);
+        assert_true(status == BAT_OK || status == BAT_TOLERANCE);
+        assert_true(report.replaced || kept_moves(curve, now, &report) <= 1e-12);
+        bat_curve_free(now), bat_curve_free(curve);
+        drawn_free(&d);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(open_curves), cmocka_unit_test(closed_curves),
-                                       cmocka_unit_test(two_pins)};
+                                       cmocka_unit_test(two_pins), cmocka_unit_test(most_of_a_drop)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
