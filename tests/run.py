@@ -6,6 +6,7 @@ all: everything; PART: a part of it alone (native, builds, browser, sanitizers),
 last line is "N passed, N failed"; the exit status is 1 when any failed. Nothing is counted that did not run; what should
 have run and did not has failed.
 """
+import concurrent.futures
 import os
 import pathlib
 import re
@@ -22,19 +23,22 @@ EVERY = 1 if TERMINAL else 30  # seconds between words on progress
 SLOWEST = 10
 AGAIN = 5  # sessions in the browser at most that are run once more
 
-MODULE = ("wasm", ["all", "npm", "parity_module"])
-TWINS = [("wasm", ["units_module"]), ("release", ["all", "parity", "units"])]
-# What is built, as (preset, targets), and which tests then run: the trees, and how ctest chooses among their tests.
+# What is built, as {preset: targets}: two at a time in this order, those of WITH_PAGE when the page's module is there. Which tests
+# then run: the trees, and how ctest chooses among their tests. "again" are units that the sanitizers and the twins run just as long.
+MODULE = {"wasm": ["all", "npm", "parity_module"]}
+TWINS = {"wasm": [*MODULE["wasm"], "units_module"], "release": ["parity", "units"]}
+SANITIZED = {"tsan": ["thread_tests"], "asan": ["all"]}
+WITH_PAGE = ["dev", "asan"]
 PARTS = {
-    "native": ([MODULE, ("dev", ["all"])], ["dev"], ["-LE", "^(web|twins|builds)$"]),
-    "builds": ([MODULE, *TWINS, ("dev", ["all", "growth"])], ["dev"], ["-L", "^(twins|builds)$"]),
-    "browser": ([MODULE, ("dev", ["batten_program"])], ["dev"], ["-L", "^web$"]),
-    "sanitizers": ([MODULE, ("asan", ["all"]), ("tsan", ["thread_tests"])], ["asan", "tsan"], []),
+    "native": (MODULE | {"dev": ["all"]}, ["dev"], ["-LE", "^(web|twins|builds|again)$"]),
+    "builds": (TWINS | {"dev": ["all", "growth"]}, ["dev"], ["-L", "^(twins|builds)$"]),
+    "browser": (MODULE | {"dev": ["batten_program"]}, ["dev"], ["-L", "^web$"]),
+    "sanitizers": (MODULE | SANITIZED, ["asan", "tsan"], []),
 }
 SUITES = {
-    (): ([MODULE, ("dev", ["all"])], ["dev"], ["-LE", "^all$"]),
-    ("all",): ([MODULE, *TWINS, ("dev", ["all", "growth"]), ("asan", ["all"]), ("tsan", ["thread_tests"])],
-               ["dev", "asan", "tsan"], []),
+    (): (MODULE | {"dev": ["all"]}, ["dev"], ["-LE", "^all$"]),
+    ("all",): (TWINS | {"tsan": SANITIZED["tsan"], "dev": ["all", "growth"], "asan": SANITIZED["asan"]},
+               ["dev", "asan", "tsan"], ["-LE", "^again$"]),
     **{("all", name): part for name, part in PARTS.items()},
 }
 INTENT = {
@@ -92,10 +96,10 @@ def step(name, commands):
     progress, log = Progress(), BUILD / f"{name}.log"
     say(name)
     log.unlink(missing_ok=True)
-    if all(follow(words, log, lambda line: line and progress.tell(line)) == 0 for words in commands):
-        progress.show(f"[{progress.passed()}] done")
+    if all(follow(words, log, lambda line: line and progress.tell(f"{name}: {line}")) == 0 for words in commands):
+        progress.show(f"[{progress.passed()}] {name} done")
         return True
-    progress.show(f"[{progress.passed()}] failed")
+    progress.show(f"[{progress.passed()}] {name} failed")
     print(*log.read_text(encoding="utf-8").splitlines()[-60:], sep="\n", flush=True)
     return False
 
@@ -111,9 +115,21 @@ def packages():
     return done
 
 
-def build(preset, targets):
+def build(preset, targets, first):
+    """Whether a tree is built, once the build that it waits for has ended."""
+    if first:
+        first.result()
     return step(preset, [["cmake", "--preset", preset, "--log-level=WARNING"],
                          ["cmake", "--build", "--preset", preset, "--target", *targets]])
+
+
+def build_trees(wanted):
+    """Builds two trees at a time: while one links, the other compiles. Those that were not built."""
+    builds = {}
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        for preset, targets in wanted.items():
+            builds[preset] = pool.submit(build, preset, targets, builds["wasm"] if preset in WITH_PAGE else None)
+    return [preset for preset, built in builds.items() if not built.result()]
 
 
 def one_list(trees):
@@ -195,7 +211,7 @@ def main():
     say(INTENT.get(suite) or f"./test {' '.join(suite)}: a part of ./test all")
     BUILD.mkdir(exist_ok=True)
     bad = [] if packages() else ["npm"]
-    unbuilt = [preset for preset, targets in builds if not build(preset, targets)]
+    unbuilt = build_trees(builds)
     bad += [f"build/{preset}" for preset in unbuilt]
     trees = [tree for tree in trees if tree not in unbuilt]
     done, unsteady = once_more(trees, test(trees, choice)) if trees else ([], [])
