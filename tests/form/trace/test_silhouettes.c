@@ -13,6 +13,7 @@
 #include "curve/curve.h"
 #include "support/alloc_fail.h"
 #include "support/random_surface.h"
+#include "support/rounds.h"
 #include "support/solids.h"
 #include "support/views.h"
 #include <batten/trace.h>
@@ -109,7 +110,7 @@ static void a_torus_turns_twice(void **state) {
     random_source r = {5};
     bat_surface *s = solid_torus(1, 0.4, 48, 24);
     double worst = 0;
-    for (int number = 0; number < 24; number++) {
+    for (int number = 0; number < ROUNDS_OF(24); number++) {
         const bat_viewpoint view = some_view(&r, number, origin, 6);
         bat_tracks *tracks = silhouettes(s, &view);
         int open;
@@ -175,7 +176,7 @@ static void a_cylinder_from_its_end_has_none(void **state) {
 static void nothing_ends_inside(void **state) {
     (void)state;
     random_source r = {7};
-    for (int number = 0; number < 60; number++) {
+    for (int number = 0; number < ROUNDS_OF(60); number++) {
         const int degree[2] = {2 + number % 4, 2 + number / 4 % 3},
                   kind[2] = {2 * (number % 2), 2 * (number / 2 % 2)};
         const int extra[2] = {random_int(&r, 0, 3), random_int(&r, 0, 3)};

@@ -7,6 +7,7 @@
 #include <batten/document.h>
 
 #include "support/random_curve.h"
+#include "support/rounds.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -49,7 +50,7 @@ static void there_and_back(void **unused) {
     (void)unused;
     random_source random = {11};
     const bat_format *dxf = bat_format_named("dxf");
-    for (int run = 0; run < 300; run++) {
+    for (int run = 0; run < ROUNDS_OF(300); run++) {
         bat_curve *copy, *curve = random_curve(&random, 1 + run % 7, 2 + run / 7 % 2, run / 14 % 3, run % 30);
         bat_document *document = NULL, *back = NULL;
         bat_object *layer = NULL, *made = NULL, *object = NULL;
@@ -108,7 +109,7 @@ static void there_and_back(void **unused) {
 static void arcs_are_near(void **unused) {
     (void)unused;
     random_source random = {5};
-    for (int run = 0; run < 40; run++) {
+    for (int run = 0; run < ROUNDS_OF(40); run++) {
         bat_curve *copy, *curve = random_curve(&random, 2 + run % 3, 2, run % 3, 3 + run % 6);
         bat_document *document = NULL, *back = NULL;
         bat_object *object = NULL;
