@@ -1,5 +1,5 @@
 // label: all (a minute of files of others). Files of other programs with one point of one curve moved a little: Chromium shows them
-// as before. FILES=5000 node tests/web/run.mjs tests/web/others.test.mjs tries so many of them.
+// as before. So does it where style sheets say where things are, with any of them moved or turned. FILES=5000 node tests/web/run.mjs tests/web/others.test.mjs tries so many of them.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -18,6 +18,23 @@ const LARGEST = 200000; // bytes
 const SIDE = 300; // pixels
 const SEEN = 96; // of 255: Chromium draws an arc, and the curve that it is, up to a quarter of a pixel apart
 const FEW = 20; // pixels, along what was moved by a ten-thousandth of its size
+
+/** Places and transforms by style: of a class, an id, a type, with !important, in a style attribute, by the box. */
+const STYLED = `<svg xmlns="http://www.w3.org/2000/svg" width="400" height="300" viewBox="0 0 400 300"><style>
+.r{x:20px;y:30px;width:60px;height:40px;rx:10px} #c{cx:150px;cy:50px;r:25px} .p{d:path("M200 20 L260 20 L230 80 Z")}
+.i{x:350px!important;transform:skewX(9deg)!important} @media print{.r{x:1px}} ellipse{transform:translateX(5%)} g{transform:translate(10%,270px)}</style>
+<clipPath id="k" style="transform:translate(5px,0)"><rect style="x:290px;y:210px;width:50px;height:30px"/></clipPath><defs><rect id="u" width="20" height="20"/></defs>
+<rect class="r" fill="red"/><circle id="c" fill="green"/><path class="p" fill="blue"/><path d="M9 9H19V19z" style="d:none"/>
+<rect width="10" height="10" style="x:300px;y:20px;width:40px;height:50px" fill="purple"/><rect class="i" y="20" width="40" height="20" style="x:10px" fill="#333"/>
+<rect x="20" y="150" width="60" height="40" style="transform:rotate(45deg);transform-origin:50px 170px" fill="orange"/>
+<rect x="120" y="150" width="60" height="40" style="transform:rotate(45deg);transform-box:fill-box;transform-origin:center" fill="teal"/>
+<rect x="220" y="150" width="60" height="40" style="transform:scale(.5);transform-box:fill-box;transform-origin:100% 100%" fill="navy"/>
+<rect x="320" y="150" width="60" height="40" style="transform:translate(10px,20px) skewX(10deg);transform-box:fill-box" fill="brown"/>
+<ellipse style="cx:50px;cy:260px;rx:30px;ry:10%" fill="pink"/><rect x="120" y="240" width="60" height="40" style="rotate:20deg;transform-box:fill-box;transform-origin:center"/>
+<use href="#u" style="x:220px;y:220px"/><use href="#u" transform="rotate(45)" transform-origin="260 240" x="250" y="230" fill="lime"/>
+<rect x="280" y="200" width="80" height="60" clip-path="url(#k)" fill="red"/><g><rect width="10" height="10"/></g>
+<rect style="--w:30px;x:200px;y:260px;width:var(--w);height:var(--w);translate:10px;scale:50% 80%;transform-origin:200px 260px" fill="#0aa"/>
+<rect x="350" y="250" width="30" height="30" style="rx:50%;-webkit-transform:translate(-5px)" fill="#a0a"/></svg>`;
 
 let browser;
 let folder;
@@ -74,11 +91,58 @@ const differing = (page, files) => page.evaluate(async ({ sources, side, seen })
       context.drawImage(image, 0, 0, side, side);
       return context.getImageData(0, 0, side, side).data;
     }));
-    return a.reduce((count, value, i) => count + Number(Math.abs(value - b[i]) > seen), 0);
+    const at = (data, i) => (i % 4 === 3 ? data[i] : (data[i] * data[i | 3]) / 255); // what is clear has no colour
+    return a.reduce((count, _, i) => count + Number(Math.abs(at(a, i) - at(b, i)) > seen), 0);
   } catch {
     return -1;
   }
 }, { sources: files.map((file) => `data:image/svg+xml;base64,${fs.readFileSync(file).toString('base64')}`), side: SIDE, seen: SEEN });
+
+/** Moves an object by (8, 3), or turns it about the origin by a twentieth. */
+function move(one, turn) {
+  const map = ([x, y]) => (turn ? [x - 0.05 * y, y + 0.05 * x] : [x + 8, y + 3]);
+  if (one.primitive) {
+    const [a, b, c, d, e, f] = one.primitive.place;
+    const [at, along, up] = [map([e, f]), map([e + a, f + b]), map([e + c, f + d])];
+    one.primitive.place = [along[0] - at[0], along[1] - at[1], up[0] - at[0], up[1] - at[1], ...at];
+  }
+  for (const curve of one.curves ?? []) {
+    curve.points = curve.points.map(map);
+  }
+}
+
+test('where style says where things are they are there, and where they were moved to', async () => {
+  const page = await browser.newPage();
+  const [file, kept, alone, drawn, moved, saved] = ['styled.svg', 'kept.batten', 'alone.batten', 'drawn.svg', 'moved.batten', 'saved.svg']
+    .map((name) => path.join(folder, name));
+  const convert = (from, to) => execFileSync(PROGRAM, ['convert', from, to], { stdio: 'pipe' });
+  /** What the document itself looks like, without the file that it came from. */
+  const draw = (document) => {
+    fs.writeFileSync(alone, JSON.stringify({ ...document, source: undefined }));
+    convert(alone, drawn);
+  };
+  fs.writeFileSync(file, STYLED);
+  convert(file, kept);
+  const text = fs.readFileSync(kept, 'utf8');
+  draw(JSON.parse(text));
+  assert.equal(await differing(page, [file, drawn]), 0, 'as it was read');
+  const count = JSON.parse(text).objects.length;
+  assert.ok(count > 15);
+  for (let i = 0; i < count; i++) {
+    for (const turn of [false, true]) {
+      const document = JSON.parse(text);
+      const one = document.objects[i];
+      move(one, turn);
+      draw(document);
+      fs.writeFileSync(moved, JSON.stringify(document));
+      convert(moved, saved);
+      const what = `${i}, ${turn ? 'turned' : 'moved'}`;
+      const other = await differing(page, [saved, drawn]);
+      assert.ok(other >= 0 && other <= FEW, `${what}: ${other} values differ`);
+      assert.ok(fs.readFileSync(saved, 'utf8').includes('<style>\n.r{x:20px'), `${what}: the file is kept`);
+    }
+  }
+});
 
 test('with a point moved Chromium shows files of others as before', async () => {
   const page = await browser.newPage();

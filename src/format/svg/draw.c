@@ -2,7 +2,7 @@
 #include "base/matrix.h"
 #include "document/document.h"
 #include "document/unit.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 #include "format/svg/walk.h"
 #include "text/number.h"
 
@@ -98,15 +98,15 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
         return;
     }
     s.opacity = outer->opacity * s.style.opacity;
-    const char *transform = bat_svg_attribute_of(w, element, "transform");
     double m[6];
-    if (transform) {
-        if (!bat_svg_transform(transform, m)) bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
-        bat_matrix_compose(outer->matrix, m, s.matrix);
-    }
+    const bat_svg_moved moved = bat_svg_matrix_of(w, element, &s, m);
+    if (moved == BAT_SVG_MOVED_BADLY) bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+    if (moved != BAT_SVG_MOVED_NOT) bat_matrix_compose(outer->matrix, m, s.matrix);
     const bool copied = w->copied;
     const int place = w->place;
     bat_svg_place(w, element, outer, &s);
+    if (w->keeps && !w->copied && w->place_count > 0 && moved == BAT_SVG_MOVED_BY_BOX)
+        w->places[w->place].declared |= BAT_DECLARED_BOX;
     w->copied = copied || kind == BAT_SVG_USE;
     w->given[w->depth] = 0;
     w->active[w->depth++] = element;
@@ -213,6 +213,8 @@ void bat_svg_draw_root(bat_svg_walk *w) {
     bat_matrix_compose(stretch, own, s.matrix);
     bat_svg_note_element(w, 1);
     bat_svg_note_own_style(w, 1, &s.style);
+    if (bat_svg_geometry_declared(&s.style) & BAT_DECLARED_MATRIX)
+        bat_svg_note(&w->notes, 1, BAT_LOSS_BROKEN); /* of the whole picture */
     if (!s.style.shown) {
         bat_svg_note(&w->notes, 1, BAT_LOSS_INVISIBLE);
         return;

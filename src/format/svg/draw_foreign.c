@@ -6,7 +6,7 @@
 #include "document/kind.h"
 #include "format/svg/alone.h"
 #include "format/svg/digest.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 
 #include <math.h>
 #include <string.h>
@@ -64,10 +64,10 @@ bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_s
     const char *href = bat_svg_find_href(w, element);
     double own[4];
     if (!bat_svg_may_stand_alone(w) || !href || strncmp(href, "data:image/", 11) != 0) return false;
-    own[0] = bat_svg_length_of(w, element, "x", s->width, 0);
-    own[1] = bat_svg_length_of(w, element, "y", s->height, 0);
-    own[2] = own[0] + bat_svg_length_of(w, element, "width", s->width, 0);
-    own[3] = own[1] + bat_svg_length_of(w, element, "height", s->height, 0);
+    own[0] = bat_svg_geometry_length(w, element, &s->style, "x", s->width, 0);
+    own[1] = bat_svg_geometry_length(w, element, &s->style, "y", s->height, 0);
+    own[2] = own[0] + bat_svg_geometry_length(w, element, &s->style, "width", s->width, 0);
+    own[3] = own[1] + bat_svg_geometry_length(w, element, &s->style, "height", s->height, 0);
     if (!(own[0] < own[2] && own[1] < own[3])) return false;
     return put_within(w, element, s, own);
 }

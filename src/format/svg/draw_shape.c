@@ -4,7 +4,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 #include "format/svg/walk.h"
 #include "kinds/primitive.h"
 
@@ -127,20 +127,10 @@ static void put(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bat_o
     }
 }
 
-typedef struct element_of {
-    const bat_svg_tree *tree;
-    uint32_t element;
-} element_of;
-
-static const char *shape_attribute(const void *element, const char *name) {
-    const element_of *e = element;
-    return bat_svg_tree_attribute(e->tree, e->element, name);
-}
-
 /* A rectangle, a circle or an ellipse stays one. */
 static void make_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bat_object **object) {
-    element_of holder = {w->tree, element};
-    const bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
+    bat_svg_shape_holder holder;
+    const bat_svg_shape shape = bat_svg_shape_of(w, element, s, &holder);
     bat_primitive own, mapped;
     bat_object *made = NULL;
     if (!bat_svg_shape_primitive(&shape, bat_svg_tree_name(w->tree, element), &own) ||
@@ -216,8 +206,8 @@ void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     const char *const *named = s->style.markers;
     const bool some = named[BAT_MARKER_START] || named[BAT_MARKER_MID] || named[BAT_MARKER_END];
     bat_markers *markers = some ? bat_svg_markers(w, element, s, &marked) : NULL;
-    element_of holder = {w->tree, element};
-    bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
+    bat_svg_shape_holder holder;
+    const bat_svg_shape shape = bat_svg_shape_of(w, element, s, &holder);
     bat_outline_clear(&w->outline);
     if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
         bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);

@@ -1,6 +1,6 @@
 /* Elements drawn from another place or in a viewport of their own: use, symbol, nested svg. */
 #include "base/matrix.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 #include "format/svg/walk.h"
 
 /* Draws a nested svg, or a symbol referred to by use: a viewport with its own units. sizer: the element whose
@@ -42,8 +42,8 @@ void bat_svg_draw_use(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
         bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
         return;
     }
-    double x = bat_svg_length_of(w, element, "x", s->width, 0),
-           y = bat_svg_length_of(w, element, "y", s->height, 0);
+    double x = bat_svg_geometry_length(w, element, &s->style, "x", s->width, 0),
+           y = bat_svg_geometry_length(w, element, &s->style, "y", s->height, 0);
     double m[6] = {1, 0, 0, 1, x, y};
     bat_svg_scope inner = *s;
     bat_matrix_compose(s->matrix, m, inner.matrix);

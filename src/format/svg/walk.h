@@ -198,7 +198,7 @@ bool bat_svg_mask_is_boxed(const bat_svg_walk *w, const bat_svg_scope *s);
  * is noted. */
 void bat_svg_mask_paint(bat_svg_walk *w, uint32_t element, const double box[4], bat_svg_scope *s);
 
-/* ---- note_drawn.c: what is lost ---- */
+/* ---- notes.c: what is lost ---- */
 /* Losses from an element apart from its style; from its style, apart from what is inherited; from a shape's
  * style, as far as it is visible. */
 void bat_svg_note_element(bat_svg_walk *w, uint32_t element);

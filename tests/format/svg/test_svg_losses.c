@@ -103,7 +103,7 @@ static void every_kind_is_found(void **state) {
          "transform='turn(3)'/><use href='#no'/><path stroke-linecap='round' d='M5 5L5 5' stroke='red'/>",
          "{\"copies\":1,\"broken\":3}"},
         {BOX "frobnicate='1'/><blob/>" BOX "style='fill:oklch(1 2 3)'/>" BOX
-             "style='transform:scale(2)'/>" BOX "stroke-width='x'/>",
+             "style='transform:rotateX(9deg)'/>" BOX "stroke-width='x'/>",
          "{\"broken\":2,\"unknown\":3}"},
         {"<title>t</title>" BOX "><desc>d</desc></rect>" BOX "role='img' aria-label='x'/>", "{\"titles\":3}"},
         {"<a href='https://example.org'>" BOX "/></a>", "{\"links\":1}"},
