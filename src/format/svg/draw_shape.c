@@ -3,6 +3,7 @@
 #include "document/clip.h"
 #include "document/digest.h"
 #include "document/document.h"
+#include "document/object.h"
 #include "format/svg/digest.h"
 #include "format/svg/geometry.h"
 #include "format/svg/walk.h"
@@ -143,6 +144,19 @@ static void make_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
     *object = made;
 }
 
+/* What is read again as it was takes no memory of its own. The two documents have about the same order. */
+static void share(bat_svg_walk *w, bat_object *object) {
+    enum { AHEAD = 16 };
+    for (int i = 0; w->like && i < AHEAD; i++) {
+        const bat_object *other = bat_document_at(w->like, w->liked + i);
+        if (!other) break;
+        if (bat_object_share_curves(object, other) == 0) continue;
+        w->liked += i;
+        break;
+    }
+    w->liked++;
+}
+
 static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
                        const bat_svg_painted *painted, const bat_markers *markers) {
     const bat_style *style = &painted->style;
@@ -165,6 +179,7 @@ static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
         object = with_paint(w, element, object, &painted->paint);
     if (object && markers) object = with_markers(w, object, markers);
     if (object && bat_svg_clip_object(s, box, &object) == BAT_MEMORY) status = BAT_MEMORY;
+    if (object && !w->collected) share(w, object);
     if (object) {
         put(w, element, s, object, count);
     } else if (count > 0 && status != BAT_OK) { /* a stroke width out of bounds */

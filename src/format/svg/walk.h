@@ -107,8 +107,10 @@ struct bat_svg_walk {
     bat_svg_way *draw;    /* draws an element of any kind in place */
     bat_svg_shown *shown; /* of each shape, by id, where it is noted (held.c) */
     int shown_count, shown_room;
-    bool shows;        /* it is */
-    bat_status status; /* a failure stops everything */
+    bool shows;               /* it is */
+    const bat_document *like; /* whose curves those made share that are the same; NULL: none */
+    int liked;                /* the index of its object that the next one may be */
+    bat_status status;        /* a failure stops everything */
 };
 
 static inline const char *bat_svg_attribute_of(const bat_svg_walk *w, uint32_t element, const char *name) {
