@@ -47,14 +47,17 @@ after(async () => {
   fs.rmSync(folder, { recursive: true });
 });
 
-/** As many of each folder, evenly spread. */
+/** As many of each folder as there are, evenly spread: what a small one has not, larger ones have. */
 function chosen() {
   const lists = FOLDERS.filter((one) => fs.existsSync(one)).map((one) => fs.readdirSync(one, { recursive: true }).map((name) => path.join(one, String(name)))
     .filter((name) => name.endsWith('.svg') && fs.statSync(name).isFile() && fs.statSync(name).size < LARGEST).sort());
-  return lists.flatMap((list) => {
-    const step = Math.max(1, Math.floor((list.length * lists.length) / MOST));
-    return list.filter((_, i) => i % step === 0);
-  }).slice(0, MOST);
+  lists.sort((one, other) => one.length - other.length);
+  let left = MOST;
+  return lists.flatMap((list, k) => {
+    const count = Math.min(list.length, Math.floor(left / (lists.length - k)));
+    left -= count;
+    return Array.from({ length: count }, (_, i) => list[Math.floor((i * list.length) / count)]);
+  });
 }
 
 /** Moves a point of a path that is shown by a ten-thousandth of its curve's size: none that coincides with another, since there a
