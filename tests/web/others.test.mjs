@@ -1,5 +1,5 @@
 // label: all (a minute of files of others). Files of other programs with one point of one curve moved a little: Chromium shows them
-// as before. So does it where style sheets say where things are, with any of them moved or turned. FILES=5000 node tests/web/run.mjs tests/web/others.test.mjs tries so many of them.
+// as before. So does it where style sheets say where things are, with any of them moved or turned. What is said to look otherwise does. FILES=5000 node tests/web/run.mjs tests/web/others.test.mjs tries so many of them.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -84,7 +84,7 @@ function nudge(drawing, seed) {
 }
 
 /** How many pixels of two pictures differ; -1: Chromium shows none. */
-const differing = (page, files) => page.evaluate(async ({ sources, side, seen }) => {
+const differing = (page, files, seen = SEEN) => page.evaluate(async ({ sources, side, seen }) => {
   try {
     const [a, b] = await Promise.all(sources.map(async (source) => {
       const image = new Image();
@@ -99,7 +99,7 @@ const differing = (page, files) => page.evaluate(async ({ sources, side, seen })
   } catch {
     return -1;
   }
-}, { sources: files.map((file) => `data:image/svg+xml;base64,${fs.readFileSync(file).toString('base64')}`), side: SIDE, seen: SEEN });
+}, { sources: files.map((file) => `data:image/svg+xml;base64,${fs.readFileSync(file).toString('base64')}`), side: SIDE, seen });
 
 /** Moves an object by (8, 3), or turns it about the origin by a twentieth. */
 function move(one, turn) {
@@ -144,6 +144,38 @@ test('where style says where things are they are there, and where they were move
       assert.ok(other >= 0 && other <= FEW, `${what}: ${other} values differ`);
       assert.ok(fs.readFileSync(saved, 'utf8').includes('<style>\n.r{x:20px'), `${what}: the file is kept`);
     }
+  }
+});
+
+/** What is faulty, or makes no picture: told where Chromium shows something else, and nowhere else. */
+const FAULTS = {
+  same: ['<path d="M10 10L90 10L90 90 X 10 10"/>', '<path d="M10 10L90 10L90"/>', '<path d="L10 10 90 10 90 90"/><path d="z"/>', '<path d="M10 10A5 5 0 2 0 90 90L50 50"/>',
+    '<rect width="30" height="30" transform="translate(20) foo(3)"/>', '<rect x="50" width="30" height="30" transform="rotate(30deg)"/>',
+    '<rect x="50" width="30" height="30" transform="translate(10),"/>', '<use href="#no"/><use/><use id="a" href="#a"/>', '<rect width="-9" height="9"/><rect x="foo" width="50" height="50" rx="-5"/><circle r="-5"/>',
+    '<circle cx="50" cy="50" r="40" fill="#36c" opacity=".5" color-rendering="optimizeSpeed" color-interpolation="linearRGB"/>',
+    '<svg x="10" y="10" width="50" height="50"><rect width="30" height="30"/></svg>', '<svg width="50" height="50" overflow="visible"><rect width="90" height="90"/></svg>',
+    '<rect width="50" height="50" fill="red"/><rect x="100" width="50" height="50" fill="blue" style="mix-blend-mode:multiply"/>',
+    '<g id="q"><rect width="50" height="50"/><rect x="20" width="50" height="50"/></g><use href="#q" y="60" opacity=".5"/>',
+    '<symbol id="q"><rect width="50" height="50"/><rect x="80" width="50" height="50"/></symbol><use href="#q" y="60" opacity=".5"/>',
+    '<rect width="50" height="50" fill="url(#no) red" clip-path="url(#no)"/><rect x="60" width="50" height="50" fill="url(#no)"/>',
+    '<path d="M0 9H90" stroke="red" stroke-width="4" stroke-dasharray="0 0"/><text x="5" y="5"> </text><image width="9" height="9"/>'],
+  other: ['<rect width="calc(10px + 20px)" height="90"/>', '<circle cx="50" cy="50" r="40" shape-rendering="crispEdges"/>', '<svg x="10" y="10" width="50" height="50"><rect width="90" height="90"/></svg>',
+    '<linearGradient id="g" color-interpolation="linearRGB"><stop stop-color="red"/><stop offset="1" stop-color="blue"/></linearGradient><circle cx="50" cy="50" r="40" fill="url(#g)"/>',
+    '<rect width="90" height="90" fill="red"/><rect width="50" height="50" fill="blue" style="mix-blend-mode:screen"/>',
+    '<symbol id="q"><rect width="50" height="50"/><rect x="20" y="20" width="50" height="50"/></symbol><use href="#q" opacity=".5"/>'],
+};
+
+test('what is told as not shown is what Chromium shows otherwise', async () => {
+  const page = await browser.newPage();
+  const [file, kept, drawn] = ['fault.svg', 'fault.batten', 'drawn.svg'].map((name) => path.join(folder, name));
+  for (const [i, body] of [...FAULTS.same, ...FAULTS.other].entries()) {
+    const told = i >= FAULTS.same.length;
+    fs.writeFileSync(file, `<svg xmlns="http://www.w3.org/2000/svg" width="200" height="150">${body}</svg>`);
+    execFileSync(PROGRAM, ['convert', file, kept], { stdio: 'pipe' });
+    fs.writeFileSync(kept, JSON.stringify({ ...JSON.parse(fs.readFileSync(kept, 'utf8')), source: undefined }));
+    execFileSync(PROGRAM, ['convert', kept, drawn], { stdio: 'pipe' });
+    assert.equal(/^shows /m.test(String(execFileSync(PROGRAM, ['info', file]))), told, body);
+    assert.equal(await differing(page, [file, drawn], SEEN / 4) !== 0, told, `${body}: in Chromium`);
   }
 });
 

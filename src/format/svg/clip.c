@@ -214,6 +214,8 @@ void bat_svg_clip_begin(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     const uint32_t target = kind == BAT_SVG_TEXT ? 0 : find(w, s->style.clip);
     s->clip = bat_clip_retain(outer->clip);
     s->boxed = NULL;
+    if (s->style.clip && !bat_svg_tree_refer(w->tree, s->style.clip)) /* as if it said none */
+        s->style.odd &= ~BAT_SVG_BIT(BAT_SVG_CLIP);
     if (!target) return;
     const bool boxed = is_boxed(w, target);
     if (boxed && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE) return;

@@ -14,7 +14,11 @@ void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     bat_object *object = NULL;
     if (!picture && s->style.visible && !w->copied && bat_svg_draw_other_image(w, element, s)) return;
     if (!picture) {
-        bat_svg_note(&w->notes, element, s->style.visible ? BAT_LOSS_IMAGE : BAT_LOSS_INVISIBLE);
+        const char *href = bat_svg_find_href(w, element);
+        const bool nothing = !href || !*href ||
+                             bat_svg_geometry_length(w, element, &s->style, "width", s->width, 1) == 0 ||
+                             bat_svg_geometry_length(w, element, &s->style, "height", s->height, 1) == 0;
+        bat_svg_note(&w->notes, element, s->style.visible && !nothing ? BAT_LOSS_IMAGE : BAT_LOSS_INVISIBLE);
         return;
     }
     bat_svg_note_odd(&w->notes, element, s->style.odd, BAT_SVG_BIT(BAT_SVG_IMAGE_HINT));

@@ -225,7 +225,7 @@ void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     const bat_svg_shape shape = bat_svg_shape_of(w, element, s, &holder);
     bat_outline_clear(&w->outline);
     if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
-        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+        bat_svg_note(&w->notes, element, bat_svg_shape_loss(w, element, &s->style));
     if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
     if (w->outline.subpath_count > 0 && w->status == BAT_OK) {
         bat_svg_scope own = *s;

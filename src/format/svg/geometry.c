@@ -152,6 +152,21 @@ bat_svg_shape bat_svg_shape_of(const bat_svg_walk *w, uint32_t element, const ba
     return (bat_svg_shape){text_of, holder, s->width, s->height};
 }
 
+bat_loss bat_svg_shape_loss(const bat_svg_walk *w, uint32_t element, const bat_svg_style *style) {
+    static const char *const lengths[] = {"x",  "y",  "width", "height", "cx", "cy", "r",
+                                          "rx", "ry", "x1",    "y1",     "x2", "y2"};
+    const char *name = bat_svg_tree_name(w->tree, element);
+    double value;
+    if (strcmp(name, "path") == 0) return BAT_LOSS_UNKNOWN; /* drawn up to the same place (SVG 2, 9.5.4) */
+    if (name[0] == 'p') return BAT_LOSS_BROKEN;
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        const char *text = bat_svg_geometry_text(w->tree, element, style, lengths[i]);
+        if (text && !bat_svg_length(text, 1, &value) && strpbrk(text, "(0123456789"))
+            return BAT_LOSS_BROKEN; /* a function, or another unit */
+    }
+    return BAT_LOSS_UNKNOWN;
+}
+
 /* ---- matrices ---- */
 
 /* The element's box without its stroke, in its own units. False: it is not known. */
@@ -222,7 +237,7 @@ bat_svg_moved bat_svg_matrix_of(bat_svg_walk *w, uint32_t element, const bat_svg
     bat_matrix_identity(m);
     if (!says && !transform) return BAT_SVG_MOVED_NOT;
     if (!says && !bat_svg_attribute_of(w, element, "transform-origin"))
-        return bat_svg_transform(transform, m) ? BAT_SVG_MOVED_SO : BAT_SVG_MOVED_BADLY;
+        return bat_svg_transform(transform, m) ? BAT_SVG_MOVED_SO : BAT_SVG_MOVED_WRONGLY;
     const bat_svg_placing *of = find(style, BAT_SVG_GEOMETRY_BOX);
     double box[4] = {0, 0, s->width, s->height};
     bat_svg_moved moved = BAT_SVG_MOVED_SO;

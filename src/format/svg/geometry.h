@@ -49,10 +49,14 @@ typedef struct bat_svg_shape_holder {
 bat_svg_shape bat_svg_shape_of(const bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                                bat_svg_shape_holder *holder);
 
+/* What is lost with a shape that could not be read whole: nothing is seen of it where browsers do not understand it either. */
+bat_loss bat_svg_shape_loss(const bat_svg_walk *w, uint32_t element, const bat_svg_style *style);
+
 typedef enum bat_svg_moved {
     BAT_SVG_MOVED_NOT,
     BAT_SVG_MOVED_SO,
-    BAT_SVG_MOVED_BY_BOX, /* as its box lies */
+    BAT_SVG_MOVED_BY_BOX,  /* as its box lies */
+    BAT_SVG_MOVED_WRONGLY, /* not, since no browser understands what it says */
     BAT_SVG_MOVED_BADLY /* as nothing that is understood here, or by a box that is not known: m is what was understood */
 } bat_svg_moved;
 /* From an element's own units to those around it; s: the scope at its place, whose matrix is not used. */

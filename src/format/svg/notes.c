@@ -135,7 +135,6 @@ void bat_svg_note_element(bat_svg_walk *w, uint32_t element) {
                        e->kind == BAT_SVG_OTHER; /* noted where they are not shown */
     if (whole) return;
     bat_svg_note(&w->notes, element, (bat_loss)e->loss);
-    if (e->kind == BAT_SVG_ROOT && element != 1) bat_svg_note(&w->notes, element, BAT_LOSS_NESTED);
     for (uint32_t i = 0; i < e->attribute_count; i++, pair += 2) {
         bat_svg_name what = bat_svg_name_of(strings + pair[0]);
         if (what > BAT_SVG_IDLE)
@@ -149,15 +148,18 @@ void bat_svg_note_element(bat_svg_walk *w, uint32_t element) {
 
 /* Notes what is lost from a style at this element, of the properties that are not inherited. */
 void bat_svg_note_own_style(bat_svg_walk *w, uint32_t element, const bat_svg_style *style) {
-    bat_svg_note_odd(&w->notes, element, style->odd, ~(BAT_SVG_INHERITED | BAT_SVG_BIT(BAT_SVG_EFFECT)));
+    const uint32_t later = BAT_SVG_BIT(BAT_SVG_EFFECT) | BAT_SVG_BIT(BAT_SVG_BLEND);
+    bat_svg_note_odd(&w->notes, element, style->odd, ~(BAT_SVG_INHERITED | later));
 }
 
 /* Notes what is lost from a shape's style, as far as it would be visible. */
 void bat_svg_note_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                         const bat_svg_painted *painted) {
     const bat_style *style = &painted->style;
-    uint32_t odd = s->style.odd, mask = BAT_SVG_INHERITED & ~BAT_SVG_BIT(BAT_SVG_IMAGE_HINT);
+    const uint32_t idle = BAT_SVG_BIT(BAT_SVG_IMAGE_HINT) | BAT_SVG_BIT(BAT_SVG_COLOUR_HINT) |
+                          BAT_SVG_BIT(BAT_SVG_INTERPOLATION); /* of images, of nothing, of gradients */
+    uint32_t odd = s->style.odd, mask = BAT_SVG_INHERITED & ~idle;
     if (style->stroked) mask |= BAT_SVG_BIT(BAT_SVG_EFFECT);
-    if (!style->stroked || painted->paint.dash_count) mask &= ~BAT_SVG_BIT(BAT_SVG_DASHES);
+    if (!style->stroked || painted->paint.dash_count || painted->solid) mask &= ~BAT_SVG_BIT(BAT_SVG_DASHES);
     bat_svg_note_odd(&w->notes, element, odd, mask);
 }

@@ -78,7 +78,9 @@ bool bat_svg_transform(const char *text, double m[6]) {
         double next[6];
         bat_matrix_compose(whole, one, next);
         memcpy(whole, next, sizeof whole);
+        const char *behind = at;
         bat_svg_skip(&at, end);
+        if (at == end && memchr(behind, ',', (size_t)(end - behind))) return false;
     }
     for (int i = 0; i < 6; i++)
         if (!isfinite(whole[i])) return false;

@@ -140,6 +140,7 @@ typedef struct bat_svg_painted {
     bat_paint paint;
     bat_stop stops[2][BAT_STOPS_MAX];
     double dashes[BAT_DASHES_MAX];
+    bool solid; /* there are dashes, of no length */
 } bat_svg_painted;
 /* box: of the shape, in its own units. */
 void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
@@ -160,6 +161,8 @@ typedef enum bat_svg_served {
 bat_svg_served bat_svg_gradient(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                                 const double box[4], double share, bat_stop *stops, bat_gradient *out,
                                 uint32_t *colour);
+/* Whether its colours are mixed in linear RGB. */
+bool bat_svg_mixes_linearly(bat_svg_walk *w, uint32_t gradient);
 void bat_svg_stops_free(bat_svg_walk *w);
 
 /* ---- pattern.c ---- */
@@ -228,6 +231,8 @@ bool bat_svg_may_stand_alone(bat_svg_walk *w);
 void bat_svg_stand_free(bat_svg_walk *w);
 /* draw_lettering.c: a text as this program writes it becomes one again. False: it is another. */
 bool bat_svg_draw_lettering(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
+/* Whether a text has no characters. */
+bool bat_svg_is_blank(const bat_svg_walk *w, uint32_t element);
 /* False: it is not shown. */
 bool bat_svg_draw_text(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
@@ -241,6 +246,13 @@ typedef struct bat_svg_before {
 } bat_svg_before;
 bool bat_svg_effect_end(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                         const bat_svg_before *before);
+
+void bat_svg_box_through(const double m[6], const double own[4], double box[4]);
+/* What an object covers with its stroke, without its markers. False: it is not drawn. */
+bool bat_svg_covers(const bat_object *object, double box[4]);
+/* By their boxes: whether objects from an index on, unless one group holds them all, may lie over each other; over one before. */
+bool bat_svg_overlap(const bat_svg_walk *w, int from);
+bool bat_svg_lies_over(const bat_svg_walk *w, int from);
 
 /* ---- draw*.c: each kind ---- */
 bat_svg_way bat_svg_draw_group, bat_svg_draw_switch, bat_svg_draw_nested, bat_svg_draw_use,
