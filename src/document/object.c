@@ -76,6 +76,21 @@ static void part_release(part *made) {
     free(made);
 }
 
+int bat_object_share_curves(bat_object *object, const bat_object *other) {
+    int count = 0;
+    for (int i = 0; i < object->count && i < other->count; i++) {
+        part *own = object->parts[i], *its = other->parts[i];
+        if (own->shape || its->shape || own->digest != its->digest ||
+            !bat_curve_is_equal(own->curve, its->curve))
+            continue;
+        bat_users_add(&its->users);
+        object->parts[i] = its;
+        part_release(own);
+        count++;
+    }
+    return count;
+}
+
 /* One block: header, own part (zeros), parts (not set), name. */
 static bat_object *allocate(const bat_kind_type *type, int count, const char *name) {
     size_t length = strlen(name) + 1;

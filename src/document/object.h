@@ -8,6 +8,8 @@
 uint64_t bat_digest_object(uint64_t digest, const bat_object *object);
 /* The object with its opacity times that factor. Statuses as of bat_object_with_style. */
 bat_status bat_object_faded(const bat_object *object, double factor, bat_object **out);
+/* Has an object that nobody else uses share those of its curves that the other has in their place, bit for bit. Returns how many. */
+int bat_object_share_curves(bat_object *object, const bat_object *other);
 /* The object without a stroke, filled with what paints its stroke: for what covers a stroke. */
 bat_status bat_object_filled_as_stroke(const bat_object *object, bat_object **out);
 

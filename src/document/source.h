@@ -5,6 +5,15 @@
 
 #include "document/paint.h"
 
+/* What declarations of style say of where an element is. */
+enum {
+    BAT_DECLARED_SHAPE = 1,     /* x, y, width, r, d, ... */
+    BAT_DECLARED_MATRIX = 2,    /* its transform */
+    BAT_DECLARED_SINGLY = 4,    /* by `translate`, `rotate` or `scale` */
+    BAT_DECLARED_BOX = 8,       /* depending on its box */
+    BAT_DECLARED_IMPORTANT = 16 /* some of it, with !important */
+};
+
 /* An element that draws or holds something. Those that are drawn from another place (`use`) stand for all that they
  * draw: there is one entry for each object. */
 typedef struct bat_sourced {
@@ -24,7 +33,8 @@ typedef struct bat_sourced {
     uint64_t clip, markers;          /* digests */
     bool boxed;                      /* a gradient or its clip path is placed by its box */
     bool hidden, locked;
-    uint32_t lost; /* what of its look in the file is not shown: a bit 1 << bat_loss each */
+    uint8_t declared; /* what its style or style sheets say of where it is, and not its attributes */
+    uint32_t lost;    /* what of its look in the file is not shown: a bit 1 << bat_loss each */
 } bat_sourced;
 
 typedef struct bat_source bat_source;

@@ -47,6 +47,18 @@ static void read_lost(const bat_fields *f, uint32_t node, bat_sourced *entry) {
                 entry->lost |= 1u << kind;
 }
 
+static const char *const declared[] = {"shape", "matrix", "singly", "box", "important"};
+enum { DECLARED = sizeof declared / sizeof *declared };
+
+/* ["shape", ...]; what is not known is skipped. */
+static void read_declared(const bat_fields *f, uint32_t node, bat_sourced *entry) {
+    const uint32_t list = bat_json_member(f->json, node, "declared");
+    for (uint32_t at = bat_json_first(f->json, list); at; at = f->json->nodes[at].next)
+        for (int k = 0; k < DECLARED; k++)
+            if (bat_json_text(f->json, at) && !strcmp(bat_json_text(f->json, at), declared[k]))
+                entry->declared |= (uint8_t)(1u << k);
+}
+
 static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above, bat_sourced *entry) {
     if (bat_json_type_of(f->json, node) != BAT_JSON_OBJECT)
         return bat_fields_complain(f, node, "elements", "an object");
@@ -80,6 +92,7 @@ static bat_status read_entry(const bat_fields *f, uint32_t node, uint32_t above,
     if (status == BAT_OK) status = bat_fields_flag(f, node, "hidden", &entry->hidden);
     if (status == BAT_OK) status = bat_fields_flag(f, node, "locked", &entry->locked);
     read_lost(f, node, entry);
+    read_declared(f, node, entry);
     return status;
 }
 
@@ -159,6 +172,15 @@ static void write_lost(uint32_t lost, bat_text *text) {
     bat_text_string(text, "]");
 }
 
+static void write_declared(const bat_sourced *entry, bat_text *text) {
+    for (int k = 0, made = 0; k < DECLARED; k++) {
+        if (!(entry->declared & 1u << k)) continue;
+        bat_text_string(text, made++ ? "," : ",\"declared\":[");
+        bat_text_json_string(text, declared[k]);
+    }
+    if (entry->declared) bat_text_string(text, "]");
+}
+
 static void write_entry(const bat_sourced *entry, bat_text *text) {
     bat_text_string(text, "{\"element\":");
     bat_text_integer(text, entry->element);
@@ -185,6 +207,7 @@ static void write_entry(const bat_sourced *entry, bat_text *text) {
         if (entry->hidden) bat_text_string(text, ",\"hidden\":true");
         if (entry->locked) bat_text_string(text, ",\"locked\":true");
         if (entry->lost) write_lost(entry->lost, text);
+        write_declared(entry, text);
     }
     bat_text_string(text, "}");
 }

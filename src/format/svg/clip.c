@@ -5,7 +5,7 @@
 #include "document/document.h"
 #include "document/kind.h"
 #include "format/svg/digest.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 #include "format/svg/walk.h"
 
 #include <batten/bezier.h>
@@ -36,16 +36,6 @@ static void release(region *r) {
 }
 
 /* ---- shapes ---- */
-
-typedef struct element_of {
-    const bat_svg_tree *tree;
-    uint32_t element;
-} element_of;
-
-static const char *attribute(const void *element, const char *name) {
-    const element_of *e = element;
-    return bat_svg_tree_attribute(e->tree, e->element, name);
-}
 
 /* Twice the area that the handles of all subpaths go round; its sign is what matters. */
 static double turning(const bat_outline *o) {
@@ -107,8 +97,8 @@ static void add_curve(region *r, const bat_subpath *path) {
 /* m: from the shape's units. Shapes all go round in the same sense, so that together they enclose what each does. */
 static void add_shape(region *r, uint32_t element, const bat_svg_scope *s, const double m[6]) {
     bat_svg_walk *w = r->w;
-    element_of holder = {w->tree, element};
-    const bat_svg_shape shape = {attribute, &holder, s->width, s->height};
+    bat_svg_shape_holder holder;
+    const bat_svg_shape shape = bat_svg_shape_of(w, element, s, &holder);
     bat_outline_clear(&r->outline);
     if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &r->outline)) r->exact = false;
     if (r->outline.failed || r->outline.full) {
@@ -126,12 +116,11 @@ static void add_shape(region *r, uint32_t element, const bat_svg_scope *s, const
         add_curve(r, &r->outline.subpaths[i]);
 }
 
-/* The matrix of an element's contents; around: of what it is in. */
-static void place(const bat_svg_walk *w, uint32_t element, const double around[6], double m[6]) {
-    const char *transform = bat_svg_attribute_of(w, element, "transform");
+/* The matrix of an element's contents; s: with its style; around: of what it is in. */
+static void place(region *r, uint32_t element, const bat_svg_scope *s, const double around[6], double m[6]) {
     double own[6];
-    memcpy(m, around, 6 * sizeof *m);
-    if (transform && bat_svg_transform(transform, own)) bat_matrix_compose(around, own, m);
+    if (bat_svg_matrix_of(r->w, element, s, own) == BAT_SVG_MOVED_BADLY) r->exact = false;
+    bat_matrix_compose(around, own, m);
 }
 
 /* A shape, or one that is drawn from another place. */
@@ -149,7 +138,7 @@ static void add_child(region *r, uint32_t element, const bat_svg_scope *outer, c
     double m[6];
     bat_svg_cascade(w, element, outer, &s.style);
     if (!s.style.shown) return;
-    place(w, element, around, m);
+    place(r, element, &s, around, m);
     if (kind == BAT_SVG_SHAPE) {
         if (s.style.visible) add_shape(r, element, &s, m);
         return;
@@ -160,8 +149,8 @@ static void add_child(region *r, uint32_t element, const bat_svg_scope *outer, c
                           0,
                           0,
                           1,
-                          bat_svg_length_of(w, element, "x", s.width, 0),
-                          bat_svg_length_of(w, element, "y", s.height, 0)};
+                          bat_svg_geometry_length(w, element, &s.style, "x", s.width, 0),
+                          bat_svg_geometry_length(w, element, &s.style, "y", s.height, 0)};
     double moved[6];
     bat_matrix_compose(m, by, moved);
     if (s.style.clip) r->exact = false;
@@ -188,8 +177,8 @@ static bool build(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, con
     region r = {.w = w, .exact = true, .digest = *digest};
     bat_clip *around = bat_clip_retain(within);
     double own[6];
-    place(w, element, m, own);
     bat_svg_cascade_in_place(w, element, &inner);
+    place(&r, element, &inner, m, own);
     const char *const clip = inner.style.clip;
     for (uint32_t at = w->tree->elements[element].first; at && w->status == BAT_OK;
          at = w->tree->elements[at].next)
@@ -225,6 +214,8 @@ void bat_svg_clip_begin(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     const uint32_t target = kind == BAT_SVG_TEXT ? 0 : find(w, s->style.clip);
     s->clip = bat_clip_retain(outer->clip);
     s->boxed = NULL;
+    if (s->style.clip && !bat_svg_tree_refer(w->tree, s->style.clip)) /* as if it said none */
+        s->style.odd &= ~BAT_SVG_BIT(BAT_SVG_CLIP);
     if (!target) return;
     const bool boxed = is_boxed(w, target);
     if (boxed && kind != BAT_SVG_SHAPE && kind != BAT_SVG_GROUP && kind != BAT_SVG_IMAGE) return;

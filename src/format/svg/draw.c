@@ -2,7 +2,7 @@
 #include "base/matrix.h"
 #include "document/document.h"
 #include "document/unit.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 #include "format/svg/walk.h"
 #include "text/number.h"
 
@@ -18,14 +18,19 @@ static void draw_kind(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s)
         [BAT_SVG_ROOT] = bat_svg_draw_nested, [BAT_SVG_USE] = bat_svg_draw_use,
         [BAT_SVG_SHAPE] = bat_svg_draw_shape, [BAT_SVG_IMAGE] = bat_svg_draw_image};
     const long before = w->put;
+    const int from = bat_document_count(w->document);
     const bat_svg_kind kind = (bat_svg_kind)w->tree->elements[element].kind;
     if (kind == BAT_SVG_TEXT || kind == BAT_SVG_OTHER) {
-        if (w->copied || kind != BAT_SVG_TEXT || !bat_svg_draw_text(w, element, s))
-            bat_svg_note(&w->notes, element, (bat_loss)w->tree->elements[element].loss);
+        if (w->copied || kind != BAT_SVG_TEXT || !bat_svg_draw_text(w, element, s)) {
+            const bool blank = kind == BAT_SVG_TEXT && bat_svg_may_stand_alone(w) &&
+                               bat_svg_is_blank(w, element);
+            bat_svg_note(&w->notes, element,
+                         blank ? BAT_LOSS_INVISIBLE : (bat_loss)w->tree->elements[element].loss);
+        }
         return;
     }
     if (ways[kind]) ways[kind](w, element, s);
-    if (kind != BAT_SVG_GROUP && s->style.opacity < 1 && w->put > before + 1)
+    if (kind != BAT_SVG_GROUP && s->style.opacity < 1 && w->put > before + 1 && bat_svg_overlap(w, from))
         bat_svg_note(&w->notes, element, BAT_LOSS_OPACITY);
 }
 
@@ -62,13 +67,15 @@ static void draw_whole(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
     w->copied = copied;
     const bool whole = noted && may_be_foreign(w, element);
     w->copied = now;
-    /* Foreign content is a picture of its own: how it blends with what is below it is lost whatever becomes of it. */
-    bat_svg_note_odd(&w->notes, element, s->style.odd, BAT_SVG_BIT(BAT_SVG_BLEND));
     const bat_svg_before before = effect_begin(w);
     if (noted) bat_svg_note_own_style(w, element, &s->style);
     draw_kind(w, element, s);
     w->copied = copied;
     if (whole && has_effect(w, element, s)) (void)bat_svg_effect_end(w, element, s, &before);
+    const uint32_t blends = s->style.odd &
+                            BAT_SVG_BIT(BAT_SVG_BLEND); /* with nothing, where nothing is below */
+    if (blends && (w->collected || bat_svg_lies_over(w, before.objects)))
+        bat_svg_note_odd(&w->notes, element, blends, blends);
     w->copied = now;
 }
 
@@ -98,15 +105,16 @@ static void draw(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer) 
         return;
     }
     s.opacity = outer->opacity * s.style.opacity;
-    const char *transform = bat_svg_attribute_of(w, element, "transform");
     double m[6];
-    if (transform) {
-        if (!bat_svg_transform(transform, m)) bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
-        bat_matrix_compose(outer->matrix, m, s.matrix);
-    }
+    const bat_svg_moved moved = bat_svg_matrix_of(w, element, &s, m);
+    if (moved == BAT_SVG_MOVED_BADLY) bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+    if (moved == BAT_SVG_MOVED_WRONGLY) bat_svg_note(&w->notes, element, BAT_LOSS_UNKNOWN);
+    if (moved != BAT_SVG_MOVED_NOT) bat_matrix_compose(outer->matrix, m, s.matrix);
     const bool copied = w->copied;
     const int place = w->place;
     bat_svg_place(w, element, outer, &s);
+    if (w->keeps && !w->copied && w->place_count > 0 && moved == BAT_SVG_MOVED_BY_BOX)
+        w->places[w->place].declared |= BAT_DECLARED_BOX;
     w->copied = copied || kind == BAT_SVG_USE;
     w->given[w->depth] = 0;
     w->active[w->depth++] = element;
@@ -213,6 +221,8 @@ void bat_svg_draw_root(bat_svg_walk *w) {
     bat_matrix_compose(stretch, own, s.matrix);
     bat_svg_note_element(w, 1);
     bat_svg_note_own_style(w, 1, &s.style);
+    if (bat_svg_geometry_declared(&s.style) & BAT_DECLARED_MATRIX)
+        bat_svg_note(&w->notes, 1, BAT_LOSS_BROKEN); /* of the whole picture */
     if (!s.style.shown) {
         bat_svg_note(&w->notes, 1, BAT_LOSS_INVISIBLE);
         return;
@@ -222,5 +232,5 @@ void bat_svg_draw_root(bat_svg_walk *w) {
     w->active[w->depth++] = 1;
     bat_svg_draw_children(w, 1, &s);
     w->depth--;
-    if (s.opacity < 1 && w->put > 1) bat_svg_note(&w->notes, 1, BAT_LOSS_OPACITY);
+    if (s.opacity < 1 && w->put > 1 && bat_svg_overlap(w, 0)) bat_svg_note(&w->notes, 1, BAT_LOSS_OPACITY);
 }

@@ -6,12 +6,12 @@
 #include "document/kind.h"
 #include "format/svg/alone.h"
 #include "format/svg/digest.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 
 #include <math.h>
 #include <string.h>
 
-static void box_through(const double m[6], const double own[4], double box[4]) {
+void bat_svg_box_through(const double m[6], const double own[4], double box[4]) {
     for (int i = 0; i < 2; i++) box[i] = INFINITY, box[i + 2] = -INFINITY;
     for (int i = 0; i < 4; i++) {
         const double x = own[i & 1 ? 2 : 0], y = own[i & 2 ? 3 : 1];
@@ -44,7 +44,7 @@ static bool put(bat_svg_walk *w, uint32_t element, const double box[4], bat_obje
 static bool put_within(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double own[4]) {
     double box[4];
     bat_object *object = NULL;
-    box_through(s->matrix, own, box);
+    bat_svg_box_through(s->matrix, own, box);
     if (!put(w, element, box, &object)) return false;
     bat_svg_put_object(w, element, s->style.shown, object);
     return true;
@@ -64,10 +64,10 @@ bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_s
     const char *href = bat_svg_find_href(w, element);
     double own[4];
     if (!bat_svg_may_stand_alone(w) || !href || strncmp(href, "data:image/", 11) != 0) return false;
-    own[0] = bat_svg_length_of(w, element, "x", s->width, 0);
-    own[1] = bat_svg_length_of(w, element, "y", s->height, 0);
-    own[2] = own[0] + bat_svg_length_of(w, element, "width", s->width, 0);
-    own[3] = own[1] + bat_svg_length_of(w, element, "height", s->height, 0);
+    own[0] = bat_svg_geometry_length(w, element, &s->style, "x", s->width, 0);
+    own[1] = bat_svg_geometry_length(w, element, &s->style, "y", s->height, 0);
+    own[2] = own[0] + bat_svg_geometry_length(w, element, &s->style, "width", s->width, 0);
+    own[3] = own[1] + bat_svg_geometry_length(w, element, &s->style, "height", s->height, 0);
     if (!(own[0] < own[2] && own[1] < own[3])) return false;
     return put_within(w, element, s, own);
 }
@@ -93,19 +93,56 @@ static void filter_region(const bat_svg_walk *w, const char *value, double regio
     }
 }
 
+bool bat_svg_covers(const bat_object *object, double box[4]) {
+    const bat_style *style = bat_object_style(object);
+    if (!bat_object_is_drawn(object)) return false;
+    bat_object_bounds(object, box);
+    const double share = style->join == BAT_JOIN_MITER ? fmin(style->miter_limit, 4) : 1.5,
+                 more = style->stroked ? style->width / 2 * share : 0;
+    for (int k = 0; k < 2; k++) box[k] -= more, box[k + 2] += more;
+    return true;
+}
+
+/* Whether an object of from..to-1 may meet one that comes later, from `next` on. */
+static bool may_meet(const bat_svg_walk *w, int from, int to, int next) {
+    enum { MOST = 1 << 20 }; /* pairs */
+    const int end = bat_document_count(w->document);
+    double a[4], b[4];
+    if ((double)(to - from) * (end - next) > MOST) return true;
+    for (int i = from; i < to; i++) {
+        const bat_object *one = bat_document_at(w->document, i);
+        if (bat_object_markers(one)) return true;
+        if (!bat_svg_covers(one, a)) continue;
+        for (int k = next > i ? next : i + 1; k < end; k++) {
+            const bat_object *other = bat_document_at(w->document, k);
+            if (bat_object_markers(other)) return true;
+            if (bat_svg_covers(other, b) && a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3])
+                return true;
+        }
+    }
+    return false;
+}
+
+bool bat_svg_overlap(const bat_svg_walk *w, int from) {
+    const int count = bat_document_count(w->document);
+    const bool grouped = from < count && bat_document_end(w->document, from) == count;
+    return !grouped && may_meet(w, from, count, from);
+}
+
+bool bat_svg_lies_over(const bat_svg_walk *w, int from) { return may_meet(w, 0, from, from); }
+
 /* What the objects from an index on cover, with their strokes, markers that reach so far, and what a filter adds. */
 static bool covered(const bat_svg_walk *w, int from, double reach, const double region[4], double box[4]) {
     bat_box_nothing(box);
     for (int i = from; i < bat_document_count(w->document); i++) {
         const bat_object *object = bat_document_at(w->document, i);
-        const bat_style *style = bat_object_style(object);
-        double own[4], more = 0;
-        if (!bat_object_is_drawn(object)) continue;
-        bat_object_bounds(object, own);
-        if (style->stroked)
-            more = style->width / 2 * (style->join == BAT_JOIN_MITER ? fmin(style->miter_limit, 4) : 1.5);
-        more = fmax(more, reach);
-        for (int k = 0; k < 2; k++) own[k] -= more, own[k + 2] += more;
+        double own[4], bare[4];
+        if (!bat_svg_covers(object, own)) continue;
+        bat_object_bounds(object, bare);
+        for (int k = 0; k < 2; k++) {
+            own[k] = fmin(own[k], bare[k] - reach);
+            own[k + 2] = fmax(own[k + 2], bare[k + 2] + reach);
+        }
         bat_box_hold(box, own);
     }
     if (!(box[0] < box[2] && box[1] < box[3])) return false;

@@ -4,7 +4,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 #include "format/svg/walk.h"
 
 #include <string.h>
@@ -14,20 +14,24 @@ void bat_svg_draw_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     bat_object *object = NULL;
     if (!picture && s->style.visible && !w->copied && bat_svg_draw_other_image(w, element, s)) return;
     if (!picture) {
-        bat_svg_note(&w->notes, element, s->style.visible ? BAT_LOSS_IMAGE : BAT_LOSS_INVISIBLE);
+        const char *href = bat_svg_find_href(w, element);
+        const bool nothing = !href || !*href ||
+                             bat_svg_geometry_length(w, element, &s->style, "width", s->width, 1) == 0 ||
+                             bat_svg_geometry_length(w, element, &s->style, "height", s->height, 1) == 0;
+        bat_svg_note(&w->notes, element, s->style.visible && !nothing ? BAT_LOSS_IMAGE : BAT_LOSS_INVISIBLE);
         return;
     }
     bat_svg_note_odd(&w->notes, element, s->style.odd, BAT_SVG_BIT(BAT_SVG_IMAGE_HINT));
     double box[4] = {0}, m[6], matrix[6];
     bat_picture_sides(picture, box + 2);
-    double width = bat_svg_length_of(w, element, "width", s->width, -1);
-    double height = bat_svg_length_of(w, element, "height", s->height, -1);
+    double width = bat_svg_geometry_length(w, element, &s->style, "width", s->width, -1);
+    double height = bat_svg_geometry_length(w, element, &s->style, "height", s->height, -1);
     if (width < 0) width = height < 0 ? box[2] : height * box[2] / box[3];
     if (height < 0) height = width * box[3] / box[2];
     const char *ratio = bat_svg_attribute_of(w, element, "preserveAspectRatio");
     if (ratio && strstr(ratio, "slice")) bat_svg_note(&w->notes, element, BAT_LOSS_CLIP);
-    const double at[2] = {bat_svg_length_of(w, element, "x", s->width, 0),
-                          bat_svg_length_of(w, element, "y", s->height, 0)};
+    const double at[2] = {bat_svg_geometry_length(w, element, &s->style, "x", s->width, 0),
+                          bat_svg_geometry_length(w, element, &s->style, "y", s->height, 0)};
     bat_svg_fit(box, at[0], at[1], width, height, ratio, m);
     bat_matrix_compose(s->matrix, m, matrix);
     w->boxed = s->boxed != NULL;

@@ -3,8 +3,9 @@
 #include "document/clip.h"
 #include "document/digest.h"
 #include "document/document.h"
+#include "document/object.h"
 #include "format/svg/digest.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 #include "format/svg/walk.h"
 #include "kinds/primitive.h"
 
@@ -127,20 +128,10 @@ static void put(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bat_o
     }
 }
 
-typedef struct element_of {
-    const bat_svg_tree *tree;
-    uint32_t element;
-} element_of;
-
-static const char *shape_attribute(const void *element, const char *name) {
-    const element_of *e = element;
-    return bat_svg_tree_attribute(e->tree, e->element, name);
-}
-
 /* A rectangle, a circle or an ellipse stays one. */
 static void make_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, bat_object **object) {
-    element_of holder = {w->tree, element};
-    const bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
+    bat_svg_shape_holder holder;
+    const bat_svg_shape shape = bat_svg_shape_of(w, element, s, &holder);
     bat_primitive own, mapped;
     bat_object *made = NULL;
     if (!bat_svg_shape_primitive(&shape, bat_svg_tree_name(w->tree, element), &own) ||
@@ -151,6 +142,19 @@ static void make_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
     if (status != BAT_OK) return;
     bat_object_release(*object);
     *object = made;
+}
+
+/* What is read again as it was takes no memory of its own. The two documents have about the same order. */
+static void share(bat_svg_walk *w, bat_object *object) {
+    enum { AHEAD = 16 };
+    for (int i = 0; w->like && i < AHEAD; i++) {
+        const bat_object *other = bat_document_at(w->like, w->liked + i);
+        if (!other) break;
+        if (bat_object_share_curves(object, other) == 0) continue;
+        w->liked += i;
+        break;
+    }
+    w->liked++;
 }
 
 static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
@@ -175,6 +179,7 @@ static void add_object(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s
         object = with_paint(w, element, object, &painted->paint);
     if (object && markers) object = with_markers(w, object, markers);
     if (object && bat_svg_clip_object(s, box, &object) == BAT_MEMORY) status = BAT_MEMORY;
+    if (object && !w->collected) share(w, object);
     if (object) {
         put(w, element, s, object, count);
     } else if (count > 0 && status != BAT_OK) { /* a stroke width out of bounds */
@@ -216,11 +221,11 @@ void bat_svg_draw_shape(bat_svg_walk *w, uint32_t element, const bat_svg_scope *
     const char *const *named = s->style.markers;
     const bool some = named[BAT_MARKER_START] || named[BAT_MARKER_MID] || named[BAT_MARKER_END];
     bat_markers *markers = some ? bat_svg_markers(w, element, s, &marked) : NULL;
-    element_of holder = {w->tree, element};
-    bat_svg_shape shape = {shape_attribute, &holder, s->width, s->height};
+    bat_svg_shape_holder holder;
+    const bat_svg_shape shape = bat_svg_shape_of(w, element, s, &holder);
     bat_outline_clear(&w->outline);
     if (!bat_svg_shape_outline(&shape, bat_svg_tree_name(w->tree, element), &w->outline))
-        bat_svg_note(&w->notes, element, BAT_LOSS_BROKEN);
+        bat_svg_note(&w->notes, element, bat_svg_shape_loss(w, element, &s->style));
     if (w->outline.failed || w->outline.full) w->status = w->outline.failed ? BAT_MEMORY : BAT_COUNT;
     if (w->outline.subpath_count > 0 && w->status == BAT_OK) {
         bat_svg_scope own = *s;

@@ -3,7 +3,7 @@
 #include "document/digest.h"
 #include "document/document.h"
 #include "format/svg/digest.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 #include "format/svg/walk.h"
 #include "text/number.h"
 
@@ -191,7 +191,9 @@ bat_markers *bat_svg_markers(bat_svg_walk *w, uint32_t element, const bat_svg_sc
         any = any || marked.markers[k];
         *digest = bat_digest_number(*digest, found && found->marker ? found->digest : 0);
     }
-    const char *data = marked.markers[BAT_MARKER_MID] ? bat_svg_attribute_of(w, element, "d") : NULL;
+    const char *data = marked.markers[BAT_MARKER_MID]
+                           ? bat_svg_geometry_text(w->tree, element, &s->style, "d")
+                           : NULL;
     if (data && strpbrk(data, "Aa")) whole = false; /* within an arc there are knots, too */
     if (!whole) bat_svg_note(&w->notes, element, BAT_LOSS_MARKER);
     if (!any || w->status != BAT_OK) return NULL;

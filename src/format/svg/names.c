@@ -101,6 +101,7 @@ static const struct {
     {"target", BAT_SVG_ATTRIBUTE},
     {"text-anchor", BAT_SVG_ANCHOR},
     {"transform", BAT_SVG_ATTRIBUTE},
+    {"transform-origin", BAT_SVG_ATTRIBUTE},
     {"type", BAT_SVG_ATTRIBUTE},
     {"unicode-bidi", BAT_SVG_IDLE},
     {"vector-effect", BAT_SVG_EFFECT},

@@ -28,13 +28,14 @@ static void resolve_server(bat_svg_walk *w, uint32_t element, const bat_svg_pain
     const uint32_t server = bat_svg_tree_refer(w->tree, paint->server);
     const bool pattern = server && bat_svg_is_pattern(w, server);
     if (!server || (w->tree->elements[server].kind != BAT_SVG_GRADIENT && !pattern)) {
-        bat_svg_note(&w->notes, element, server ? BAT_LOSS_PATTERN : BAT_LOSS_BROKEN);
+        bat_svg_note(&w->notes, element, server ? BAT_LOSS_PATTERN : BAT_LOSS_UNKNOWN);
         if (!server && paint->bare) *painted = false; /* it is as if it said none (SVG 2, 13.2) */
         return;
     }
     const bat_svg_served served = serve(w, server, share, to, colour);
     if (served == BAT_SVG_MEAN)
         bat_svg_note(&w->notes, element, pattern ? BAT_LOSS_PATTERN : BAT_LOSS_GRADIENT);
+    if (!pattern && bat_svg_mixes_linearly(w, server)) bat_svg_note(&w->notes, element, BAT_LOSS_HINT);
     if (served == BAT_SVG_MEAN && pattern) return;
     if (served != BAT_SVG_NOTHING)
         *painted = true;
@@ -80,6 +81,7 @@ static void resolve_dashes(const bat_svg_scope *s, double scale, bat_svg_painted
     const int count = s->style.dashes ? read_dashes(s->style.dashes, whole, out->dashes) : 0;
     double sum = 0;
     for (int i = 0; i < count; i++) sum += out->dashes[i] *= scale;
+    out->solid = count > 0 && sum == 0;
     if (!(sum > 0)) return;
     out->paint.dashes = out->dashes;
     out->paint.dash_count = (size_t)count;
@@ -110,6 +112,7 @@ void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scop
                          .join = from->join,
                          .miter_limit = from->miter_limit};
     out->paint = (bat_paint){0};
+    out->solid = false;
     w->boxed = false;
     style->filled = resolve_paint(w, element, &from->fill, from->fill_opacity, &fill, &style->fill);
     style->stroked = resolve_paint(w, element, &from->stroke, from->stroke_opacity, &stroke, &style->stroke);

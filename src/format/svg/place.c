@@ -1,6 +1,6 @@
 /* Notes what each element became, so that the file can be written again with nothing changed but what was edited. */
 #include "document/document.h"
-#include "format/svg/walk.h"
+#include "format/svg/geometry.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -42,6 +42,8 @@ void bat_svg_place(bat_svg_walk *w, uint32_t element, const bat_svg_scope *outer
     w->place = w->place_count - 1;
     made->element = element;
     made->opacity = made->own = 1;
+    made->declared = (uint8_t)bat_svg_geometry_declared(&inner->style);
+    if (bat_svg_attribute_of(w, element, "transform-origin")) made->declared |= BAT_DECLARED_MATRIX;
     memcpy(made->outer, outer->matrix, sizeof made->outer);
     memcpy(made->inner, inner->matrix, sizeof made->inner);
 }

@@ -48,7 +48,7 @@ void bat_svg_reader_free(bat_svg_reader *reader) {
     bat_text_free(&reader->native);
     if (reader->glyph) bat_glyph_free(reader->glyph);
     free(reader->glyph);
-    free(reader->source);
+    if (!reader->lent) free(reader->source);
     free(reader);
 }
 
@@ -97,10 +97,20 @@ bat_status bat_svg_reader_end(bat_svg_reader *reader) {
     return note(reader, reader->glyph ? bat_glyph_end(reader->glyph) : bat_svg_tree_close(&reader->tree));
 }
 
+static bool can_keep(const char *text, size_t size) {
+    return size > 0 && size <= BAT_JSON_SIZE && bat_utf8_valid(text, size) && !memchr(text, '\0', size);
+}
+
+void bat_svg_reader_lend(bat_svg_reader *reader, char *text, size_t size) {
+    if (!can_keep(text, size)) return;
+    reader->source = text;
+    reader->source_size = size;
+    reader->lent = true;
+}
+
 bat_status bat_svg_reader_source(bat_svg_reader *reader, const char *text, size_t size) {
     if (!reader || (!text && size > 0)) return BAT_ARGUMENT;
-    if (size == 0 || size > BAT_JSON_SIZE || !bat_utf8_valid(text, size) || memchr(text, '\0', size))
-        return BAT_OK;
+    if (!can_keep(text, size)) return BAT_OK;
     char *kept = malloc(size + 1);
     if (!kept) return note(reader, BAT_MEMORY);
     memcpy(kept, text, size);
@@ -134,6 +144,7 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
                         .document = document,
                         .report = report,
                         .keeps = reader->source || reader->again,
+                        .like = reader->again ? reader->again->like : NULL,
                         .shows = reader->held || reader->again,
                         .text = reader->source,
                         .text_size = reader->source_size,
@@ -165,10 +176,8 @@ static bat_status read_drawing(bat_svg_reader *reader, bat_document **out, bat_s
     bat_svg_variables_free(&w->variables);
     free(w);
     bat_svg_sheet_free(&sheet);
-    if (status != BAT_OK)
-        bat_document_free(document);
-    else
-        *out = document;
+    if (status != BAT_OK) bat_document_free(document);
+    if (status == BAT_OK) *out = document;
     return status;
 }
 
@@ -196,7 +205,7 @@ static bat_status show_glyph(bat_svg_reader *reader) {
     }
     if (status == BAT_OK) status = bat_svg_tree_close(&reader->tree);
     bat_text_free(&box), bat_text_free(&path);
-    free(reader->source); /* it is not SVG: nothing can be written into it */
+    if (!reader->lent) free(reader->source); /* it is not SVG: nothing can be written into it */
     reader->source = NULL, reader->source_size = 0;
     return status;
 }

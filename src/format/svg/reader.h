@@ -16,6 +16,7 @@ struct bat_svg_reader {
     uint32_t failed_at; /* number of elements begun at that point */
     char *source;       /* the file's text, when it is to be kept */
     size_t source_size;
+    bool lent;                   /* it is the caller's, who keeps it as long as the reader */
     struct bat_glyph *glyph;     /* of a file whose root is a glyph; NULL: it is SVG */
     bool held;                   /* beside the drawing it has only what SVG cannot hold */
     struct bat_svg_again *again; /* where goes what was read, of which no document is kept; NULL: nowhere */
@@ -24,8 +25,10 @@ struct bat_svg_reader {
 struct bat_svg_walk;
 struct bat_svg_shown;
 
-/* What a text shows that is read again before it is handed over. All zeros before; released by bat_svg_again_free. */
+/* What a text shows that is read again before it is handed over. Zeros but for `like` before; released by bat_svg_again_free. */
 typedef struct bat_svg_again {
+    const bat_document
+        *like; /* what ought to be read: the document shares its curves. Set before; NULL: none */
     bat_document *document;
     uint64_t digest; /* of the drawing */
     struct bat_sourced *places;
@@ -34,6 +37,8 @@ typedef struct bat_svg_again {
     int shown_count;
 } bat_svg_again;
 
+/* As bat_svg_reader_source, without a copy: text, which ends with a zero, must outlive the reader. */
+void bat_svg_reader_lend(bat_svg_reader *reader, char *text, size_t size);
 /* Keeps the file with the document that was read from it, if its elements are where they seem to be. */
 bat_status bat_svg_keep(const bat_svg_reader *reader, const struct bat_svg_walk *w, bool native,
                         bat_document *document);

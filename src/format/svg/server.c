@@ -82,6 +82,13 @@ static const bat_svg_stops *stops_of(bat_svg_walk *w, uint32_t gradient) {
     return made;
 }
 
+bool bat_svg_mixes_linearly(bat_svg_walk *w, uint32_t gradient) {
+    bat_svg_scope s = {.width = 100, .height = 100};
+    const bat_svg_stops *stops = stops_of(w, gradient);
+    bat_svg_cascade_in_place(w, gradient, &s);
+    return stops && stops->count > 1 && s.style.odd & BAT_SVG_BIT(BAT_SVG_INTERPOLATION);
+}
+
 void bat_svg_stops_free(bat_svg_walk *w) {
     for (uint32_t i = 0; w->stops && i < w->tree->count; i++) free(w->stops[i]);
     free(w->stops);

@@ -3,7 +3,7 @@
 
 #include "document/markers.h"
 #include "text/number.h"
-#include "format/svg/svg.h"
+#include "format/svg/geometry.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -33,6 +33,7 @@ bat_svg_style bat_svg_style_child(const bat_svg_style *parent) {
     style.clip = style.mask = NULL;
     style.overflows = false;
     style.shown = true;
+    style.placing = NULL;
     style.stop = initial.stop;
     return style;
 }
@@ -251,24 +252,31 @@ static bool look_up(const bat_svg_style *style, const char **from, const char **
     return true;
 }
 
+static bool is_reference(const char *from, const char *to) {
+    return to - from >= 4 && memcmp(from, "var(", 4) == 0;
+}
+
+/* The same until it is no other variable. */
+static bool resolve(const bat_svg_style *style, const char **from, const char **to) {
+    for (int i = 0; i < VARIABLES_DEEP && is_reference(*from, *to); i++)
+        if (!look_up(style, from, to)) return false;
+    return true;
+}
+
 /* Sets a property to what "var(--name, fallback)" stands for; what stands for nothing is as if nothing was set. */
 static bool set_variable(bat_svg_style *style, const bat_svg_style *parent, double diagonal,
                          bat_svg_name name, const char *from) {
-    const char *to = from;
-    for (int i = 0; i < VARIABLES_DEEP; i++) {
-        char value[VALUE_MAX];
-        if (!look_up(style, &from, &to)) {
-            inherit(style, parent, name);
-            return true;
-        }
-        const size_t size = (size_t)(to - from);
-        if (size >= 4 && memcmp(from, "var(", 4) == 0) continue;
-        if (size == 0 || size >= sizeof value) return false;
-        memcpy(value, from, size);
-        value[size] = '\0';
-        return !strstr(value, "var(") && bat_svg_style_set(style, parent, diagonal, name, value, from);
+    const char *to = from + 4;
+    char value[VALUE_MAX];
+    if (!resolve(style, &from, &to)) {
+        inherit(style, parent, name);
+        return true;
     }
-    return false;
+    const size_t size = (size_t)(to - from);
+    if (size == 0 || size >= sizeof value) return false;
+    memcpy(value, from, size);
+    value[size] = '\0';
+    return !strstr(value, "var(") && bat_svg_style_set(style, parent, diagonal, name, value, from);
 }
 
 bool bat_svg_style_set(bat_svg_style *style, const bat_svg_style *parent, double diagonal, bat_svg_name name,
@@ -401,6 +409,11 @@ void bat_svg_variables_free(bat_svg_variables *variables) {
         free(variables->made);
         variables->made = next;
     }
+    while (variables->placings) {
+        bat_svg_placing *next = variables->placings->made;
+        free(variables->placings);
+        variables->placings = next;
+    }
 }
 
 /* Whether a property may have such a value: a number, or a function. Colours by rgb() and hsl() are known, if they are any. */
@@ -420,6 +433,21 @@ void bat_svg_style_miss(bat_svg_style *style, const char *name, const char *valu
     style->odd |= seen ? BAT_SVG_BIT(BAT_SVG_ODD_VALUE) : BAT_SVG_BIT(BAT_SVG_ODD_UNKNOWN);
 }
 
+/* Where the element is: from..to may be of any length. True: the property is one of those. */
+static bool declare_place(bat_svg_style *style, const char *name, const char *from, const char *to,
+                          bool important) {
+    const bat_svg_geometry property = bat_svg_geometry_of(name);
+    if (property == BAT_SVG_GEOMETRY_COUNT) return false;
+    const char *mark = memchr(from, '!', (size_t)(to - from));
+    if (important != (mark != NULL)) return true;
+    if (mark) to = mark;
+    while (from < to && is_space(*from)) from++;
+    const bool means = resolve(style, &from, &to);
+    if (means && !bat_svg_geometry_set(style, property, from, (size_t)(to - from), important))
+        bat_svg_style_miss(style, name, from, (size_t)(to - from));
+    return true;
+}
+
 void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *parent, double diagonal,
                                 const char *text, size_t size, bool important) {
     for (const char *at = text, *end = text + size; at < end;) {
@@ -433,6 +461,10 @@ void bat_svg_style_declarations(bat_svg_style *style, const bat_svg_style *paren
         bool named = colon && copy_trimmed(at, colon, name, sizeof name);
         bool known = !colon || (named && name[0] == '-'); /* neither has any effect here */
         bool marked = false;
+        if (named && declare_place(style, name, colon + 1, stop, important)) {
+            at = stop < end ? stop + 1 : end;
+            continue;
+        }
         if (named && copy_trimmed(colon + 1, stop, value, sizeof value)) {
             const char *source = colon + 1;
             while (is_space(*source)) source++;

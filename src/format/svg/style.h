@@ -28,9 +28,19 @@ typedef struct bat_svg_variable {
     uint32_t name_size, value_size;
 } bat_svg_variable;
 
+/* What a declaration says of where an element is (geometry.h), and what was said before it. */
+typedef struct bat_svg_placing {
+    const struct bat_svg_placing *before;
+    struct bat_svg_placing *made;
+    uint8_t property; /* bat_svg_geometry */
+    bool important;
+    char value[];
+} bat_svg_placing;
+
 typedef struct bat_svg_variables {
     bat_svg_variable *made; /* all that are; owned */
-    bool failed;            /* out of memory */
+    bat_svg_placing *placings;
+    bool failed; /* out of memory */
 } bat_svg_variables;
 
 typedef struct bat_svg_style {
@@ -56,6 +66,7 @@ typedef struct bat_svg_style {
     uint8_t marker_order;   /* bat_marker_order */
     uint32_t odd;           /* BAT_SVG_BIT of the odd properties that are set; some are inherited */
     /* not inherited */
+    const bat_svg_placing *placing; /* the last one; NULL: none */
     double opacity;
     const char *clip, *mask; /* the content of url(), where it was read; NULL: none */
     bool overflows;          /* what is beyond its viewport is seen */

@@ -104,6 +104,18 @@ static void along(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, lin
     l->x = l->from = box[0], l->y = box[1];
 }
 
+bool bat_svg_is_blank(const bat_svg_walk *w, uint32_t element) {
+    const bat_svg_tag *tag = w->text ? &w->tags.list[element] : NULL;
+    for (size_t at = tag ? tag->body : 0, from = at; tag && from < tag->close; from = at) {
+        const bat_svg_token token = bat_svg_next_token(w->text, tag->close, &at);
+        if (token == BAT_SVG_LAST_TOKEN || at <= from) break;
+        if (token != BAT_SVG_TEXT_TOKEN && token != BAT_SVG_PLAIN_TOKEN) continue;
+        for (size_t i = from; i < at; i++)
+            if (!strchr(" \t\r\n", w->text[i])) return false;
+    }
+    return tag != NULL;
+}
+
 bool bat_svg_text_box(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, double box[4]) {
     const bat_svg_tag *tag = &w->tags.list[element];
     bat_svg_scope open[OPEN_MAX];

@@ -107,8 +107,10 @@ struct bat_svg_walk {
     bat_svg_way *draw;    /* draws an element of any kind in place */
     bat_svg_shown *shown; /* of each shape, by id, where it is noted (held.c) */
     int shown_count, shown_room;
-    bool shows;        /* it is */
-    bat_status status; /* a failure stops everything */
+    bool shows;               /* it is */
+    const bat_document *like; /* whose curves those made share that are the same; NULL: none */
+    int liked;                /* the index of its object that the next one may be */
+    bat_status status;        /* a failure stops everything */
 };
 
 static inline const char *bat_svg_attribute_of(const bat_svg_walk *w, uint32_t element, const char *name) {
@@ -138,6 +140,7 @@ typedef struct bat_svg_painted {
     bat_paint paint;
     bat_stop stops[2][BAT_STOPS_MAX];
     double dashes[BAT_DASHES_MAX];
+    bool solid; /* there are dashes, of no length */
 } bat_svg_painted;
 /* box: of the shape, in its own units. */
 void bat_svg_resolve_style(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s, const double box[4],
@@ -158,6 +161,8 @@ typedef enum bat_svg_served {
 bat_svg_served bat_svg_gradient(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                                 const double box[4], double share, bat_stop *stops, bat_gradient *out,
                                 uint32_t *colour);
+/* Whether its colours are mixed in linear RGB. */
+bool bat_svg_mixes_linearly(bat_svg_walk *w, uint32_t gradient);
 void bat_svg_stops_free(bat_svg_walk *w);
 
 /* ---- pattern.c ---- */
@@ -198,7 +203,7 @@ bool bat_svg_mask_is_boxed(const bat_svg_walk *w, const bat_svg_scope *s);
  * is noted. */
 void bat_svg_mask_paint(bat_svg_walk *w, uint32_t element, const double box[4], bat_svg_scope *s);
 
-/* ---- note_drawn.c: what is lost ---- */
+/* ---- notes.c: what is lost ---- */
 /* Losses from an element apart from its style; from its style, apart from what is inherited; from a shape's
  * style, as far as it is visible. */
 void bat_svg_note_element(bat_svg_walk *w, uint32_t element);
@@ -226,6 +231,8 @@ bool bat_svg_may_stand_alone(bat_svg_walk *w);
 void bat_svg_stand_free(bat_svg_walk *w);
 /* draw_lettering.c: a text as this program writes it becomes one again. False: it is another. */
 bool bat_svg_draw_lettering(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
+/* Whether a text has no characters. */
+bool bat_svg_is_blank(const bat_svg_walk *w, uint32_t element);
 /* False: it is not shown. */
 bool bat_svg_draw_text(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
 bool bat_svg_draw_other_image(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s);
@@ -239,6 +246,13 @@ typedef struct bat_svg_before {
 } bat_svg_before;
 bool bat_svg_effect_end(bat_svg_walk *w, uint32_t element, const bat_svg_scope *s,
                         const bat_svg_before *before);
+
+void bat_svg_box_through(const double m[6], const double own[4], double box[4]);
+/* What an object covers with its stroke, without its markers. False: it is not drawn. */
+bool bat_svg_covers(const bat_object *object, double box[4]);
+/* By their boxes: whether objects from an index on, unless one group holds them all, may lie over each other; over one before. */
+bool bat_svg_overlap(const bat_svg_walk *w, int from);
+bool bat_svg_lies_over(const bat_svg_walk *w, int from);
 
 /* ---- draw*.c: each kind ---- */
 bat_svg_way bat_svg_draw_group, bat_svg_draw_switch, bat_svg_draw_nested, bat_svg_draw_use,

@@ -19,7 +19,8 @@
 static const char ART[] =
     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 90 90'>"
     "<path id='plain' d='M0 0L50 50' stroke='#000' style='stroke-dasharray:1 2'/>"
-    "<path id='broken' d='M0 0L50 50 M1 1 L2' stroke='#000' stroke-dasharray='1 five'/>"
+    "<path id='broken' d='M0 0L50 50' style='transform:rotateX(9deg)' stroke='#000' stroke-dasharray='1 "
+    "five'/>"
     "<g style='mix-blend-mode:multiply'><path id='alone' d='M0 9L50 9' stroke='#000'/></g>"
     "<g id='two' style='mix-blend-mode:multiply'><path id='in' d='M0 19L50 9' stroke='#000'/>"
     "<path d='M0 29L50 9' stroke='#000'/></g>"
@@ -190,13 +191,14 @@ static void only_what_is_seen_counts(void **state) {
         {"<blob/><sodipodi:guide/>" LINE "/>", 0},
         /* seen */
         {LINE " stroke-dasharray='1 x'/>" LINE " stroke-dasharray='1 x'/>", 2},
-        {"<metadata><x/></metadata><g style='mix-blend-mode:multiply'>" LINE "/>" LINE "/></g>", 1},
+        {"<metadata><x/></metadata>" LINE "/><g style='mix-blend-mode:multiply'>" LINE "/>" LINE "/></g>", 1},
         {LINE " shape-rendering='crispEdges'/>", 1},
         {LINE " style='stroke:oklch(1 2 3)'/>", 1},
-        {LINE " style='rotate:30deg'/>", 1},
+        {LINE " style='rotate:30deg'/>", 0},
+        {LINE " style='rotate:x 30deg'/>", 1},
         {LINE "><animate attributeName='d'/></path>" LINE "/>", 1},
         {"<image href='a.png' width='5' height='5'/>" LINE "/>", 1},
-        {"<path d='M0 0L50 50 L' stroke='#000'/>", 1},
+        {"<path d='M0 0L50 50 L' stroke='#000'/><use href='#no'/>" LINE " transform='turn(9)'/>", 0},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char text[2000];

@@ -10,8 +10,9 @@ bat_status bat_svg_again_read(const bat_text *text, const bat_svg_options *optio
     bat_status status = bat_svg_reader_create(options, &reader);
     if (status != BAT_OK) return status;
     reader->again = out;
-    status = bat_svg_reader_source(reader, text->data, text->size);
-    if (status == BAT_OK) status = bat_svg_feed(text->data, text->size, reader);
+    if (text->size > 0) text->data[text->size] = '\0'; /* there is room for it (text.h) */
+    bat_svg_reader_lend(reader, text->data, text->size);
+    status = bat_svg_feed(text->data, text->size, reader);
     if (status == BAT_OK)
         status = bat_svg_reader_finish(reader, &out->document, NULL, NULL);
     else

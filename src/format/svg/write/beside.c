@@ -544,7 +544,7 @@ static bool has_strangers(const beside *b) {
 bat_status bat_svg_held_write(const bat_document *document, const bat_svg_output *out,
                               const bat_svg_again *again, bat_text *text) {
     const bat_svg_options every = bat_svg_defaults();
-    bat_svg_again exact = {0};
+    bat_svg_again exact = {.like = document};
     beside merged = {0}, other = {0}, *best = &merged;
     bat_text json = {0};
     char noted[17];

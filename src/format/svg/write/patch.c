@@ -257,6 +257,7 @@ static void attempt(bat_svg_patch *p, bool with_native, bat_svg_output *out, bat
                     bool *differs) {
     const bat_svg_options merging = bat_svg_merging();
     *differs = false;
+    again->like = p->plan.document;
     make(p, with_native, out);
     if (p->status == BAT_OK) p->status = bat_svg_again_read(&out->text, &merging, again);
     if (p->status == BAT_OK) p->status = bat_svg_patch_compare(&p->plan, again->document, differs);

@@ -77,6 +77,8 @@ void bat_svg_patch_end_tag(bat_svg_patch *p, const bat_object *object, const bat
 /* Sets the attributes of an element that still is what it is called. False: only a path can be that, and nothing is set. */
 bool bat_svg_patch_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
                          double precision);
+/* Sets a length that style says, in its style. */
+void bat_svg_retag_pixels(bat_svg_retag *r, const char *property, double number, const bat_sourced *entry);
 /* ---- patch_data.c: path data ---- */
 /* Writes the path data of an object: subpaths that are as they were in the element keep their text. m: to its own units.
  * *raw: it stands in a tag as it is. */

@@ -52,6 +52,8 @@ static bat_status recall(was *w, const bat_svg_retag *r, const bat_sourced *entr
     const size_t name = bat_svg_tag_name(r->tag, r->size);
     const bool path = name >= 4 && memcmp(r->tag + 1 + name - 4, "path", 4) == 0 &&
                       (name == 4 || r->tag[name - 4] == ':');
+    if (entry->declared & BAT_DECLARED_SHAPE)
+        return BAT_SYNTAX;                /* what the attribute says may not be shown */
     if (!entry->shape) return BAT_SYNTAX; /* other data were asked for on reading (keep.c) */
     if (!path || !bat_svg_retag_has(r, "d", &piece)) return BAT_SYNTAX;
     w->data = r->tag + piece.value;

@@ -1,4 +1,5 @@
 /* A rectangle, circle, ellipse or line that still is one stays one: its numbers are proposed, and compared with the curve. */
+#include "format/svg/geometry.h"
 #include "format/svg/write/basic.h"
 #include "format/svg/write/patch.h"
 #include "kinds/primitive.h"
@@ -14,6 +15,7 @@ static const double SAME = 1e-6; /* of the curve's larger side: less than is wri
 /* Attributes as they would be. */
 typedef struct proposal {
     const bat_svg_retag *r;
+    bool declared;                /* style says its numbers, which are not known here */
     const bat_svg_cubics *cubics; /* of the curve, in the element's units */
     double low[2], high[2];       /* their box */
     bool shaped;                  /* the object is a shape that stays one: */
@@ -59,15 +61,15 @@ static double said(const bat_svg_retag *r, const char *name) {
 /* Round corners grow with their sides. */
 static void propose_radii(proposal *p) {
     const double rx = said(p->r, "rx"), ry = said(p->r, "ry");
-    if (isnan(rx) && isnan(ry) && !(p->shaped && p->radii[0] > 0)) return;
+    if (!p->declared && isnan(rx) && isnan(ry) && !(p->shaped && p->radii[0] > 0)) return;
     double radii[2] = {(isnan(rx) ? ry : rx) * (p->high[0] - p->low[0]) / said(p->r, "width"),
                        (isnan(ry) ? rx : ry) * (p->high[1] - p->low[1]) / said(p->r, "height")};
     if (p->shaped) memcpy(radii, p->radii, sizeof radii);
     const bool round = fabs(radii[0] - radii[1]) <= SAME * fabs(radii[0]);
     double own[2];
     bat_svg_round(p->cubics, radii, own);
-    if (!round || !isnan(rx) || isnan(ry)) propose(p, "rx", own[0]);
-    if (!round || !isnan(ry)) propose(p, "ry", own[1]);
+    if (p->declared || !round || !isnan(rx) || isnan(ry)) propose(p, "rx", own[0]);
+    if (p->declared || !round || !isnan(ry)) propose(p, "ry", own[1]);
 }
 
 static bool propose_all(proposal *p, const char *name) {
@@ -146,6 +148,13 @@ static bool is_shape_of(const bat_object *object, const double m[6], const char 
            (strcmp(basic.name, "circle") == 0 && strcmp(name, "ellipse") == 0);
 }
 
+void bat_svg_retag_pixels(bat_svg_retag *r, const char *property, double number, const bat_sourced *entry) {
+    char value[NUMBER];
+    const int size = bat_number_print(number, value);
+    memcpy(value + size, "px", sizeof "px");
+    bat_svg_retag_declare(r, property, value, r->insists || entry->declared & BAT_DECLARED_IMPORTANT);
+}
+
 bool bat_svg_patch_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
                          double precision) {
     char name[8] = "";
@@ -161,7 +170,8 @@ bool bat_svg_patch_shape(bat_svg_retag *r, const bat_object *object, const bat_s
     const bat_status status = bat_svg_cubics_make(bat_object_curve(object, 0), m, precision, &cubics);
     r->failed = r->failed || status == BAT_MEMORY;
     if (status != BAT_OK) return false;
-    proposal p = {.r = r, .cubics = &cubics};
+    const bool declared = entry->declared & BAT_DECLARED_SHAPE;
+    proposal p = {.r = r, .declared = declared, .cubics = &cubics};
     find_box(&p);
     const bool stays = bat_object_primitive(object)
                            ? is_shape_of(object, m, name, &p) && propose_all(&p, name)
@@ -169,7 +179,10 @@ bool bat_svg_patch_shape(bat_svg_retag *r, const bat_object *object, const bat_s
     for (int i = 0; i < p.count && stays; i++) {
         const double before = said(r, p.names[i]);
         const bool absent = !bat_svg_retag_has(r, p.names[i], &piece);
-        if (p.numbers[i] != (absent ? 0 : before)) bat_svg_retag_set(r, p.names[i], p.values[i]);
+        if (declared && bat_svg_geometry_of(p.names[i]) != BAT_SVG_GEOMETRY_COUNT)
+            bat_svg_retag_pixels(r, p.names[i], p.numbers[i], entry);
+        else if (p.numbers[i] != (absent ? 0 : before))
+            bat_svg_retag_set(r, p.names[i], p.values[i]);
     }
     bat_svg_cubics_free(&cubics);
     return stays;

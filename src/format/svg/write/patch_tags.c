@@ -239,6 +239,22 @@ static void set_state(bat_svg_retag *r, const bat_object *object, const bat_sour
     }
 }
 
+static bool is_important(const bat_svg_retag *r, const bat_sourced *entry) {
+    return r->insists || entry->declared & BAT_DECLARED_IMPORTANT;
+}
+
+static bat_status declare_data(bat_svg_retag *r, const char *data, const bat_sourced *entry) {
+    bat_text text = {0};
+    bat_text_string(&text, "path('");
+    bat_text_string(&text, data);
+    bat_text_string(&text, "')");
+    bat_text_add(&text, "", 1);
+    if (text.data) bat_svg_retag_declare(r, "d", text.data, is_important(r, entry));
+    const bool failed = text.failed;
+    bat_text_free(&text);
+    return failed ? BAT_MEMORY : BAT_OK;
+}
+
 static bat_status set_path(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
                            double precision) {
     double m[6];
@@ -251,36 +267,66 @@ static bat_status set_path(bat_svg_retag *r, const bat_object *object, const bat
     if (status == BAT_OK) {
         r->rename = "path";
         r->drops = says_shape;
-        (raw ? bat_svg_retag_set_raw : bat_svg_retag_set)(r, "d", data.data);
+        if (entry->declared & BAT_DECLARED_SHAPE)
+            status = declare_data(r, data.data, entry);
+        else
+            (raw ? bat_svg_retag_set_raw : bat_svg_retag_set)(r, "d", data.data);
     }
     bat_text_free(&data);
     return status;
 }
 
-static bat_status set_matrix(bat_svg_retag *r, const double m[6]) {
+/* Where style says how the element is transformed, that matrix takes the place of all that it says. */
+static void declare_matrix(bat_svg_retag *r, const char *matrix, const bat_sourced *entry) {
+    static const char *const singly[] = {"translate", "rotate", "scale"};
+    const bool insists = is_important(r, entry);
+    bat_svg_retag_declare(r, "transform", matrix, insists);
+    bat_svg_retag_declare(r, "transform-origin", "0 0", insists);
+    if (entry->declared & BAT_DECLARED_BOX) bat_svg_retag_declare(r, "transform-box", "view-box", insists);
+    for (int k = 0; k < 3 && entry->declared & BAT_DECLARED_SINGLY; k++)
+        bat_svg_retag_declare(r, singly[k], "none", insists);
+}
+
+static bat_status set_matrix(bat_svg_retag *r, const double m[6], const bat_sourced *entry) {
     bat_text text = {0};
     bat_svg_write_matrix(m, &text);
     bat_text_add(&text, "", 1);
-    if (text.data) bat_svg_retag_set(r, "transform", text.data);
+    if (text.data && entry->declared & BAT_DECLARED_MATRIX) {
+        for (char *at = text.data; *at; at++)
+            if (*at == ' ') *at = ','; /* as CSS has it */
+        declare_matrix(r, text.data, entry);
+    } else if (text.data)
+        bat_svg_retag_set(r, "transform", text.data);
     const bool failed = text.failed;
     bat_text_free(&text);
     return failed ? BAT_MEMORY : BAT_OK;
 }
 
+/* A transform that depends on the shape, or that sheets say of elements of another name, stays what it was. */
+static bat_status keep_matrix(bat_svg_retag *r, const bat_sourced *entry) {
+    double back[6], m[6];
+    if (!bat_svg_inverse(entry->outer, back)) return BAT_UNSUPPORTED;
+    bat_matrix_compose(back, entry->inner, m);
+    return set_matrix(r, m, entry);
+}
+
 /* The picture's own pixels are the units, and the transform places them. */
 static bat_status set_image(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry) {
+    static const char *const lengths[] = {"x", "y", "width", "height"};
     double out[6], m[6], sides[2];
     char value[NUMBER];
     if (!bat_svg_inverse(entry->outer, out)) return BAT_UNSUPPORTED;
     bat_matrix_compose(out, bat_object_matrix(object), m);
     bat_picture_sides(bat_object_picture(object), sides);
-    const bat_status status = set_matrix(r, m);
+    const bat_status status = set_matrix(r, m, entry);
     print(value, sides[0]);
     bat_svg_retag_set(r, "width", value);
     print(value, sides[1]);
     bat_svg_retag_set(r, "height", value);
     bat_svg_retag_set(r, "x", NULL);
     bat_svg_retag_set(r, "y", NULL);
+    for (int k = 0; k < 4 && entry->declared & BAT_DECLARED_SHAPE; k++)
+        bat_svg_retag_pixels(r, lengths[k], k < 2 ? 0 : sides[k - 2], entry);
     bat_svg_retag_set(r, "preserveAspectRatio", "none");
     return status;
 }
@@ -294,7 +340,7 @@ static bat_status set_foreign(bat_svg_retag *r, const bat_object *object, const 
     bat_matrix_compose(bat_object_matrix(object), back, moved);
     bat_matrix_compose(moved, entry->inner, own);
     bat_matrix_compose(to, own, m);
-    return set_matrix(r, m);
+    return set_matrix(r, m, entry);
 }
 
 static bat_status set_shape(bat_svg_retag *r, const bat_object *object, const bat_sourced *entry,
@@ -341,6 +387,12 @@ bool bat_svg_patch_tag(bat_svg_patch *p, const bat_object *object, const bat_sou
             bat_svg_patch_shape(&r, object, entry, p->precision);
         else if (reshaped) {
             const bat_status status = set_shape(&r, object, entry, p->precision);
+            if (status != BAT_OK) p->status = status;
+        }
+        const bool others = r.insists || (plan->sheets && is_renamed(plan, object, entry));
+        if (reshaped && !bat_object_picture(object) &&
+            (entry->declared & BAT_DECLARED_BOX || (others && entry->declared & BAT_DECLARED_MATRIX))) {
+            const bat_status status = keep_matrix(&r, entry);
             if (status != BAT_OK) p->status = status;
         }
     } else if (bat_object_style(object)->opacity != entry->style.opacity)

@@ -118,18 +118,21 @@ bool bat_svg_retag_says(const bat_svg_retag *r, const char *property) {
 }
 
 void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *value) {
-    declaration found;
     bat_svg_piece piece;
-    const bool declared = find_declaration(&r->style, property, &found);
-    if (!declared && !r->sheets && !r->insists && (!r->styled || bat_svg_retag_has(r, property, &piece))) {
+    if (!bat_svg_retag_declares(r, property) && !r->sheets && !r->insists &&
+        (!r->styled || bat_svg_retag_has(r, property, &piece)))
         bat_svg_retag_set(r, property, value);
-        return;
-    }
+    else
+        bat_svg_retag_declare(r, property, value, r->insists);
+}
+
+void bat_svg_retag_declare(bat_svg_retag *r, const char *property, const char *value, bool insists) {
+    declaration found;
     bat_text made = {0};
-    if (declared) {
+    if (find_declaration(&r->style, property, &found)) {
         bat_text_add(&made, r->style.data, found.value);
         bat_text_string(&made, value);
-        if (r->insists) bat_text_string(&made, " !important");
+        if (insists) bat_text_string(&made, " !important");
         bat_text_add(&made, r->style.data + found.value_end, r->style.size - found.value_end);
     } else {
         if (r->style.size > 0) bat_text_add(&made, r->style.data, r->style.size);
@@ -137,7 +140,7 @@ void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *val
         bat_text_string(&made, property);
         bat_text_string(&made, ":");
         bat_text_string(&made, value);
-        if (r->insists) bat_text_string(&made, " !important");
+        if (insists) bat_text_string(&made, " !important");
     }
     if (made.failed) r->failed = true;
     bat_text_free(&r->style);

@@ -38,6 +38,8 @@ void bat_svg_retag_set(bat_svg_retag *r, const char *name, const char *value); /
 void bat_svg_retag_set_raw(bat_svg_retag *r, const char *name, const char *value);
 /* Sets a property of style where the element has it: in its style attribute, or by itself. */
 void bat_svg_retag_style(bat_svg_retag *r, const char *property, const char *value);
+/* Sets a property in its style attribute, where only sheets that say !important overrule it, and not even those if it insists. */
+void bat_svg_retag_declare(bat_svg_retag *r, const char *property, const char *value, bool insists);
 /* Whether its style attribute says what the property is: then sheets do not, unless it insists. */
 bool bat_svg_retag_declares(const bat_svg_retag *r, const char *property);
 /* Whether the element itself says what the property is. */
