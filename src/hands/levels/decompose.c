@@ -3,26 +3,81 @@
 
 #include "curve/banded.h"
 #include "curve/curve.h"
+#include "curve/mirror.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double SLOW = 0.5; /* a coarse curve slower than this carries no frame */
+static const double SLOW = 0.5;  /* a coarse curve slower than this carries no frame */
+static const double EVEN = 1e-5; /* of the size: as symmetric as a file with few digits says it */
+
+/* How knots are left out of a curve: of one that is its own mirror image so that what is left is, too, if it can be. */
+typedef struct thinning {
+    bool even;
+    int image; /* which of the distinct interior knots is the image of a closed curve's seam; -1: none */
+} thinning;
+
+static int evenly(int i, int total, int kept) { return (int)((i + 0.5) * total / kept); }
+
+/* Whether the at-th of `total` is among the first `count` of `kept` that are evenly spaced. */
+static bool is_among(int at, int total, int kept, int count) {
+    const int near = kept > 0 ? (int)((at + 0.5) * kept / total) : 0;
+    for (int i = near > 0 ? near - 1 : 0; i <= near + 1 && i < count; i++)
+        if (evenly(i, total, kept) == at) return true;
+    return false;
+}
+
+static bool is_kept(bool even, int at, int total, int kept) {
+    if (!even) return is_among(at, total, kept, kept);
+    return is_among(at, total, kept, kept - kept / 2) || is_among(total - 1 - at, total, kept, kept / 2);
+}
+
+/* How many of `kept` lie before the seam's image, of `total` of which `before` do: in proportion, and so that both parts can be
+ * symmetric, if they can; else -1. */
+static int share(int total, int before, int kept) {
+    const int after = total - before, wish = (int)((double)kept * before / total + 0.5);
+    for (int i = 0; i <= 4; i++) { /* 0, 1, -1, 2, -2 from it */
+        const int mine = wish + (i % 2 ? (i + 1) / 2 : -i / 2), rest = kept - mine;
+        const bool can = (mine % 2 == 0 || before % 2) && (rest % 2 == 0 || after % 2);
+        if (mine >= 0 && mine <= before && rest >= 0 && rest <= after && can) return mine;
+    }
+    return -1;
+}
 
 /* How many of the knots are the rank-th repeat of their value (0: its first copy); `before` is the knot
  * before the first. With `stays`: marks `kept` of them, evenly spaced. */
-static int copies(const double *knots, int count, double before, int rank, int total, int kept, bool *stays) {
-    int copy = 0, seen = 0, chosen = 0;
+static int copies(const double *knots, int count, double before, int rank, int total, int kept, thinning how,
+                  bool *stays) {
+    const int image = rank == 0 && kept > 0 ? how.image : -1;
+    const int first = image < 0 ? -1 : share(total - 1, image, kept - 1);
+    int copy = 0, seen = 0;
     for (int i = 0; i < count; i++) {
         copy = knots[i] == (i ? knots[i - 1] : before) ? copy + 1 : 0;
         if (copy != rank) continue;
-        if (stays && chosen < kept && seen == (int)((chosen + 0.5) * total / kept)) {
-            stays[i] = true;
-            chosen++;
-        }
+        if (stays && first < 0)
+            stays[i] = is_kept(how.even, seen, total, kept);
+        else if (stays && seen < image)
+            stays[i] = is_kept(true, seen, image, first);
+        else if (stays)
+            stays[i] = seen == image || is_kept(true, seen - image - 1, total - image - 1, kept - 1 - first);
         seen++;
     }
     return seen;
+}
+
+static thinning how_to_thin(const bat_curve *fine) {
+    static const double upright[2] = {0, 1};
+    const double *t = bat_curve_knots(fine);
+    thinning how = {false, -1};
+    bat_mirror mirror;
+    int turn;
+    if (!bat_mirror_find(fine, upright, EVEN * bat_curve_size(fine), &mirror, &turn)) return how;
+    how.even = true;
+    const int image = fine->closed ? (turn + fine->degree) % fine->count : 0;
+    if (t[image] == t[0]) return how;
+    for (int i = 1; i <= image; i++) how.image += t[i] != t[i - 1];
+    return how;
 }
 
 /* Leaves out interior knots until `count` control points are left (closed: the seam stays). Returns a curve
@@ -42,10 +97,11 @@ static bat_status thinned(const bat_curve *fine, int count, bat_curve **out) {
     const double *from = bat_curve_knots(fine);
     double *to = bat_curve_own_knots(coarse);
     int lead = fine->closed ? 1 : p + 1;
+    const thinning how = how_to_thin(fine);
     for (int rank = 0, left = kept; left > 0; rank++) { /* repeats come after all the first copies */
-        int total = copies(from + lead, interior, from[lead - 1], rank, 0, 0, NULL);
+        int total = copies(from + lead, interior, from[lead - 1], rank, 0, 0, how, NULL);
         int taken = total < left ? total : left;
-        copies(from + lead, interior, from[lead - 1], rank, total, taken, stays);
+        copies(from + lead, interior, from[lead - 1], rank, total, taken, how, stays);
         left -= taken;
     }
     memcpy(to, from, (size_t)lead * sizeof(double));
