@@ -89,13 +89,17 @@ static bat_status find(const bat_tuning *t, ends *e) {
 
 static double tension_at(double amount) { return bat_exp((amount - 0.5) * bat_log(RANGE)); }
 
+/* At an end: a blend's way says both. */
+static int continuity_at(const bat_tuning *t, int end) { return end ? t->way / WAYS : t->way % WAYS; }
+
 /* Of two curves of one dimension. */
 static bat_status make_of(const bat_tuning *t, const ends *e, bat_curve *const side[2], bat_curve **out) {
     bat_blend_options options = bat_blend_defaults();
     const double tension[2] = {tension_at(t->amount), tension_at(t->other)};
     if (t->kind == &matching)
-        return bat_curve_match(side[0], e->last[0], side[1], e->last[1], t->way, tension[0], out, NULL);
-    for (int k = 0; k < 2; k++) options.continuity[k] = t->way, options.tension[k] = tension[k];
+        return bat_curve_match(side[0], e->last[0], side[1], e->last[1], continuity_at(t, 0), tension[0], out,
+                               NULL);
+    for (int k = 0; k < 2; k++) options.continuity[k] = continuity_at(t, k), options.tension[k] = tension[k];
     return bat_curve_blend(side[0], e->last[0], side[1], e->last[1], &options, out, NULL);
 }
 
@@ -203,21 +207,37 @@ static bat_status keep(bat_context *c) {
     return status;
 }
 
+/* How many continuities are offered: of a matched end, or of both ends of a blend. */
+static int ways_of(const bat_tuning *t) { return t->kind == &matching ? WAYS : 2 * WAYS; }
+
 /* The continuities, and then to keep it. */
 static bat_status choose(bat_context *c, int way) {
-    if (way > WAYS) return BAT_ARGUMENT;
-    if (way == WAYS) return keep(c);
-    return take(c, c->tuning->amount, c->tuning->other, way < 0 ? (c->tuning->way + 1) % WAYS : way);
+    const bat_tuning *t = c->tuning;
+    const int count = ways_of(t), first = continuity_at(t, 0), second = continuity_at(t, 1);
+    if (way > count) return BAT_ARGUMENT;
+    if (way == count) return keep(c);
+    const int next = (first + 1) % WAYS; /* at both ends */
+    return take(c, t->amount, t->other,
+                way < 0      ? next + WAYS * next
+                : way < WAYS ? way + WAYS * second
+                             : first + WAYS * (way - WAYS));
 }
 
-static int way(const bat_context *c) { return c->tuning->way; }
+static int way(const bat_context *c) { return continuity_at(c->tuning, 0); }
 
 static void write(bat_context *c, bat_text *text) {
     const bat_tuning *t = c->tuning;
-    bat_text_string(text, t->kind == &matching ? ",\"of\":\"match\"" : ",\"of\":\"blend\"");
-    bat_text_string(text, ",\"step\":0.01,\"ways\":4,\"said\":");
+    const bool both = t->kind != &matching;
+    bat_text_string(text, both ? ",\"of\":\"blend\",\"also\":" : ",\"of\":\"match\"");
+    if (both) bat_line_number(text, WAYS + continuity_at(t, 1));
+    bat_text_string(text, ",\"step\":0.01,\"ways\":");
+    bat_line_number(text, ways_of(t));
+    bat_text_string(text, ",\"said\":");
     bat_text_json_string(text, t->shown ? "" : bat_word(c, t->why));
-    bat_text_string(text, ",\"words\":[\"G0\",\"G1\",\"G2\",\"G3\",");
+    bat_text_string(text, ",\"words\":[");
+    bat_text_string(text,
+                    both ? "\"1: G0\",\"1: G1\",\"1: G2\",\"1: G3\",\"2: G0\",\"2: G1\",\"2: G2\",\"2: G3\","
+                         : "\"G0\",\"G1\",\"G2\",\"G3\",");
     bat_text_json_string(text, bat_word(c, BAT_STRING_EARLIER_KEEP));
 }
 
@@ -231,7 +251,7 @@ bat_status bat_command_curve_blend(bat_context *c, bat_command_id id) {
     bat_tuning_free(c->tuning);
     const bat_status gathered = bat_tuning_gather(c, is_possible);
     c->tuning->amount = c->tuning->other = 0.5;
-    c->tuning->way = USUAL;
+    c->tuning->way = USUAL + WAYS * USUAL;
     c->tuning->comb = true;
     return bat_tuning_start(c, id == BAT_COMMAND_CURVE_MATCH ? &matching : &blending, gathered,
                             BAT_STRING_NOTICE_SELECT_TWO_OPEN);

@@ -50,16 +50,19 @@ static void joins(const bat_curve *a, bool a_end, const bat_curve *b, bool b_end
     for (int k = 0; k < 4; k++) assert_int_equal(jump[k] <= none[k], k <= continuity);
 }
 
+/* Each end with its own continuity. */
 static void blends_are_kept(void **state) {
     (void)state;
-    for (int continuity = 0; continuity < 4; continuity++) {
+    for (int pair = 0; pair < 16; pair++) {
+        const int continuity = pair % 4, second = pair / 4;
         bat_editor *editor = bends();
         const uint64_t first = digest(editor);
         only(editor, 1, 2);
         assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
-        says(editor, "\"chosen\":2,\"amount\":0.5,\"other\":0.5,\"of\":\"blend\"");
+        says(editor, "\"chosen\":2,\"amount\":0.5,\"other\":0.5,\"of\":\"blend\",\"also\":6,");
         assert_true(shows(editor, BAT_ROLE_FIT) && shows(editor, BAT_ROLE_COMB));
         assert_int_equal(bat_editor_read_as(editor, continuity), BAT_OK);
+        assert_int_equal(bat_editor_read_as(editor, 4 + second), BAT_OK);
         assert_int_equal(bat_editor_refit(editor, 0.4, true), BAT_OK);
         assert_int_equal(bat_editor_refit_other(editor, 0.7, true), BAT_OK);
         assert_true(digest(editor) == first);
@@ -68,7 +71,7 @@ static void blends_are_kept(void **state) {
         const bat_id made = editor->choice.selection.ids[0];
         assert_true(made != 1 && made != 2);
         joins(curve(editor, 1), true, curve(editor, made), false, continuity);
-        joins(curve(editor, made), true, curve(editor, 2), true, continuity);
+        joins(curve(editor, made), true, curve(editor, 2), true, second);
         goes_back_and_replays(editor, first);
         bat_editor_free(editor);
     }
@@ -89,7 +92,7 @@ static void each_end_has_its_slider(void **state) {
         bat_editor *editor = bends();
         only(editor, 1, 2);
         assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
-        assert_int_equal(bat_editor_read_as(editor, 1), BAT_OK);
+        for (int end = 0; end < 2; end++) assert_int_equal(bat_editor_read_as(editor, 4 * end + 1), BAT_OK);
         if (k == 1) assert_int_equal(bat_editor_refit(editor, 0.75, true), BAT_OK);
         if (k == 2) assert_int_equal(bat_editor_refit_other(editor, 0.75, true), BAT_OK);
         const bat_frame *frame = bat_editor_frame(editor);
