@@ -140,7 +140,7 @@ static void show_axis(const bat_context *c, const bat_curve *curve, bat_overlay 
     const double beyond = BAR * bat_stage_pixel(c->stage);
     bat_mirror_place(&axis, low - beyond, from);
     bat_mirror_place(&axis, high + beyond, to);
-    bat_overlay_item(list, BAT_ROLE_CHOSEN, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
+    bat_overlay_item(list, BAT_ROLE_ARROW, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     bat_overlay_page_line(list, from[0], from[1], to[0], to[1]);
 }
 
@@ -155,7 +155,7 @@ void bat_leveling_show_pins(const bat_context *c, bat_overlay *list) {
     bat_overlay_item(list, BAT_ROLE_CHOSEN, BAT_ITEM_FILLED, 0);
     for (int i = 0; i < l->pin_count; i++)
         if (pin_seen(c, curve, l->pins[i].u, at)) bat_overlay_square(list, at, SIZE * pixel);
-    bat_overlay_item(list, BAT_ROLE_CHOSEN, BAT_ITEM_STROKED, 1.5F);
+    bat_overlay_item(list, BAT_ROLE_ARROW, BAT_ITEM_STROKED, 1.5F);
     for (int i = 0; i < l->pin_count; i++) {
         if (!l->pins[i].direction || !pin_seen(c, curve, l->pins[i].u, at)) continue;
         const int n = bat_curve_dimension(curve);
