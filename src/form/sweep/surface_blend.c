@@ -67,9 +67,11 @@ static bat_status read_edge(const bat_surface *s, bat_side side, int order, bord
         for (int j = 0; j <= order; j++)
             memcpy(out->across + 3 * ((size_t)j * count + i), each + 3 * j, 3 * sizeof *each);
     }
+    bat_curve *line = NULL;
     if (status == BAT_OK)
         status = bat_curve_create(3, model->degree, model->closed, count, out->across,
-                                  bat_curve_knot_count(model), bat_curve_knots(model), &out->line);
+                                  bat_curve_knot_count(model), bat_curve_knots(model), &line);
+    out->line = line;
     return status;
 }
 
