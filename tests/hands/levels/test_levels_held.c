@@ -12,6 +12,7 @@
 #include <batten/levels.h>
 #include <batten/measure.h>
 #include <batten/nearest.h>
+#include <batten/refine.h>
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 
@@ -147,6 +148,13 @@ static bat_shape *even(random_source *r, bool closed, int seam, int levels, size
         assert_int_equal(bat_curve_create(2, 3, true, POINTS, points, POINTS + 1, knots, &curve), BAT_OK);
     else
         assert_int_equal(bat_curve_create_clamped(2, 3, POINTS, points, &curve), BAT_OK);
+    for (int again = 0; again < 2 && closed && seam % 3 == 1;
+         again++) { /* as files have them: all knots threefold */
+        bat_curve *finer = NULL;
+        assert_int_equal(bat_curve_insert_knots(curve, POINTS, knots, &finer), BAT_OK);
+        bat_curve_free(curve);
+        curve = finer;
+    }
     assert_int_equal(levels ? bat_shape_decompose_to(curve, levels, coarsest, NULL, &shape)
                             : bat_shape_create(curve, NULL, &shape),
                      BAT_OK);
@@ -183,8 +191,10 @@ static void symmetry_stays(void **state) {
             bat_shape *before = NULL, *free_one = NULL;
             const double pin = domain[0] + 0.77 * (domain[1] - domain[0]);
             const double u = domain[0] + random_between(&r, 0.1, 0.4) * (domain[1] - domain[0]);
-            bat_shape_held held = {
-                .symmetry = true, .length = i % 2, .point_count = i % 5 == 0, .points = &pin};
+            bat_shape_held held = {.symmetry = true,
+                                   .length = i % 2 && i % POINTS % 3 != 1,
+                                   .point_count = i % 5 == 0,
+                                   .points = &pin};
             memcpy(held.upright, axis, sizeof held.upright);
             for (int d = 0; d < 2; d++) delta[d] = random_between(&r, -12, 12);
             assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
