@@ -334,7 +334,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                 !shapes_same(shape, before))
                 abort();
             const double pin = byte(&s) * n / 255.0;
-            const bat_shape_held held = {.length = true, .point_count = 1, .points = &pin};
+            const bat_shape_held held = {
+                .length = true, .symmetry = n % 2 == 0, .point_count = 1, .points = &pin};
             if (n <= 8 && bat_shape_levels(shape) < 2) {
                 (void)bat_shape_drag_held(shape, 0, byte(&s) * n / 255.0, delta, &held);
                 (void)bat_shape_move_held(shape, 0, byte(&s) % n, delta, &held);

@@ -466,6 +466,8 @@ class Surface : public detail::Handle<bat_surface, bat_surface_free> {
     [[nodiscard]] Relief relief() const;
     [[nodiscard]] Relief levels(int levels) const;
     [[nodiscard]] Relief levels_to(int levels, Span<const size_t> coarsest) const;
+    [[nodiscard]] Surface blend(bat_side side, const Surface &other, bat_side other_side, const bat_blend_options *options = nullptr) const;
+    [[nodiscard]] Surface blend_to_curve(bat_side side, const Curve &curve, const bat_blend_options *options = nullptr) const;
     [[nodiscard]] bat_deviation deviation(const Reference &reference, double spacing = 0.0) const;
     [[nodiscard]] Tracks silhouettes(const bat_viewpoint &view) const;
     [[nodiscard]] Tracks section(Numbers origin, Numbers normal, double tolerance = 0.0) const;
@@ -2231,6 +2233,22 @@ inline CurveRevolveResult Curve::revolve(Numbers origin, Numbers direction, doub
     double max_error_{};
     const bat_status status = bat_surface_revolve(get(), origin.data(), direction.data(), angle, tolerance, &out_, &max_error_);
     CurveRevolveResult made{Surface(out_), max_error_};
+    detail::check(status);
+    return made;
+}
+
+inline Surface Surface::blend(bat_side side, const Surface &other, bat_side other_side, const bat_blend_options *options) const {
+    bat_surface *out_ = nullptr;
+    const bat_status status = bat_surface_blend(get(), side, other.get(), other_side, options, &out_);
+    Surface made = Surface(out_);
+    detail::check(status);
+    return made;
+}
+
+inline Surface Surface::blend_to_curve(bat_side side, const Curve &curve, const bat_blend_options *options) const {
+    bat_surface *out_ = nullptr;
+    const bat_status status = bat_surface_blend_curve(get(), side, curve.get(), options, &out_);
+    Surface made = Surface(out_);
     detail::check(status);
     return made;
 }

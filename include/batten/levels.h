@@ -95,17 +95,20 @@ BAT_API bat_status bat_shape_drag(bat_shape *shape, int level, double u, const d
 BAT_API bat_status bat_shape_drag_finest(bat_shape *shape, int level, double u, const double *delta,
                                          double tolerance, double *left);
 /* What stays while a level is dragged: of the finest curve its places at `points` and its directions at `directions`,
- * parameters, at most BAT_HELD_MAX of each; its length; the area that it encloses, of a closed planar curve. */
+ * parameters, at most BAT_HELD_MAX of each; its length; the area that it encloses, of a closed planar curve; its symmetry: that it is its
+ * own mirror image, control point for control point, as is the level (to 1e-5 of the size, and no farther from it in the end), of several
+ * axes about the one nearest to the direction `upright` (0, 0: the second axis). */
 enum { BAT_HELD_MAX = 8 };
 typedef struct bat_shape_held {
-    bool length, area;
+    bool length, area, symmetry;
+    double upright[2];
     size_t point_count, direction_count;
     const double *points, *directions;
 } bat_shape_held;
 /*
  * Moves the finest curve's point at u by delta, and holds the rest, by the least change of the control points of `level` (math
  * 3.9); all to 1e-10 of the curve's size. BAT_TOLERANCE: that cannot be, or is not found; BAT_STATE: the level is muted;
- * BAT_DIMENSION: no area; BAT_COUNT: too much is held; BAT_SINGULAR: no direction there. The shape then is as it was. Cost: at most some
+ * BAT_DIMENSION: no area, no symmetry in space; BAT_COUNT: too much is held; BAT_SINGULAR: no direction, no symmetry there. The shape then is as it was. Cost: at most some
  * hundred rebuilds of the level and those above it; three to six as a rule.
  */
 BAT_API bat_status bat_shape_drag_held(bat_shape *shape, int level, double u, const double *delta,

@@ -5,6 +5,7 @@
 #ifndef BATTEN_SWEEP_H
 #define BATTEN_SWEEP_H
 
+#include <batten/blend.h>
 #include <batten/frames.h>
 #include <batten/function.h>
 #include <batten/surface.h>
@@ -114,6 +115,21 @@ BAT_API bat_status bat_surface_coons(const bat_curve *const sides[4], double wit
  */
 BAT_API bat_status bat_surface_loft(size_t count, const bat_curve *const *sections, bat_surface **out,
                                     double *v);
+
+/*
+ * The surface between two edges, both open or both closed: u in [0, 1] along them, the second turned round where its ends are nearer so; v in
+ * [0, 1] from the first to the second, a Bézier segment whose degree is the sum of both continuities and 1. It meets each edge with
+ * the continuity of the options (G0 to G3) along all of it, exactly but for rounding: across the edge its derivatives are the
+ * surface's own, times one factor, with which it leaves the edge in the mean as fast as the straight way across, times the tension.
+ * options may be NULL: G2 and 1. BAT_ARGUMENT: one edge is closed and the other open, a surface is closed across its edge, or an
+ * option is out of its range; BAT_SINGULAR: the edges are one, or a surface stands still at its; else as bat_curve_refine. O(points of the
+ * result). Source: docs/math/blend.md 4.
+ */
+BAT_API bat_status bat_surface_blend(const bat_surface *a, bat_side a_side, const bat_surface *b,
+                                     bat_side b_side, const bat_blend_options *options, bat_surface **out);
+/* The same to a curve, planar ones in z = 0, which it meets with G0. */
+BAT_API bat_status bat_surface_blend_curve(const bat_surface *a, bat_side a_side, const bat_curve *curve,
+                                           const bat_blend_options *options, bat_surface **out);
 
 #ifdef __cplusplus
 }

@@ -47,6 +47,17 @@ bat_status bat_mirror_whole(const bat_mirror *mirror, const bat_curve *curve, in
 /* Whether b is a's mirror image, each no farther than `within` from the other's. A curve may be its own. */
 bool bat_mirror_twins(const bat_mirror *mirror, const bat_curve *a, const bat_curve *b, double within);
 /*
+ * The axis about which a planar curve is its own mirror image, control point for control point and span for span, each run through
+ * backwards, to `within`; of several the one nearest to the direction upright. *turn: control point i is the image of
+ * turn - 1 - i (modulo their number). O(n), at most 64 times. False: there is none, or not among the 64 that are the most upright.
+ */
+bool bat_mirror_find(const bat_curve *curve, const double upright[2], double within, bat_mirror *out,
+                     int *turn);
+/* The same with an axis that is known. */
+bool bat_mirror_turn(const bat_mirror *mirror, const bat_curve *curve, double within, int *turn);
+/* How far control points are from where their images belong, at most. */
+double bat_mirror_uneven(const bat_mirror *mirror, const bat_curve *curve, int turn);
+/*
  * Of a curve whose control points mirrored each other (to `within`) and have been moved since, its knots the same: the
  * curve where they mirror each other again. Of two that belong together the one that moved farther counts; those where
  * neither moved stay bit for bit. BAT_STATE: it is no such curve.

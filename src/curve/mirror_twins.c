@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { TRIES = 64 };             /* axes that are looked at */
+static const double EVEN = 1e-9; /* of the knots' extent: spans that are as long as their images */
+
 /* Whether b ends where the ends of a have their images; both may be closed. */
 static bool ends_meet(const bat_mirror *m, const bat_curve *a, const bat_curve *b, double within) {
     double ends[2][4], domain[2];
@@ -87,4 +90,125 @@ bat_status bat_mirror_net(const bat_mirror *m, const bat_curve *before, const ba
                                          points, knots, bat_curve_knots(after), out);
     free(points);
     return status;
+}
+
+/* ---- the axis of a curve that is its own ---- */
+
+typedef struct figure {
+    const bat_curve *curve;
+    int count;
+    double middle[2]; /* of the control points */
+} figure;
+
+static int image_of(const figure *f, int turn, int i) { return (2 * f->count - 1 - i + turn) % f->count; }
+
+static const double *point(const figure *f, int i) { return bat_curve_points(f->curve) + 2 * i; }
+
+static double far(const figure *f, int i) {
+    return bat_hypot(point(f, i)[0] - f->middle[0], point(f, i)[1] - f->middle[1]);
+}
+
+/* Spans and control points' distances from their middle, compared with those of their images: what no axis could mend. */
+static bool can_be(const figure *f, int turn, double within) {
+    const double *t = bat_curve_knots(f->curve);
+    const int p = bat_curve_degree(f->curve), last = bat_curve_knot_count(f->curve) - 1;
+    const bool closed = bat_curve_is_closed(f->curve);
+    for (int i = 0; i < f->count; i++)
+        if (fabs(far(f, i) - far(f, image_of(f, turn, i))) > within) return false;
+    for (int k = 0; k < last; k++) {
+        const int j = closed ? (2 * f->count + turn - 1 + p - k) % f->count : last - 1 - k;
+        if (fabs((t[k + 1] - t[k]) - (t[j + 1] - t[j])) > EVEN * (t[last] - t[0])) return false;
+    }
+    return true;
+}
+
+/* The axis with the least sum of squared distances between control points and images. */
+static bat_mirror best_axis(const figure *f, int turn) {
+    double a = 0, b = 0;
+    for (int i = 0; i < f->count; i++) {
+        const double *p = point(f, i), *q = point(f, image_of(f, turn, i));
+        const double px = p[0] - f->middle[0], py = p[1] - f->middle[1];
+        const double qx = q[0] - f->middle[0], qy = q[1] - f->middle[1];
+        a += px * qx - py * qy, b += px * qy + py * qx;
+    }
+    const double size = bat_hypot(a, b);
+    bat_mirror m = {true, {f->middle[0], f->middle[1]}, {0, 1}};
+    if (!(size > 0)) return m;
+    a /= size, b /= size; /* cosine and sine of twice the axis' angle */
+    m.along[0] = a > 0 ? sqrt((1 + a) / 2) : b / 2 / sqrt((1 - a) / 2);
+    m.along[1] = a > 0 ? b / 2 / m.along[0] : sqrt((1 - a) / 2);
+    return m;
+}
+
+double bat_mirror_uneven(const bat_mirror *m, const bat_curve *curve, int turn) {
+    const figure f = {.curve = curve, .count = (int)bat_curve_count(curve)};
+    double worst = 0, at[2];
+    for (int i = 0; i < f.count; i++) {
+        const double *q = point(&f, image_of(&f, turn, i));
+        bat_mirror_point(m, point(&f, i), at);
+        worst = fmax(worst, bat_hypot(at[0] - q[0], at[1] - q[1]));
+    }
+    return worst;
+}
+
+/* Which control point is farthest from the middle. */
+static int farthest(const figure *f) {
+    int most = 0;
+    for (int i = 1; i < f->count; i++)
+        if (far(f, i) > far(f, most)) most = i;
+    return most;
+}
+
+/* How upright the axis is that a turn needs for one control point alone: 0 to 1; -1: none. */
+static double upright_by(const figure *f, int turn, int i, const double upright[2], double within) {
+    const double *p = point(f, i), *q = point(f, image_of(f, turn, i));
+    const double x = p[0] + q[0] - 2 * f->middle[0], y = p[1] + q[1] - 2 * f->middle[1];
+    const double across[2] = {q[0] - p[0], q[1] - p[1]}, apart = bat_hypot(across[0], across[1]),
+                 along = bat_hypot(x, y), wish = bat_hypot(upright[0], upright[1]);
+    if (fabs(far(f, i) - far(f, image_of(f, turn, i))) > within || !(along > 0 || apart > 0) || !(wish > 0))
+        return -1;
+    return along > apart ? fabs(x * upright[0] + y * upright[1]) / along / wish
+                         : fabs(across[0] * upright[1] - across[1] * upright[0]) / apart / wish;
+}
+
+bool bat_mirror_find(const bat_curve *curve, const double upright[2], double within, bat_mirror *out,
+                     int *turn) {
+    figure f = {.curve = curve, .count = (int)bat_curve_count(curve)};
+    double last = 2;
+    int last_turn = -1;
+    if (bat_curve_dimension(curve) != 2) return false;
+    for (int i = 0; i < f.count; i++)
+        for (int k = 0; k < 2; k++) f.middle[k] += point(&f, i)[k] / f.count;
+    const int reference = farthest(&f), turns = bat_curve_is_closed(curve) ? f.count : 1;
+    for (int tries = 0; tries < TRIES; tries++) { /* the most upright first */
+        double best = -1;
+        int best_turn = -1;
+        for (int t = 0; t < turns; t++) {
+            const double key = upright_by(&f, t, reference, upright, within);
+            if (key > best && (key < last || (key == last && t > last_turn))) best = key, best_turn = t;
+        }
+        if (best_turn < 0) return false;
+        const bat_mirror m = best_axis(&f, best_turn);
+        if (can_be(&f, best_turn, within) && bat_mirror_uneven(&m, curve, best_turn) <= within) {
+            *out = m, *turn = best_turn;
+            return true;
+        }
+        last = best, last_turn = best_turn;
+    }
+    return false;
+}
+
+bool bat_mirror_turn(const bat_mirror *m, const bat_curve *curve, double within, int *turn) {
+    double at[2];
+    const figure f = {.curve = curve, .count = (int)bat_curve_count(curve), .middle = {m->at[0], m->at[1]}};
+    bat_mirror_point(m, point(&f, 0), at);
+    for (int t = 0; t < (bat_curve_is_closed(curve) ? f.count : 1); t++) {
+        const double *q = point(&f, image_of(&f, t, 0));
+        if (bat_hypot(at[0] - q[0], at[1] - q[1]) <= within && can_be(&f, t, within) &&
+            bat_mirror_uneven(m, curve, t) <= within) {
+            *turn = t;
+            return true;
+        }
+    }
+    return false;
 }

@@ -220,12 +220,14 @@ static double best_of(const task *t, speeds *best) {
     return least;
 }
 
-static bat_status check(const bat_blend_options *o) {
-    for (int e = 0; e < 2; e++)
-        if (o->continuity[e] < 0 || o->continuity[e] > BAT_CONTINUITY_MAX ||
-            !bat_curve_end_is_tension(o->tension[e]))
+bat_status bat_blend_options_read(const bat_blend_options *given, bat_blend_options *own) {
+    *own = bat_blend_defaults();
+    const bat_status status = bat_options_read(given, sizeof *own, sizeof *own, own);
+    for (int e = 0; e < 2 && status == BAT_OK; e++)
+        if (own->continuity[e] < 0 || own->continuity[e] > BAT_CONTINUITY_MAX ||
+            !bat_curve_end_is_tension(own->tension[e]))
             return BAT_ARGUMENT;
-    return BAT_OK;
+    return status;
 }
 
 /* Ends moved and scaled so that the first is at the origin and they are 1 apart. */
@@ -252,10 +254,10 @@ static bat_status make(const task *t, const speeds *x, vec origin, double scale,
 
 bat_status bat_curve_blend(const bat_curve *a, bool a_end, const bat_curve *b, bool b_end,
                            const bat_blend_options *options, bat_curve **out, double *variation) {
-    bat_blend_options o = bat_blend_defaults();
+    bat_blend_options o;
     bat_status status = bat_ends_check(a, b);
-    if (status == BAT_OK) status = bat_options_read(options, sizeof o, sizeof o, &o);
-    if (status == BAT_OK) status = out ? check(&o) : BAT_ARGUMENT;
+    if (status == BAT_OK) status = bat_blend_options_read(options, &o);
+    if (status == BAT_OK && !out) status = BAT_ARGUMENT;
     if (status != BAT_OK) return status;
     task t = {.end = {bat_curve_end_at(a, a_end, !a_end), bat_curve_end_at(b, b_end, b_end)},
               .order = {o.continuity[0], o.continuity[1]},

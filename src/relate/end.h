@@ -3,7 +3,7 @@
 #define BATTEN_RELATE_END_H
 
 #include "base/vec.h"
-#include <batten/curve.h>
+#include <batten/blend.h>
 
 /* Point, unit tangent, curvature vector, and third derivative by arc length. docs/math/blend.md 1. */
 typedef struct bat_curve_end {
@@ -19,6 +19,8 @@ bat_curve_end bat_curve_end_at(const bat_curve *curve, bool last, bool turned);
 void bat_curve_end_derive(const bat_curve_end *end, const double s[3], vec d[3]);
 /* Whether a factor on the speed at an end is from 1e-3 to 1e3. */
 bool bat_curve_end_is_tension(double factor);
+/* The options as this version has them, whatever the caller's; NULL: the defaults. BAT_ARGUMENT: one is out of its range. */
+bat_status bat_blend_options_read(const bat_blend_options *given, bat_blend_options *own);
 /* Whether a and b are open and of one dimension, else what is wrong. */
 bat_status bat_ends_check(const bat_curve *a, const bat_curve *b);
 

@@ -115,62 +115,122 @@ static bat_status find_nodes(outline *o, double corner) {
 
 /* ---- what is too small to be a node ---- */
 
-static void take_out(outline *o, int i) {
-    memmove(o->nodes + i, o->nodes + i + 1, (size_t)(--o->count - i) * sizeof *o->nodes);
-}
-
 static bool is_of(const node *n, int axis) { return n->fixed || n->axis[0] == axis; }
 
-/* The node after i along which the axis turns back, or a fixed one; -1: none. */
-static int next_of(const outline *o, int i, int axis) {
-    for (int k = i + 1; k < i + o->count + 1; k++) {
-        if (k >= o->count && !o->curve->closed) return -1;
-        if (is_of(&o->nodes[k % o->count], axis)) return k % o->count;
+/* The nodes of one axis, each with the next and the one before (-1: none), and pairs of them in a heap, the least apart first. */
+typedef struct pair {
+    double apart;
+    int first, second;
+} pair;
+
+typedef struct chain {
+    int *next, *before;
+    bool *gone;
+    pair *heap;
+    int pairs;
+} chain;
+
+static bool is_less(const pair *a, const pair *b) {
+    return a->apart < b->apart || (a->apart == b->apart && a->first < b->first);
+}
+
+static void push(chain *c, pair one) {
+    int at = c->pairs++;
+    for (; at > 0 && is_less(&one, &c->heap[(at - 1) / 2]); at = (at - 1) / 2)
+        c->heap[at] = c->heap[(at - 1) / 2];
+    c->heap[at] = one;
+}
+
+static pair pop(chain *c) {
+    const pair top = c->heap[0], last = c->heap[--c->pairs];
+    int at = 0;
+    for (int child = 1; child < c->pairs; child = 2 * at + 1) {
+        if (child + 1 < c->pairs && is_less(&c->heap[child + 1], &c->heap[child])) child++;
+        if (!is_less(&c->heap[child], &last)) break;
+        c->heap[at] = c->heap[child], at = child;
     }
-    return -1;
+    c->heap[at] = last;
+    return top;
+}
+
+static void push_from(const outline *o, chain *c, int first, int axis) {
+    const int second = first < 0 ? -1 : c->next[first];
+    if (second < 0 || second == first || (o->nodes[first].fixed && o->nodes[second].fixed)) return;
+    push(c, (pair){fabs(o->nodes[first].at[axis] - o->nodes[second].at[axis]), first, second});
+}
+
+/* The nodes of the axis as they follow each other; how many extremes there are. */
+static int link_nodes(const outline *o, chain *c, int axis) {
+    int last = -1, start = -1, extremes = 0;
+    for (int i = 0; i < o->count; i++) {
+        c->next[i] = c->before[i] = -1;
+        if (!is_of(&o->nodes[i], axis)) continue;
+        extremes += !o->nodes[i].fixed;
+        if (last >= 0) c->next[last] = i, c->before[i] = last;
+        if (start < 0) start = i;
+        last = i;
+    }
+    if (o->curve->closed && start >= 0) c->next[last] = start, c->before[start] = last;
+    for (int i = 0; i < o->count; i++)
+        if (is_of(&o->nodes[i], axis)) push_from(o, c, i, axis);
+    return extremes;
+}
+
+static void unlink_node(const outline *o, chain *c, int i, int axis) {
+    const int before = c->before[i], next = c->next[i];
+    c->gone[i] = true;
+    if (before >= 0) c->next[before] = next;
+    if (next >= 0) c->before[next] = before;
+    if (before != i) push_from(o, c, before, axis);
 }
 
 /* Two extremes of an axis that follow each other and are hardly apart go, the least apart first; beside a corner or
- * an end the one goes. */
-static void flatten(outline *o, int axis) {
-    for (;;) {
-        double least = INFINITY;
-        int first = -1, second = -1, extremes = 0;
-        for (int i = 0; i < o->count; i++) {
-            const int k = is_of(&o->nodes[i], axis) ? next_of(o, i, axis) : -1;
-            extremes += !o->nodes[i].fixed && o->nodes[i].axis[0] == axis;
-            if (k < 0 || k == i || (o->nodes[i].fixed && o->nodes[k].fixed)) continue;
-            const double apart = fabs(o->nodes[i].at[axis] - o->nodes[k].at[axis]);
-            if (apart < least) least = apart, first = i, second = k;
+ * an end the one goes. O(n log n). */
+static bat_status flatten(outline *o, int axis) {
+    const size_t n = (size_t)o->count + 1;
+    int *links = malloc(2 * n * sizeof *links), kept = 0;
+    bool *gone = calloc(n, sizeof *gone);
+    pair *heap = malloc(3 * n * sizeof *heap);
+    chain c = {links, links + n, gone, heap, 0};
+    const bat_status status = links && gone && heap ? BAT_OK : BAT_MEMORY;
+    int extremes = status == BAT_OK ? link_nodes(o, &c, axis) : 0;
+    while (status == BAT_OK && c.pairs > 0) {
+        const pair least = pop(&c);
+        if (gone[least.first] || gone[least.second] || c.next[least.first] != least.second) continue;
+        if (!(least.apart <= o->tolerance) || (o->curve->closed && extremes < 3)) break;
+        for (int k = 0; k < 2; k++) {
+            const int i = k ? least.first : least.second;
+            if (o->nodes[i].fixed) continue;
+            unlink_node(o, &c, i, axis);
+            extremes--;
         }
-        if (!(least <= o->tolerance) || (o->curve->closed && extremes < 3)) return;
-        if (second < first) {
-            const int k = first;
-            first = second, second = k;
-        }
-        if (!o->nodes[second].fixed) take_out(o, second);
-        if (!o->nodes[first].fixed) take_out(o, first);
     }
+    for (int i = 0; i < o->count && status == BAT_OK; i++)
+        if (!gone[i]) o->nodes[kept++] = o->nodes[i];
+    if (status == BAT_OK) o->count = kept;
+    free(links), free(gone), free(heap);
+    return status;
 }
+
+static bool are_one(const node *a, const node *b) { return a->at[0] == b->at[0] && a->at[1] == b->at[1]; }
 
 /* On the grid, nodes that follow each other may be one. */
 static void round_nodes(outline *o) {
-    for (int i = 0; i < o->count; i++) place(o, o->nodes[i].u[0], o->nodes[i].at);
-    for (int i = 0; i < o->count && o->count > 1;) {
-        node *a = &o->nodes[i], *b = &o->nodes[(i + 1) % o->count];
-        const bool wraps = i + 1 == o->count;
-        if ((wraps && !o->curve->closed) || a->at[0] != b->at[0] || a->at[1] != b->at[1]) {
-            i++;
-            continue;
-        }
-        if (wraps) { /* the first takes the last over */
-            b->u[0] = a->u[0], b->axis[0] = a->axis[0];
-            take_out(o, i);
-            return;
-        }
-        a->u[1] = b->u[1], a->axis[1] = b->axis[1], a->fixed = a->fixed || b->fixed;
-        take_out(o, i + 1);
+    int kept = 0;
+    for (int i = 0; i < o->count; i++) {
+        const node now = o->nodes[i];
+        node *last = kept > 0 ? &o->nodes[kept - 1] : NULL, *added = &o->nodes[kept];
+        *added = now;
+        place(o, now.u[0], added->at);
+        if (last && are_one(last, added))
+            last->u[1] = now.u[1], last->axis[1] = now.axis[1], last->fixed = last->fixed || now.fixed;
+        else
+            kept++;
     }
+    o->count = kept;
+    if (kept < 2 || !o->curve->closed || !are_one(o->nodes, &o->nodes[kept - 1])) return;
+    o->nodes[0].u[0] = o->nodes[kept - 1].u[0], o->nodes[0].axis[0] = o->nodes[kept - 1].axis[0];
+    o->count--; /* the first takes the last over */
 }
 
 /* ---- pieces ---- */
@@ -330,7 +390,7 @@ bat_status bat_curve_refit_extremes(const bat_curve *curve, double tolerance, do
     bat_curve_domain(curve, o.domain);
     o.size = bat_curve_size(curve), o.spans = bat_curve_segment_count(curve);
     bat_status status = find_nodes(&o, corner);
-    for (int axis = 0; axis < 2 && status == BAT_OK; axis++) flatten(&o, axis);
+    for (int axis = 0; axis < 2 && status == BAT_OK; axis++) status = flatten(&o, axis);
     if (status == BAT_OK) round_nodes(&o), status = cover_all(&o);
     if (status == BAT_OK) status = assemble(&o, &made);
     if (status == BAT_OK) status = bat_curve_distance(curve, made, CHECKED, &there, &back);

@@ -162,6 +162,17 @@ class Levels(ProgramTest):
         change = numpy.array(moved["curves"][0]["points"]) - before["curves"][0]["points"]
         self.assertLess(numpy.abs(change - numpy.outer(numpy.arange(7) == 2, [1, 2, 3])).max(), 1e-13)
 
+    def test_symmetry_is_held(self):
+        points = [[-9, 0], [-8, 4.5], [-5, 6], [-2, 8], [2, 8], [5, 6], [8, 4.5], [9, 0]]
+        outline = {"dimension": 2, "degree": 3, "closed": False, "points": points, "knots": [0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5]}
+        shape = self.json("levels", "--decompose", "1", self.file("even.json", outline))
+        for level in range(2):
+            edit = {"type": "drag", "level": level, "u": 1.3, "delta": [-0.7, 0.4], "hold": {"symmetry": True}}
+            after = self.levels(shape, [edit])["curves"][-1]["points"]
+            self.assertNotEqual(after, points)
+            for (x, y), (p, q) in zip(after, reversed(after)):
+                self.assertLess(max(abs(x + p), abs(y - q)), 1e-9 * 18)
+
     def test_edits_hold(self):
         """Length by quadrature, places and directions by scipy, area by the shoelace formula, to 1e-9 of the size."""
         def measures(curve):

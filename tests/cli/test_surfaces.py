@@ -285,5 +285,31 @@ class Intersect(ProgramTest):
         self.refused(1, "surface", "intersect", names[0], self.file("e.json", {"degree": 3}))
 
 
+class Blend(ProgramTest):
+    def test_goes_on_with_the_derivatives_of_both(self):
+        """By scipy: across each edge the first and the second derivative are the surface's, times one factor and its square."""
+        a, b = surface(), surface((4, 3))
+        made = self.json("surface", "blend", self.file("a.json", a), self.file("b.json", b), "--from", "u1", "--to", "u0",
+                         "--continuity", "G2", "--continuity-to", "G1")
+        made = made.get("surface", made)
+        turned = numpy.abs(value(made, 0.25, 1) - value(b, 1, 1.5)).max() > 1e-9
+        for w in (0.0, 0.2, 0.55, 1.0):
+            for sheet, at, share, v, orders in ((a, 3, w, 0, 2), (b, 1, 1 - w if turned else w, 1, 1)):
+                u = 1 + 2 * share
+                self.assertLess(numpy.abs(value(made, w, v) - value(sheet, at, u)).max(), 1e-9)
+                factor = None
+                for order in range(1, orders + 1):
+                    mine, its = value(made, w, v, nv=order), value(sheet, at, u, nu=order)
+                    factor = factor or mine @ its / (its @ its)
+                    self.assertLess(numpy.abs(mine - factor ** order * its).max(), 1e-7 * numpy.abs(its).max() * factor ** order)
+
+    def test_refusals(self):
+        sheet, ring = self.file("s.json", surface()), self.file("r.json", surface(closed=(True, False)))
+        self.assertIn("open", self.refused(1, "surface", "blend", sheet, ring, "--to", "v0"))
+        self.refused(1, "surface", "blend", sheet, sheet, "--from", "u1", "--to", "u1")
+        self.refused(2, "surface", "blend", sheet, sheet, "--continuity", "G4")
+        self.refused(2, "surface", "blend", sheet, sheet, "--tension", "0,1")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -183,6 +183,7 @@ ON_WAVE(simplify, COUNT(bat_curve_simplify(c, 0.3, 0.1, &made, NULL)))
 ON_WAVE(refit, COUNT(bat_curve_refit(c, 0.1, 0.1, &made, NULL)))
 ON_WAVE(refit_g1, COUNT(bat_curve_refit_g1(c, 0.1, 0.1, &made, NULL)))
 ON_WAVE(refit_extremes, COUNT(bat_curve_refit_extremes(c, 0.1, 0.1, 0, &made, NULL)))
+ON_WAVE(refit_extremes_few, COUNT(bat_curve_refit_extremes(c, 60, 0.1, 1, &made, NULL)))
 ON_WAVE(length, COUNT_ALL(bat_curve_length(c, 0, end, 1e-9)))
 ON_WAVE(area, COUNT_ALL(bat_curve_area(c)))
 ON_WAVE(calm, COUNT(bat_sketch_calm(c, (const double[2]){0.1 * end, 0.9 * end}, 1, 1, &made)))
@@ -643,6 +644,7 @@ static bat_curve *isocurve_of(const bat_surface *s) {
 static const double turn_in_space[12] = {0, 1, 0, 3, 1, 0, 0, 2, 0, 0, 1, 1};
 static const bat_viewpoint view = {
     .eye = {50, -400, 300}, .target = {50, 0, 0}, .up = {0, 0, 1}, .size = {800, 600}, .height = 300};
+ON_SURFACE(surface_blend, false, COUNT(bat_surface_blend(s, BAT_SIDE_U1, s, BAT_SIDE_U0, NULL, &made)))
 ON_SURFACE(surface_transform, false, COUNT(bat_surface_transform(s, turn_in_space, &made)))
 ON_SURFACE(isocurve, false, bat_curve_free(isocurve_of(s)))
 static void surface_nearest(int n) {
@@ -860,6 +862,7 @@ static const row rows[] = {
     {"curve: refit", refit, 100, 0, NULL},
     {"curve: refit G1", refit_g1, 100, 0, NULL},
     {"curve: refit on extremes", refit_extremes, 100, 0, NULL},
+    {"curve: refit on extremes, of which few stay", refit_extremes_few, 100, 0, NULL},
     {"curve: Greville abscissae", greville, 500, 0, NULL},
     {"curve: n places at once", eval_many, 500, 0, NULL},
     {"curve: n places", eval_each, 500, 0, NULL},
@@ -924,6 +927,7 @@ static const row rows[] = {
     {"sweep: surface finer than rounding", sweep_refused, 20, 0, NULL},
     {"sweep: folds", sweep_folds, 60, 0, NULL},
     {"revolve", revolve, 60, 0, NULL},
+    {"blend of two edges", surface_blend, 200, 0, NULL},
     {"loft of n sections", loft, 40, 0, NULL},
     {"surface: transform", surface_transform, 100, 0, NULL},
     {"surface: a line of it", isocurve, 100, 0, NULL},

@@ -131,9 +131,11 @@ test('a blend is seen with its comb, and a slider for each end, before it is mad
   await sliders.nth(1).waitFor();
   await settle(page);
   assert.deepEqual(await sliders.evaluateAll((all) => all.map((one) => one.getAttribute('aria-label'))), ['At end 1', 'At end 2']);
-  assert.deepEqual(await page.locator('.chips button').allTextContents(), ['G0', 'G1', 'G2', 'G3', 'Keep this']);
-  await page.locator('.chips button', { hasText: 'G3' }).click();
+  assert.deepEqual(await page.locator('.chips button').allTextContents(), [1, 2].flatMap((end) => ['G0', 'G1', 'G2', 'G3'].map((way) => `${end}: ${way}`)).concat('Keep this'));
+  await page.locator('.chips button', { hasText: '1: G3' }).click();
+  await page.locator('.chips button', { hasText: '2: G1' }).click();
   await settle(page);
+  assert.deepEqual(await page.locator('.chips [aria-pressed=true]').allTextContents(), ['1: G3', '2: G1'], 'each end its own');
   const far = () => page.evaluate(() => batten.engine.readings());
   await sliders.nth(1).focus();
   for (let i = 0; i < 12; i++) {

@@ -71,7 +71,7 @@ export class LevelStrip {
     this.tools = make('div', 'level-controls');
     this.study = make('div', 'level-controls');
     this.more = this.#commands(['level-add', 'levels-copy', 'levels-flatten']);
-    for (const name of ['hold-length', 'hold-area', 'show-levels', 'show-frames', 'frame-rule', 'level-sketch']) {
+    for (const name of ['hold-length', 'hold-area', 'hold-symmetry', 'show-levels', 'show-frames', 'frame-rule', 'level-sketch']) {
       this.study.append(this.#property(name));
     }
     this.apartNow = this.#commands(['take-apart']);

@@ -14,6 +14,7 @@ import { tell } from '../page/words.js';
  * @property {string[]} words empty: it has no other reading
  * @property {number} [other] of a second slider
  * @property {string} [of] what was done to a selection and can be chosen otherwise: simplify, earlier, offset, array, blend, match
+ * @property {number} [also] of a second group of words, the chosen one
  * @property {number} [ways] how many of the words are chosen one instead of another; what follows them does something
  * @property {string} [typed] the properties that can also be typed
  * @property {number} [step] of the slider
@@ -54,7 +55,7 @@ export class Chips {
 
   /** @param {boolean} some */
   show(some) {
-    const { at, chosen, amount, words, ways = Infinity, typed = '', of = '', around, step = 0.05, said = '', other } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
+    const { at, chosen, amount, words, ways = Infinity, typed = '', of = '', around, step = 0.05, said = '', other, also = -1 } = some ? this.engine.readings() : { at: [0, 0], chosen: -1, amount: -1, words: [] };
     this.at = at;
     this.around = around;
     if (amount < 0 && this.box.contains(document.activeElement)) {
@@ -82,7 +83,7 @@ export class Chips {
         measure.input.removeAttribute('aria-invalid');
       }
     }
-    this.box.querySelectorAll('button').forEach((chip, i) => chosen < 0 || i >= ways || chip.setAttribute('aria-pressed', String(i === chosen)));
+    this.box.querySelectorAll('button').forEach((chip, i) => chosen < 0 || i >= ways || chip.setAttribute('aria-pressed', String(i === chosen || i === also)));
     this.points.textContent = said;
     this.#place();
   }

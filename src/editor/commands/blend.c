@@ -1,5 +1,6 @@
 /*
- * A blend between two open curves, or between the ends of one, and the first curve's end matched to the second: shown with its comb
+ * A blend between two open curves, between the ends of one, or between the edges of two surfaces, or of a surface and a curve; and the first
+ * curve's end matched to the second: shown with its comb
  * over the drawing while continuity and tension are chosen; kept, it is one step. The nearest ends are meant.
  */
 #include "base/real.h"
@@ -7,6 +8,7 @@
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/commands/beside.h"
+#include "editor/commands/blend_edges.h"
 #include "editor/commands/tuning.h"
 #include "editor/edit/curves_of.h"
 #include "editor/session/journal_line.h"
@@ -35,6 +37,13 @@ static bool is_possible(const bat_document *document, int index) {
     const bat_object *object = bat_document_at(document, index);
     const bat_nesting_level level = bat_document_level(document, index);
     return !level.hidden && !level.locked && bat_object_is_made_of_curves(object);
+}
+
+/* For a blend, surfaces, too. */
+static bool is_possible_edge(const bat_document *document, int index) {
+    const bat_nesting_level level = bat_document_level(document, index);
+    return is_possible(document, index) ||
+           (!level.hidden && !level.locked && bat_object_surface(bat_document_at(document, index)));
 }
 
 static const bat_curve *curve_of(const ends *e, int k) { return bat_object_curve(e->object[k], e->curve[k]); }
@@ -69,7 +78,7 @@ static bat_status find(const bat_tuning *t, ends *e) {
     int found = 0;
     for (int i = 0; i < t->count; i++)
         for (int k = 0; k < bat_object_curve_count(t->before[i]); k++) {
-            if (!is_open(t->before[i], k)) continue;
+            if (bat_object_surface(t->before[i]) || !is_open(t->before[i], k)) continue;
             if (found < 2) e->object[found] = t->before[i], e->curve[found] = k;
             found++;
         }
@@ -89,13 +98,22 @@ static bat_status find(const bat_tuning *t, ends *e) {
 
 static double tension_at(double amount) { return bat_exp((amount - 0.5) * bat_log(RANGE)); }
 
-/* Of two curves of one dimension. */
-static bat_status make_of(const bat_tuning *t, const ends *e, bat_curve *const side[2], bat_curve **out) {
+/* At an end: a blend's way says both. */
+static int continuity_at(const bat_tuning *t, int end) { return end ? t->way / WAYS : t->way % WAYS; }
+
+static bat_blend_options options_of(const bat_tuning *t) {
     bat_blend_options options = bat_blend_defaults();
     const double tension[2] = {tension_at(t->amount), tension_at(t->other)};
+    for (int k = 0; k < 2; k++) options.continuity[k] = continuity_at(t, k), options.tension[k] = tension[k];
+    return options;
+}
+
+/* Of two curves of one dimension. */
+static bat_status make_of(const bat_tuning *t, const ends *e, bat_curve *const side[2], bat_curve **out) {
+    const bat_blend_options options = options_of(t);
     if (t->kind == &matching)
-        return bat_curve_match(side[0], e->last[0], side[1], e->last[1], t->way, tension[0], out, NULL);
-    for (int k = 0; k < 2; k++) options.continuity[k] = t->way, options.tension[k] = tension[k];
+        return bat_curve_match(side[0], e->last[0], side[1], e->last[1], options.continuity[0],
+                               options.tension[0], out, NULL);
     return bat_curve_blend(side[0], e->last[0], side[1], e->last[1], &options, out, NULL);
 }
 
@@ -113,12 +131,30 @@ static bat_status make(const bat_tuning *t, const ends *e, bat_curve **out) {
     return status;
 }
 
+/* The blend of surfaces, as lines across it. BAT_STATE: it is not between such. */
+static bat_status show_edges(bat_context *c) {
+    bat_tuning *t = c->tuning;
+    const bat_blend_options options = options_of(t);
+    bat_edge_pair pair;
+    bat_surface *made = NULL;
+    if (!bat_edge_pair_find(t->count, t->before, &pair)) return BAT_STATE;
+    bat_status status = bat_edge_pair_blend(&pair, &options, &made);
+    if (status != BAT_OK) return status;
+    bat_tuning_unshow(t);
+    status = bat_edge_pair_show(t, made);
+    bat_surface_free(made);
+    t->version++;
+    return status;
+}
+
 /* Ends between which there is none leave nothing to show; any other failure leaves what was shown. */
 static bat_status show(bat_context *c) {
     bat_tuning *t = c->tuning;
     ends e;
     bat_curve *made = NULL;
-    bat_status status = find(t, &e);
+    bat_status status = show_edges(c);
+    if (status != BAT_STATE) return status;
+    status = find(t, &e);
     if (status == BAT_OK) status = make(t, &e, &made);
     if (status != BAT_OK && status != BAT_SINGULAR) return status;
     bat_tuning_unshow(t);
@@ -156,8 +192,27 @@ static bat_status other(bat_context *c, double amount, bool done) {
 
 /* ---- kept ---- */
 
-/* The blend has the style of the first curve, and lies before it. */
+static bat_status add_surface(bat_context *c, const bat_edge_pair *pair, int index, bat_beside *m) {
+    const bat_blend_options options = options_of(c->tuning);
+    bat_surface *made = NULL;
+    bat_object *beside = NULL;
+    m->fit++;
+    bat_status status = bat_edge_pair_blend(pair, &options, &made);
+    if (status == BAT_OK) status = bat_edge_pair_object(pair, made, &beside);
+    if (status == BAT_OK) status = bat_beside_insert(c, index + 1, beside, m);
+    bat_object_release(beside);
+    bat_surface_free(made);
+    return status;
+}
+
+/* The blend has the style of the first curve or surface, and lies before it. */
 static bat_status add(bat_context *c, int index, bat_beside *m) {
+    bat_edge_pair pair;
+    if (bat_edge_pair_find(c->tuning->count, c->tuning->before, &pair)) {
+        const bat_id first = bat_object_id(pair.object[0]);
+        const bool here = bat_object_id(bat_document_at(c->session->document, index)) == first;
+        return here ? add_surface(c, &pair, index, m) : BAT_OK;
+    }
     const bat_object *object = bat_document_at(c->session->document, index);
     ends e;
     bat_curve *made = NULL;
@@ -203,21 +258,37 @@ static bat_status keep(bat_context *c) {
     return status;
 }
 
+/* How many continuities are offered: of a matched end, or of both ends of a blend. */
+static int ways_of(const bat_tuning *t) { return t->kind == &matching ? WAYS : 2 * WAYS; }
+
 /* The continuities, and then to keep it. */
 static bat_status choose(bat_context *c, int way) {
-    if (way > WAYS) return BAT_ARGUMENT;
-    if (way == WAYS) return keep(c);
-    return take(c, c->tuning->amount, c->tuning->other, way < 0 ? (c->tuning->way + 1) % WAYS : way);
+    const bat_tuning *t = c->tuning;
+    const int count = ways_of(t), first = continuity_at(t, 0), second = continuity_at(t, 1);
+    if (way > count) return BAT_ARGUMENT;
+    if (way == count) return keep(c);
+    const int next = (first + 1) % WAYS; /* at both ends */
+    return take(c, t->amount, t->other,
+                way < 0      ? next + WAYS * next
+                : way < WAYS ? way + WAYS * second
+                             : first + WAYS * (way - WAYS));
 }
 
-static int way(const bat_context *c) { return c->tuning->way; }
+static int way(const bat_context *c) { return continuity_at(c->tuning, 0); }
 
 static void write(bat_context *c, bat_text *text) {
     const bat_tuning *t = c->tuning;
-    bat_text_string(text, t->kind == &matching ? ",\"of\":\"match\"" : ",\"of\":\"blend\"");
-    bat_text_string(text, ",\"step\":0.01,\"ways\":4,\"said\":");
+    const bool both = t->kind != &matching;
+    bat_text_string(text, both ? ",\"of\":\"blend\",\"also\":" : ",\"of\":\"match\"");
+    if (both) bat_line_number(text, WAYS + continuity_at(t, 1));
+    bat_text_string(text, ",\"step\":0.01,\"ways\":");
+    bat_line_number(text, ways_of(t));
+    bat_text_string(text, ",\"said\":");
     bat_text_json_string(text, t->shown ? "" : bat_word(c, t->why));
-    bat_text_string(text, ",\"words\":[\"G0\",\"G1\",\"G2\",\"G3\",");
+    bat_text_string(text, ",\"words\":[");
+    bat_text_string(text,
+                    both ? "\"1: G0\",\"1: G1\",\"1: G2\",\"1: G3\",\"2: G0\",\"2: G1\",\"2: G2\",\"2: G3\","
+                         : "\"G0\",\"G1\",\"G2\",\"G3\",");
     bat_text_json_string(text, bat_word(c, BAT_STRING_EARLIER_KEEP));
 }
 
@@ -229,10 +300,10 @@ static const bat_tuning_kind
 
 bat_status bat_command_curve_blend(bat_context *c, bat_command_id id) {
     bat_tuning_free(c->tuning);
-    const bat_status gathered = bat_tuning_gather(c, is_possible);
+    const bool match = id == BAT_COMMAND_CURVE_MATCH;
+    const bat_status gathered = bat_tuning_gather(c, match ? is_possible : is_possible_edge);
     c->tuning->amount = c->tuning->other = 0.5;
-    c->tuning->way = USUAL;
+    c->tuning->way = USUAL + WAYS * USUAL;
     c->tuning->comb = true;
-    return bat_tuning_start(c, id == BAT_COMMAND_CURVE_MATCH ? &matching : &blending, gathered,
-                            BAT_STRING_NOTICE_SELECT_TWO_OPEN);
+    return bat_tuning_start(c, match ? &matching : &blending, gathered, BAT_STRING_NOTICE_SELECT_TWO_OPEN);
 }

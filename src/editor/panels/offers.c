@@ -1,5 +1,6 @@
 /* Which commands the selection makes possible: the contents of a row of buttons. */
 #include "document/document.h"
+#include "editor/commands/blend_edges.h"
 #include "editor/edit/arrange.h"
 #include "editor/edit/binding.h"
 #include "editor/choice/choice.h"
@@ -120,7 +121,7 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
     case BAT_COMMAND_ARC_PIE: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_PIE);
     case BAT_COMMAND_ARC_CHORD: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_CHORD);
     case BAT_COMMAND_ARC_OPEN: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_OPEN);
-    case BAT_COMMAND_CURVE_BLEND: return f->open == 1 || f->open == 2;
+    case BAT_COMMAND_CURVE_BLEND: return f->open == 1 || f->open == 2 || bat_edge_pair_fits(c);
     case BAT_COMMAND_CURVE_MATCH:
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
     case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;

@@ -16,7 +16,10 @@
 #include "editor/tools/toolbox.h"
 #include "editor/view/stage.h"
 #include "form/view/lift.h"
+#include "hands/tangents/spline.h"
+#include "kinds/spline.h"
 #include <batten/levels.h>
+#include <batten/refine.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,8 +50,7 @@ static const bat_curve *target(const bat_context *c, bat_id *id) {
     const int at = selection->count == 1 ? bat_document_find(c->session->document, selection->ids[0]) : -1;
     const bat_object *object = at < 0 ? NULL : bat_document_at(c->session->document, at);
     if (!object || bat_seen_out_of_reach(c, at) || !bat_object_is_made_of_curves(object) ||
-        bat_object_curve_count(object) != 1 || !all_is_seen(bat_object_shape(object, 0)) ||
-        bat_object_spline(object))
+        bat_object_curve_count(object) != 1 || !all_is_seen(bat_object_shape(object, 0)))
         return NULL;
     *id = selection->ids[0];
     return bat_object_curve(object, 0);
@@ -137,6 +139,33 @@ static bat_status take_apart(const bat_shape *was, const bat_curve *made, bat_sh
     return status == BAT_OK ? bat_shape_commit(*out) : status;
 }
 
+/* As one step; takes the object over, whatever it returns. */
+static bat_status replace(bat_context *c, int at, bat_object *after) {
+    bat_status status = bat_transaction_begin(c);
+    if (status == BAT_OK)
+        status = bat_transaction_end(c, bat_transaction_replace(c, at, after), BAT_STRING_STEP_LIFT);
+    bat_object_release(after);
+    return status;
+}
+
+/* A spline stays one, with a point wherever the heights have a knot; where it cannot, it is a curve from now on. */
+static bat_status as_spline(const bat_object *before, const bat_curve *made, bat_object **out) {
+    bat_tangents_options options = *bat_object_spline_options(before);
+    bat_curve *cubic = NULL;
+    bat_spline spline;
+    void *block = NULL;
+    if (options.mode != BAT_TANGENTS_FAITHFUL) options.mode = BAT_TANGENTS_ROUND;
+    bat_status status = bat_curve_elevate(made, 3, &cubic);
+    if (status == BAT_OK) status = bat_spline_through(cubic, &options, &spline, &block);
+    bat_curve_free(cubic);
+    bat_object *shaped = NULL;
+    if (status == BAT_OK) status = bat_object_with_spline_mode(before, options.mode, &shaped);
+    if (status == BAT_OK) status = bat_object_with_spline(shaped, &spline, out);
+    bat_object_release(shaped);
+    free(block);
+    return status;
+}
+
 /* The object with the curve as it was made; its dimension may be another than before. */
 static bat_status commit(bat_context *c, bat_lifting *l, bat_id id) {
     const int at = bat_document_find(c->session->document, id);
@@ -144,8 +173,11 @@ static bat_status commit(bat_context *c, bat_lifting *l, bat_id id) {
     bat_object *after = NULL;
     bat_curve *made = l->made;
     bat_shape *shape = NULL;
+    bat_status status = bat_object_spline(before) ? as_spline(before, made, &after) : BAT_OK;
+    if (status == BAT_OK && after) return replace(c, at, after);
+    if (status == BAT_TOLERANCE) status = BAT_OK;
+    if (status != BAT_OK) return status;
     l->made = NULL;
-    bat_status status = BAT_OK;
     if (bat_object_shape(before, 0)) status = take_apart(bat_object_shape(before, 0), made, &shape);
     if (status != BAT_OK) {
         bat_shape_free(shape);
@@ -159,12 +191,7 @@ static bat_status commit(bat_context *c, bat_lifting *l, bat_id id) {
         bat_object_release(flat);
     } else
         bat_shape_free(shape);
-    if (status != BAT_OK) return status;
-    status = bat_transaction_begin(c);
-    if (status == BAT_OK)
-        status = bat_transaction_end(c, bat_transaction_replace(c, at, after), BAT_STRING_STEP_LIFT);
-    bat_object_release(after);
-    return status;
+    return status == BAT_OK ? replace(c, at, after) : status;
 }
 
 /* Whether the pen has stayed where it came down; a stroke round a ring ends there, too. */

@@ -411,6 +411,7 @@ static bat_status pull(const bat_json *json, uint32_t object, bat_shape *shape, 
     if (status != BAT_OK) return status;
     held.length = is(json, bat_json_member(json, hold, "length"), BAT_JSON_TRUE);
     held.area = is(json, bat_json_member(json, hold, "area"), BAT_JSON_TRUE);
+    held.symmetry = is(json, bat_json_member(json, hold, "symmetry"), BAT_JSON_TRUE);
     if (index >= 0)
         status = hold ? bat_shape_move_held(shape, level, index, delta, &held)
                       : bat_shape_move(shape, level, index, delta);

@@ -3,26 +3,103 @@
 
 #include "curve/banded.h"
 #include "curve/curve.h"
+#include "curve/mirror.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double SLOW = 0.5; /* a coarse curve slower than this carries no frame */
+static const double SLOW = 0.5;  /* a coarse curve slower than this carries no frame */
+static const double EVEN = 1e-5; /* of the size: as symmetric as a file with few digits says it */
 
-/* How many of the knots are the rank-th repeat of their value (0: its first copy); `before` is the knot
- * before the first. With `stays`: marks `kept` of them, evenly spaced. */
-static int copies(const double *knots, int count, double before, int rank, int total, int kept, bool *stays) {
-    int copy = 0, seen = 0, chosen = 0;
+/* How knots are left out of a curve: of one that is its own mirror image so that what is left is, too, if it can be. */
+typedef struct thinning {
+    bool even, off; /* off: the seam of a closed curve is not on the axis, but has its image at */
+    double image;
+} thinning;
+
+static int evenly(int i, int total, int kept) { return (int)((i + 0.5) * total / kept); }
+
+/* Whether the at-th of `total` is among the first `count` of `kept` that are evenly spaced. */
+static bool is_among(int at, int total, int kept, int count) {
+    const int near = kept > 0 ? (int)((at + 0.5) * kept / total) : 0;
+    for (int i = near > 0 ? near - 1 : 0; i <= near + 1 && i < count; i++)
+        if (evenly(i, total, kept) == at) return true;
+    return false;
+}
+
+static bool is_kept(bool even, int at, int total, int kept) {
+    if (!even) return is_among(at, total, kept, kept);
+    return is_among(at, total, kept, kept - kept / 2) || is_among(total - 1 - at, total, kept, kept / 2);
+}
+
+/* How many of `kept` lie before the seam's image, of `total` of which `before` do: in proportion, and so that both parts can be
+ * symmetric, if they can; else -1. */
+static int share(int total, int before, int kept) {
+    const int after = total - before, wish = total > 0 ? (int)((double)kept * before / total + 0.5) : 0;
+    for (int i = 0; i <= 4; i++) { /* 0, 1, -1, 2, -2 from it */
+        const int mine = wish + (i % 2 ? (i + 1) / 2 : -i / 2), rest = kept - mine;
+        const bool can = (mine % 2 == 0 || before % 2) && (rest % 2 == 0 || after % 2);
+        if (mine >= 0 && mine <= before && rest >= 0 && rest <= after && can) return mine;
+    }
+    return -1;
+}
+
+/* Lists the knots that are the rank-th repeat of their value (0: its first copy); `before` is the knot before the first. How many. */
+static int list_copies(const double *knots, int count, double before, int rank, int *list) {
+    int copy = 0, total = 0;
     for (int i = 0; i < count; i++) {
         copy = knots[i] == (i ? knots[i - 1] : before) ? copy + 1 : 0;
-        if (copy != rank) continue;
-        if (stays && chosen < kept && seen == (int)((chosen + 0.5) * total / kept)) {
-            stays[i] = true;
-            chosen++;
-        }
-        seen++;
+        if (copy == rank) list[total++] = i;
     }
-    return seen;
+    return total;
+}
+
+/* Marks `kept` of `total` listed knots on both sides of the seam's image, which stays with the seam's own copy (own: the first of the
+ * list), or goes with it. False: they cannot be symmetric. */
+static bool keep_around(const int *list, int total, int kept, int own, int image, bool *stays) {
+    const int before = image - own, rest = total - own - 1;
+    int first = -1, both = own ? 0 : 1;
+    for (; both < 2 && first < 0; both++) {
+        const int left = kept - (both ? own + 1 : 0);
+        first = left >= 0 && left <= rest ? share(rest, before, left) : -1;
+    }
+    if (first < 0) return false;
+    const bool with = both == 2;
+    const int left = kept - (with ? own + 1 : 0);
+    for (int at = 0; at < total; at++)
+        stays[list[at]] = at == image || at < own ? with
+                          : at < image            ? is_kept(true, at - own, before, first)
+                                       : is_kept(true, at - image - 1, rest - before, left - first);
+    return true;
+}
+
+/* Marks `kept` of `total` listed knots, evenly spaced. */
+static void keep(const double *knots, const int *list, int total, int kept, double before, thinning how,
+                 bool *stays) {
+    int own = how.even && total > 0 && knots[list[0]] == before, image = -1;
+    for (int at = 0; at < total && how.off; at++)
+        if (knots[list[at]] == how.image) image = at;
+    if (image >= 0 && keep_around(list, total, kept, own, image, stays)) return;
+    if (image >= 0) own = 0, how.even = false;
+    const int rest = total - own;
+    const bool with = own && (kept > rest ||
+                              (kept % 2 && rest % 2 == 0)); /* the seam's copy, for want of another middle */
+    for (int at = 0; at < total; at++)
+        stays[list[at]] = at < own ? with : is_kept(how.even, at - own, rest, kept - with);
+}
+
+static thinning how_to_thin(const bat_curve *fine) {
+    static const double upright[2] = {0, 1};
+    const double *t = bat_curve_knots(fine);
+    thinning how = {false, false, 0};
+    bat_mirror mirror;
+    int turn;
+    how.even = bat_mirror_find(fine, upright, EVEN * bat_curve_size(fine), &mirror, &turn);
+    if (!how.even || !fine->closed) return how;
+    how.image = t[(turn + fine->degree) % fine->count];
+    how.off = how.image != t[0];
+    return how;
 }
 
 /* Leaves out interior knots until `count` control points are left (closed: the seam stays). Returns a curve
@@ -32,20 +109,22 @@ static bat_status thinned(const bat_curve *fine, int count, bat_curve **out) {
     int interior = fine->closed ? n - 1 : n - p - 1, kept = fine->closed ? count - 1 : count - p - 1;
     if (count >= n || kept < 0 || (fine->closed && count < 3)) return BAT_COUNT;
     bool *stays = calloc((size_t)interior, sizeof *stays);
-    if (!stays) return BAT_MEMORY;
+    int *list = malloc((size_t)interior * sizeof *list);
     bat_curve *coarse;
-    bat_status status = bat_curve_allocate(p, fine->dimension, fine->closed, count, &coarse);
+    bat_status status = stays && list ? BAT_OK : BAT_MEMORY;
+    if (status == BAT_OK) status = bat_curve_allocate(p, fine->dimension, fine->closed, count, &coarse);
     if (status != BAT_OK) {
-        free(stays);
+        free(stays), free(list);
         return status;
     }
     const double *from = bat_curve_knots(fine);
     double *to = bat_curve_own_knots(coarse);
     int lead = fine->closed ? 1 : p + 1;
+    const thinning how = how_to_thin(fine);
     for (int rank = 0, left = kept; left > 0; rank++) { /* repeats come after all the first copies */
-        int total = copies(from + lead, interior, from[lead - 1], rank, 0, 0, NULL);
+        int total = list_copies(from + lead, interior, from[lead - 1], rank, list);
         int taken = total < left ? total : left;
-        copies(from + lead, interior, from[lead - 1], rank, total, taken, stays);
+        keep(from + lead, list, total, taken, from[lead - 1], how, stays);
         left -= taken;
     }
     memcpy(to, from, (size_t)lead * sizeof(double));
@@ -53,7 +132,7 @@ static bat_status thinned(const bat_curve *fine, int count, bat_curve **out) {
         if (stays[i]) to[k++] = from[lead + i];
     memcpy(to + lead + kept, from + lead + interior, (size_t)lead * sizeof(double));
     memset(bat_curve_own_points(coarse), 0, (size_t)(count * fine->dimension) * sizeof(double));
-    free(stays);
+    free(stays), free(list);
     return bat_curve_finish(coarse, out);
 }
 
@@ -218,6 +297,13 @@ void bat_levels_counts(int n, int coarsest, int levels, int counts[BAT_LEVELS_MA
     }
 }
 
+/* Counts between the coarsest and the finest such that knots that stay can be pairs of images. */
+static void make_pairs(const bat_curve *curve, int levels, int *counts) {
+    const int fixed = curve->closed ? 0 : curve->degree + 1;
+    for (int j = 1; j < levels; j++)
+        if ((counts[j] - fixed) % 2 && counts[j] - 1 > counts[j - 1]) counts[j]--;
+}
+
 bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, size_t least,
                                   const bat_shape_options *options, bat_shape **out) {
     int counts[BAT_LEVELS_MAX + 1];
@@ -225,5 +311,6 @@ bat_status bat_shape_decompose_to(const bat_curve *curve, int levels, size_t lea
     int n = curve->count, coarsest = bat_count_inside(least);
     if (levels < 1 || levels > BAT_LEVELS_MAX || coarsest < 1 || coarsest > n - levels) return BAT_COUNT;
     bat_levels_counts(n, coarsest, levels, counts);
+    if (how_to_thin(curve).even) make_pairs(curve, levels, counts);
     return decompose(curve, levels, counts, options, out);
 }

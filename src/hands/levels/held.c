@@ -1,12 +1,14 @@
 /*
  * A drag under constraints (math 3.9): of all moves of the level's control points that bring the finest curve where it is dragged to
  * and hold what is to stay, the least. Each round linearises the constraints with the details carried along as they are, and takes the
- * shortest move that satisfies them; where that leads nowhere, the drag is made in smaller steps.
+ * shortest move that satisfies them; where that leads nowhere, the drag is made in smaller steps. With symmetry, all rows are those of
+ * symmetric moves.
  */
 #include "hands/levels/shape.h"
 
 #include "base/real.h"
 #include "curve/curve.h"
+#include "curve/mirror.h"
 
 #include <batten/measure.h>
 #include <math.h>
@@ -19,6 +21,7 @@ static const double NEAR = 1e-10; /* of the size: how well constraints are met, 
 static const double PRECISE = 1e-13;   /* of lengths */
 static const double SMALLEST = 0.0625; /* of the drag: its smallest step */
 static const double ALIKE = 1e-12;     /* constraints that say the same twice */
+static const double EVEN = 1e-5;       /* of the size: as symmetric as a file with few digits says it */
 
 /* Gauss-Legendre on [-1, 1]. */
 static const double NODE[GAUSS] = {-0.906179845938664, -0.538469310105683, 0, 0.538469310105683,
@@ -35,6 +38,9 @@ typedef struct holding {
     double from[3], goal[3];           /* of the dragged place, now and in the end */
     double place[BAT_HELD_MAX][3];     /* of held points */
     double normal[BAT_HELD_MAX][2][3]; /* at right angles to held directions; planar curves have one */
+    bat_mirror mirror;                 /* on: symmetry is held */
+    int turn, level_turn;              /* of the finest curve's control points, of the level's (mirror.h) */
+    double uneven;                     /* the finest curve, before */
     int rows;
     double *jacobian; /* rows * count * dimension */
     double *moved;    /* count * dimension: the whole move so far */
@@ -117,6 +123,19 @@ static double worst(const holding *h) {
     return most;
 }
 
+/* The symmetric part of a row: the mean of it and its image. */
+static void make_even(const holding *h, double *row) {
+    const bat_mirror about = {true, {0, 0}, {h->mirror.along[0], h->mirror.along[1]}};
+    for (int i = 0; i < h->count; i++) {
+        const int j = (2 * h->count - 1 - i + h->level_turn) % h->count;
+        double image[2];
+        if (j < i) continue;
+        bat_mirror_point(&about, row + 2 * j, image);
+        for (int d = 0; d < 2; d++) row[2 * i + d] = (row[2 * i + d] + image[d]) / 2;
+        bat_mirror_point(&about, row + 2 * i, row + 2 * j);
+    }
+}
+
 static void linearise(holding *h) {
     static const double axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const int n = h->dimension;
@@ -137,6 +156,7 @@ static void linearise(holding *h) {
     double *length = h->held->length ? row_at(h, row++) : NULL;
     double *area = h->held->area ? row_at(h, row++) : NULL;
     if (length || area) add_integrals(h, length, area);
+    for (int i = 0; i < h->rows && h->mirror.on; i++) make_even(h, row_at(h, i));
 }
 
 /* Solves the symmetric system in place; rows that follow from others get a share of zero. */
@@ -198,6 +218,12 @@ static bat_status put(holding *h, const double *move) {
     return BAT_OK;
 }
 
+/* No less symmetric than before; what lies on the axis may have turned what was uneven. */
+static bool is_even(const holding *h) {
+    return !h->mirror.on ||
+           bat_mirror_uneven(&h->mirror, finest(h->shape), h->turn) <= 2 * h->uneven + NEAR * h->size;
+}
+
 /* From the present move to one whose dragged place is at the goal. BAT_TOLERANCE: it does not get there; then the move is
  * what it was. */
 static bat_status reach(holding *h, const double *goal) {
@@ -217,7 +243,7 @@ static bat_status reach(holding *h, const double *goal) {
         if (round > 3 && now > 4 * best) break;
         best = fmin(best, now);
     }
-    if (status == BAT_OK && !(now <= NEAR * h->size)) status = BAT_TOLERANCE;
+    if (status == BAT_OK && (!(now <= NEAR * h->size) || !is_even(h))) status = BAT_TOLERANCE;
     if (status == BAT_NUMBER) status = BAT_TOLERANCE;
     if (status == BAT_TOLERANCE) {
         memcpy(h->moved, kept, numbers * sizeof *kept);
@@ -243,7 +269,31 @@ static bat_status walk(holding *h) {
     return BAT_OK;
 }
 
-/* What is held, as it is now. BAT_SINGULAR: a direction that there is not. */
+/* The parameter that stands for itself, modulo half of the domain, in shares of the domain. */
+static double axis_place(const bat_curve *curve, int turn) {
+    const double *t = bat_curve_knots(curve);
+    const int n = curve->count, last = bat_curve_knot_count(curve) - 1;
+    if (!curve->closed) return 0.5;
+    const double sum = t[(turn + curve->degree) % n] - t[0];
+    return sum / 2 / (t[last] - t[0]);
+}
+
+/* The axis of the finest curve, which is that of the level, too. BAT_SINGULAR: there is none. */
+static bat_status find_symmetry(holding *h) {
+    const bat_curve *curve = finest(h->before), *level = bat_shape_curve(h->before, h->level);
+    const double *wish = h->held->upright, upright[2] = {0, 1}, within = EVEN * h->size;
+    if (!h->held->symmetry) return BAT_OK;
+    if (!bat_mirror_find(curve, wish[0] != 0 || wish[1] != 0 ? wish : upright, within, &h->mirror,
+                         &h->turn) ||
+        !bat_mirror_turn(&h->mirror, level, within, &h->level_turn))
+        return BAT_SINGULAR;
+    double apart = fabs(axis_place(curve, h->turn) - axis_place(level, h->level_turn));
+    if (apart > EVEN && fabs(apart - 0.5) > EVEN) return BAT_SINGULAR; /* the sweep runs otherwise */
+    h->uneven = bat_mirror_uneven(&h->mirror, curve, h->turn);
+    return BAT_OK;
+}
+
+/* What is held, as it is now. BAT_SINGULAR: a direction that there is not, or no symmetry. */
 static bat_status remember(holding *h) {
     const bat_curve *curve = finest(h->before);
     const int n = h->dimension;
@@ -265,7 +315,7 @@ static bat_status remember(holding *h) {
     }
     h->rows = n + n * (int)h->held->point_count + (n - 1) * (int)h->held->direction_count + h->held->length +
               h->held->area;
-    return BAT_OK;
+    return find_symmetry(h);
 }
 
 static bat_status check(const bat_shape *shape, int level, double u, const double *delta,
@@ -278,6 +328,8 @@ static bat_status check(const bat_shape *shape, int level, double u, const doubl
         !bat_are_coordinates(held->points, held->point_count) ||
         !bat_are_coordinates(held->directions, held->direction_count))
         return BAT_NUMBER;
+    if (held->symmetry && shape->base->dimension != 2) return BAT_DIMENSION;
+    if (!bat_are_coordinates(held->upright, 2)) return BAT_NUMBER;
     if (held->area && !(shape->base->closed && shape->base->dimension == 2)) return BAT_DIMENSION;
     return BAT_OK;
 }

@@ -18,5 +18,9 @@ static inline bool bat_spline_direction(const bat_spline *spline, int point, vec
 
 /* The options as this version has them, whatever the caller's; NULL: the defaults. */
 bat_status bat_tangents_options_read(const bat_tangents_options *given, bat_tangents_options *own);
+/* A cubic curve whose direction is continuous as a spline that is the same to rounding; its arrays are in *block (free). The mode has to
+ * honour directions: faithful or round. Where the third coordinate alone has a corner, its slope becomes the mean of both. BAT_DEGREE: another degree; BAT_TOLERANCE: a corner. O(count). */
+bat_status bat_spline_through(const bat_curve *cubic, const bat_tangents_options *options, bat_spline *out,
+                              void **block);
 
 #endif

@@ -50,16 +50,19 @@ static void joins(const bat_curve *a, bool a_end, const bat_curve *b, bool b_end
     for (int k = 0; k < 4; k++) assert_int_equal(jump[k] <= none[k], k <= continuity);
 }
 
+/* Each end with its own continuity. */
 static void blends_are_kept(void **state) {
     (void)state;
-    for (int continuity = 0; continuity < 4; continuity++) {
+    for (int pair = 0; pair < 16; pair++) {
+        const int continuity = pair % 4, second = pair / 4;
         bat_editor *editor = bends();
         const uint64_t first = digest(editor);
         only(editor, 1, 2);
         assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
-        says(editor, "\"chosen\":2,\"amount\":0.5,\"other\":0.5,\"of\":\"blend\"");
+        says(editor, "\"chosen\":2,\"amount\":0.5,\"other\":0.5,\"of\":\"blend\",\"also\":6,");
         assert_true(shows(editor, BAT_ROLE_FIT) && shows(editor, BAT_ROLE_COMB));
         assert_int_equal(bat_editor_read_as(editor, continuity), BAT_OK);
+        assert_int_equal(bat_editor_read_as(editor, 4 + second), BAT_OK);
         assert_int_equal(bat_editor_refit(editor, 0.4, true), BAT_OK);
         assert_int_equal(bat_editor_refit_other(editor, 0.7, true), BAT_OK);
         assert_true(digest(editor) == first);
@@ -68,7 +71,7 @@ static void blends_are_kept(void **state) {
         const bat_id made = editor->choice.selection.ids[0];
         assert_true(made != 1 && made != 2);
         joins(curve(editor, 1), true, curve(editor, made), false, continuity);
-        joins(curve(editor, made), true, curve(editor, 2), true, continuity);
+        joins(curve(editor, made), true, curve(editor, 2), true, second);
         goes_back_and_replays(editor, first);
         bat_editor_free(editor);
     }
@@ -89,7 +92,7 @@ static void each_end_has_its_slider(void **state) {
         bat_editor *editor = bends();
         only(editor, 1, 2);
         assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
-        assert_int_equal(bat_editor_read_as(editor, 1), BAT_OK);
+        for (int end = 0; end < 2; end++) assert_int_equal(bat_editor_read_as(editor, 4 * end + 1), BAT_OK);
         if (k == 1) assert_int_equal(bat_editor_refit(editor, 0.75, true), BAT_OK);
         if (k == 2) assert_int_equal(bat_editor_refit_other(editor, 0.75, true), BAT_OK);
         const bat_frame *frame = bat_editor_frame(editor);
@@ -143,6 +146,76 @@ static void one_curve_meets_itself(void **state) {
     bat_editor_free(editor);
 }
 
+/* A bilinear sheet over x0 to x1 and 200 to 500, whose far edge is bent up; in space. */
+static bat_object *sheet(bat_id id, double x0, double x1) {
+    const double points[12] = {x0, 200, 0, x0, 500, 40, x1, 220, 60, x1, 480, 20}, knots[4] = {0, 0, 1, 1};
+    const bat_style style = bat_style_defaults();
+    bat_surface *surface = NULL;
+    bat_object *object = NULL;
+    assert_int_equal(bat_surface_create((const int[2]){1, 1}, (const bool[2]){false, false},
+                                        (const size_t[2]){2, 2}, points, (const int[2]){4, 4}, knots, knots,
+                                        &surface),
+                     BAT_OK);
+    assert_int_equal(bat_object_create_surface(id, "", &style, surface, &object), BAT_OK);
+    bat_surface_free(surface);
+    return object;
+}
+
+static bat_curve *across(const bat_surface *surface, double share) {
+    bat_curve *line = NULL;
+    assert_int_equal(bat_surface_isocurve(surface, BAT_U, share, &line), BAT_OK);
+    return line;
+}
+
+/* The surface's line across at that share of v, on the blend at that of u. */
+static void edges_join(const bat_surface *from, bool last, const bat_surface *made, bool end,
+                       int continuity) {
+    static const double none[4] = {1e-9, 1e-9, 1e-9 / 200, 1e-7 / (200 * 200)};
+    for (int i = 0; i < 5; i++) {
+        bat_curve *b = across(made, i / 4.0), *a = NULL;
+        double jump[4];
+        assert_int_equal(bat_surface_isocurve(from, BAT_V, i / 4.0, &a), BAT_OK);
+        assert_int_equal(
+            end ? bat_curve_jump(b, true, a, last, jump) : bat_curve_jump(a, last, b, false, jump), BAT_OK);
+        for (int k = 0; k <= continuity; k++) assert_true(jump[k] <= none[k]);
+        bat_curve_free(a), bat_curve_free(b);
+    }
+}
+
+/* Two surfaces are joined at their nearest edges by a third, each with its own continuity; a surface and a curve, too. */
+static void surfaces_are_joined(void **state) {
+    (void)state;
+    for (int curved = 0; curved < 2; curved++) {
+        bat_document *document = NULL;
+        assert_int_equal(bat_document_create(&document), BAT_OK);
+        bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+        bat_object *objects[2] = {sheet(1, 100, 300), curved ? NULL : sheet(2, 600, 900)};
+        for (int i = 0; i < 2 - curved; i++) {
+            assert_int_equal(bat_document_insert(document, i, objects[i]), BAT_OK);
+            bat_object_release(objects[i]);
+        }
+        if (curved) pen_add(document, open_curve((double[]){600, 200, 650, 300, 650, 400, 600, 500}));
+        bat_editor *editor = editor_of(document);
+        assert_int_equal(bat_editor_command(editor, "tool-select"), BAT_OK);
+        assert_int_equal(bat_editor_command(editor, "select-all"), BAT_OK);
+        const uint64_t first = digest(editor);
+        assert_int_equal(bat_editor_command(editor, "curve-blend"), BAT_OK);
+        assert_true(shows(editor, BAT_ROLE_FIT) && shows(editor, BAT_ROLE_COMB));
+        assert_int_equal(bat_editor_read_as(editor, 1), BAT_OK);
+        assert_int_equal(bat_editor_read_as(editor, 4 + 3), BAT_OK);
+        assert_int_equal(bat_editor_refit(editor, 0.6, true), BAT_OK);
+        assert_true(digest(editor) == first);
+        assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+        assert_true(selected(editor) == 1 && digest(editor) != first);
+        const bat_surface *made = bat_object_surface(object(editor, editor->choice.selection.ids[0]));
+        assert_non_null(made);
+        edges_join(bat_object_surface(object(editor, 1)), true, made, false, 1);
+        if (!curved) edges_join(bat_object_surface(object(editor, 2)), false, made, true, 3);
+        goes_back_and_replays(editor, first);
+        bat_editor_free(editor);
+    }
+}
+
 static void ends_are_matched(void **state) {
     (void)state;
     bat_editor *editor = bends();
@@ -184,9 +257,13 @@ static void what_is_left_changes_nothing(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blends_are_kept),      cmocka_unit_test(each_end_has_its_slider),
-        cmocka_unit_test(curves_in_space_meet), cmocka_unit_test(one_curve_meets_itself),
-        cmocka_unit_test(ends_are_matched),     cmocka_unit_test(what_is_left_changes_nothing),
+        cmocka_unit_test(blends_are_kept),
+        cmocka_unit_test(each_end_has_its_slider),
+        cmocka_unit_test(curves_in_space_meet),
+        cmocka_unit_test(one_curve_meets_itself),
+        cmocka_unit_test(surfaces_are_joined),
+        cmocka_unit_test(ends_are_matched),
+        cmocka_unit_test(what_is_left_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

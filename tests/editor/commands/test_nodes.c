@@ -126,11 +126,56 @@ static void strokes_come_on_extremes(void **state) {
     bat_editor_free(editor);
 }
 
+/* x y: from the stem over the top, around and back to the stem; a hand's tremble of half a unit. */
+static void bowl(double t, const double *n, double out[2]) {
+    const double w = TURN * (0.55 * t - 0.275), far = 1 + 0.003 * sin(TURN * 9 * t) * sin(TURN * 4.3 * t);
+    out[0] = n[0] + 120 * far * cos(w), out[1] = n[1] + 150 * far * sin(w);
+}
+
+/* The bowl of a b takes three actions: the tool, the option, one stroke. It has four cubics at most, and the three extremes that a bowl
+ * has are points of it, in whole numbers, with level and upright handles. */
+static void a_bowl_takes_one_stroke(void **state) {
+    (void)state;
+    for (int size = 0; size < 3; size++) {
+        bat_editor *editor = shapes();
+        pen p = pen_for(editor);
+        int actions = 0, extremes = 0;
+        actions++, assert_int_equal(bat_editor_command(editor, "tool-sketch"), BAT_OK);
+        actions++, assert_int_equal(bat_editor_set(editor, "on-extremes", 1), BAT_OK);
+        actions++, pen_stroke(&p, bowl, (double[]){980.3 + 13.7 * size, 300.4 - 7.3 * size}, 120);
+        assert_true(actions <= 4);
+        const bat_curve *made = curve(editor, 3);
+        const int n = (int)bat_curve_count(made);
+        const double *at = bat_curve_points(made);
+        assert_true(!bat_curve_is_closed(made) && n % 3 == 1 && n <= 13);
+        for (int i = 0; i < 2 * n; i++) assert_true(at[i] == round(at[i]));
+        for (int i = 3; i + 3 < n; i += 3)
+            for (int c = 0; c < 2; c++)
+                extremes += at[2 * i - 2 + c] == at[2 * i + c] && at[2 * i + c] == at[2 * i + 2 + c];
+        assert_int_equal(extremes, 3);
+        for (int axis = 0; axis < 2; axis++) { /* no extreme lies elsewhere */
+            double u[8];
+            const size_t count = bat_curve_extremes(made, axis, 8, u);
+            assert_int_equal(count, axis ? 2 : 1);
+            for (size_t i = 0; i < count; i++) {
+                double place[2];
+                int joint = 0;
+                bat_curve_eval(made, u[i], 0, place);
+                for (int k = 3; k + 3 < n; k += 3)
+                    joint += hypot(at[2 * k] - place[0], at[2 * k + 1] - place[1]) < 1e-9;
+                assert_int_equal(joint, 1);
+            }
+        }
+        bat_editor_free(editor);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_added),
         cmocka_unit_test(levels_stay),
         cmocka_unit_test(strokes_come_on_extremes),
+        cmocka_unit_test(a_bowl_takes_one_stroke),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

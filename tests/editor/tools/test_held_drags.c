@@ -7,10 +7,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <math.h>
+#include <string.h>
 #include <cmocka.h>
 #include "support/selecting.h"
 #include <batten/levels.h>
 #include <batten/measure.h>
+#include <batten/nearest.h>
 
 static const double TURN = 6.283185307179586;
 
@@ -82,6 +84,54 @@ static void lengths_and_areas_stay(void **state) {
         assert_true(digest(editor) == first);
         bat_editor_free(editor);
     }
+}
+
+static double lopsided(const bat_editor *editor) {
+    const bat_curve *ring_now = curve(editor, 1);
+    double worst = 0;
+    for (size_t i = 0; i < bat_curve_count(ring_now); i++) {
+        bat_near near;
+        double at[2];
+        bat_curve_eval(ring_now, (double)i, 0, at);
+        at[0] = 800 - at[0];
+        assert_int_equal(bat_curve_nearest(ring_now, at, &near), BAT_OK);
+        worst = fmax(worst, near.distance);
+    }
+    return worst;
+}
+
+/* About the upright axis of the ring, at every level; what lies on the axis moves along it. */
+static void symmetry_stays(void **state) {
+    (void)state;
+    for (int held = 0; held < 2; held++) {
+        bat_editor *editor = ring();
+        pen p = mouse(editor);
+        const uint64_t first = digest(editor);
+        assert_int_equal(bat_editor_set(editor, "hold-symmetry", held), BAT_OK);
+        for (int level = 0; level < 3; level++) {
+            pull(editor, &p, 0.05 + 0.07 * level, 12, 9 - 5 * level);
+            assert_int_equal(lopsided(editor) <= 1e-9 * 400, held);
+            assert_int_equal(bat_editor_command(editor, "level-up"), BAT_OK);
+        }
+        replays(editor, 0);
+        for (int level = 0; level < 3; level++) assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+        assert_true(digest(editor) == first);
+        bat_editor_free(editor);
+    }
+}
+
+/* A curve that has no symmetry is dragged as ever, and that is said when it is to be held. */
+static void what_is_not_symmetric(void **state) {
+    (void)state;
+    bat_editor *editor = ring();
+    pen p = mouse(editor);
+    pull(editor, &p, 0.13, 15, 8);
+    const uint64_t first = digest(editor);
+    assert_int_equal(bat_editor_set(editor, "hold-symmetry", 1), BAT_OK);
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "Symmetry"));
+    pull(editor, &p, 0.4, 5, 8);
+    assert_true(digest(editor) != first);
+    bat_editor_free(editor);
 }
 
 static void place_at(const bat_editor *editor, double u, double jet[4]) {
@@ -166,6 +216,8 @@ static void islands_go_along(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lengths_and_areas_stay),
+        cmocka_unit_test(symmetry_stays),
+        cmocka_unit_test(what_is_not_symmetric),
         cmocka_unit_test(pins_hold),
         cmocka_unit_test(what_is_selected_with_it_goes_along),
         cmocka_unit_test(islands_go_along),

@@ -134,6 +134,43 @@ static void levels_stay(void **state) {
 }
 
 /* Where its surface is seen from its edge, the hint says so before the pen is down, and a stroke changes nothing. */
+/* A spline stays one, in space, whatever its mode and whether or not directions are given; from above it is as it was. */
+static void splines_stay(void **state) {
+    (void)state;
+    double points[16], tangents[16] = {0}, tension[16];
+    for (int i = 0; i < 8; i++) {
+        const double w = PI * (i + 0.5) / 4;
+        points[2 * i] = 500 + 220 * cos(w), points[2 * i + 1] = 400 + 180 * sin(w);
+        if (i % 4 == 1) tangents[2 * i] = -220 * sin(w), tangents[2 * i + 1] = 180 * cos(w);
+        tension[2 * i] = tension[2 * i + 1] = i == 1 ? 1.05 : 1;
+    }
+    const bat_spline spline = {2, true, 8, points, tangents, tension};
+    for (int mode = BAT_TANGENTS_FAITHFUL; mode <= BAT_TANGENTS_ROUND; mode++) {
+        bat_tangents_options options = bat_tangents_defaults();
+        const bat_style style = bat_style_defaults();
+        bat_document *document = NULL;
+        bat_object *object = NULL;
+        bat_curve *was = NULL;
+        options.mode = (bat_tangents_mode)mode;
+        assert_int_equal(bat_document_create(&document), BAT_OK);
+        assert_int_equal(bat_object_create_spline(1, "", &style, &spline, &options, &object), BAT_OK);
+        assert_int_equal(bat_document_insert(document, 0, object), BAT_OK);
+        bat_object_release(object);
+        bat_editor *editor = editor_of(document);
+        ready(editor, 4);
+        const uint64_t first = digest(editor);
+        bat_curve_copy(curve_of(editor), &was);
+        draw_round(editor, was);
+        stands(curve_of(editor), was);
+        const bat_spline *now = bat_object_spline(bat_document_at(bat_editor_document(editor), 0));
+        assert_non_null(now);
+        assert_true(now->dimension == 3 && now->count >= 8);
+        assert_int_equal(round_trip(editor, first), 1);
+        bat_curve_free(was);
+        bat_editor_free(editor);
+    }
+}
+
 static void what_does_not_show_is_said_first(void **state) {
     (void)state;
     static const double towards[4] = {500, 200, 500, 600}, across[4] = {300, 400, 700, 400};
@@ -192,6 +229,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ring_is_lifted_by_a_stroke_round_it),
         cmocka_unit_test(levels_stay),
+        cmocka_unit_test(splines_stay),
         cmocka_unit_test(what_does_not_show_is_said_first),
         cmocka_unit_test(small_ones),
     };

@@ -546,6 +546,46 @@ static void wild_sessions(void **state) {
     }
 }
 
+/* A tap on a selected outline of Béziers puts a point on it, which is one of its own kind, and the shape stays; beside it, and on one that is not
+ * selected, a spline begins. */
+static void outlines_get_points(void **state) {
+    (void)state;
+    double points[24], knots[13], at[2], there, back;
+    for (int i = 0; i < 12; i++) {
+        const double w = 6.283185307179586 * i / 12, far = i % 3 ? 220 : 180;
+        points[2 * i] = 500 + far * cos(w), points[2 * i + 1] = 400 + far * sin(w);
+    }
+    for (int i = 0; i < 13; i++) knots[i] = i / 3;
+    bat_curve *ring = NULL, *before = NULL;
+    assert_int_equal(bat_curve_create(2, 3, true, 12, points, 13, knots, &ring), BAT_OK);
+    assert_int_equal(bat_curve_copy(ring, &before), BAT_OK);
+    bat_editor *editor = editor_with(1, &ring);
+    pen p = pen_for(editor);
+    assert_int_equal(bat_editor_command(editor, "tool-tangents"), BAT_OK);
+    assert_int_equal(bat_editor_select(editor, 1, false), BAT_OK);
+    const uint64_t first = digest(editor);
+    bat_curve_eval(before, 1.4, 0, at);
+    tap(&p, at[0], at[1]);
+    const bat_curve *now = bat_object_curve(newest(editor), 0);
+    assert_int_equal(bat_document_count(bat_editor_document(editor)), 1);
+    assert_int_equal(bat_curve_count(now), 15);
+    assert_int_equal(bat_curve_distance(before, now, 8, &there, &back), BAT_OK);
+    assert_true(fmax(there, back) < 1e-9);
+    replays(editor, 0);
+    assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+    assert_true(digest(editor) == first);
+    p.time += 2000;
+    tap(&p, 500, 400);
+    assert_true(digest(editor) == first); /* the first point of a spline */
+    bat_editor_command(editor, "cancel");
+    bat_editor_command(editor, "deselect");
+    p.time += 2000;
+    tap(&p, at[0], at[1]);
+    assert_true(digest(editor) == first);
+    bat_curve_free(before);
+    bat_editor_free(editor);
+}
+
 /* A new spline is round, which the journal says; directions are offered and taken as ever. */
 static void new_splines_are_round(void **state) {
     (void)state;
@@ -652,6 +692,7 @@ int main(void) {
         cmocka_unit_test(two_equal_points_are_no_curve),
         cmocka_unit_test(new_splines_are_round),
         cmocka_unit_test(the_shaft_takes_the_arrow),
+        cmocka_unit_test(outlines_get_points),
         cmocka_unit_test(curvature_is_even),
         cmocka_unit_test(wild_sessions),
     };

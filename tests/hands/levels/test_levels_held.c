@@ -11,6 +11,8 @@
 #include <batten/drag.h>
 #include <batten/levels.h>
 #include <batten/measure.h>
+#include <batten/nearest.h>
+#include <batten/refine.h>
 #include "support/alloc_fail.h"
 #include "support/random_curve.h"
 
@@ -124,6 +126,115 @@ static void the_least_move(void **state) {
     }
 }
 
+/* A ring or an open arc that is its own mirror image about a slanted axis through (30, 40), whose seam lies anywhere. */
+static bat_shape *even(random_source *r, bool closed, int seam, int levels, size_t coarsest, double axis[2]) {
+    double points[POINTS * 2], knots[POINTS + 1], far[POINTS], slant = random_between(r, -1.2, 1.2);
+    bat_curve *curve = NULL;
+    bat_shape *shape = NULL;
+    axis[0] = sin(slant), axis[1] = cos(slant);
+    for (int i = 0; i < POINTS; i++) far[i] = 200 * (1 + 0.05 * random_unit(r));
+    for (int i = 0; i < POINTS; i++) {
+        const int k = (i + seam) % POINTS;
+        const double w = closed ? TURN * k / POINTS : 0.3 + (TURN / 2 - 0.6) * k / (POINTS - 1);
+        const int other = closed ? (POINTS - k) % POINTS : POINTS - 1 - k;
+        const double size = far[k < other ? k : other];
+        const double along = size * (closed ? cos(w) : sin(w)),
+                     across = 0.6 * size * (closed ? sin(w) : cos(w));
+        points[2 * i] = 30 + along * axis[0] - across * axis[1];
+        points[2 * i + 1] = 40 + along * axis[1] + across * axis[0];
+    }
+    for (int i = 0; i <= POINTS; i++) knots[i] = i;
+    if (closed)
+        assert_int_equal(bat_curve_create(2, 3, true, POINTS, points, POINTS + 1, knots, &curve), BAT_OK);
+    else
+        assert_int_equal(bat_curve_create_clamped(2, 3, POINTS, points, &curve), BAT_OK);
+    for (int again = 0; again < 2 && closed && seam % 3 == 1;
+         again++) { /* as files have them: all knots threefold */
+        bat_curve *finer = NULL;
+        assert_int_equal(bat_curve_insert_knots(curve, POINTS, knots, &finer), BAT_OK);
+        bat_curve_free(curve);
+        curve = finer;
+    }
+    assert_int_equal(levels ? bat_shape_decompose_to(curve, levels, coarsest, NULL, &shape)
+                            : bat_shape_create(curve, NULL, &shape),
+                     BAT_OK);
+    bat_curve_free(curve);
+    return shape;
+}
+
+/* How far the curve's mirror image is from it: each of many points, from the nearest. */
+static double unlike(const bat_curve *curve, const double axis[2]) {
+    double worst = 0, domain[2];
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i < 60; i++) {
+        double p[2], image[2];
+        bat_near near;
+        bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * (i + 0.3) / 60, 0, p);
+        const double along = (p[0] - 30) * axis[0] + (p[1] - 40) * axis[1];
+        image[0] = 2 * (30 + along * axis[0]) - p[0], image[1] = 2 * (40 + along * axis[1]) - p[1];
+        assert_int_equal(bat_curve_nearest(curve, image, &near), BAT_OK);
+        worst = fmax(worst, near.distance);
+    }
+    return worst;
+}
+
+static void symmetry_stays(void **state) {
+    (void)state;
+    random_source r = {12};
+    for (int i = 0; i < 30; i++) {
+        const bool closed = i % 3 != 0;
+        const int levels = i % 4 == 3 ? 0 : 1 + i % 2;
+        double axis[2], delta[2], domain[2];
+        bat_shape *shape = even(&r, closed, closed ? i % POINTS : 0, levels, closed ? 8 : 6, axis);
+        bat_curve_domain(finest(shape), domain);
+        for (int level = 0; level <= levels; level++) {
+            bat_shape *before = NULL, *free_one = NULL;
+            const double pin = domain[0] + 0.77 * (domain[1] - domain[0]);
+            const double u = domain[0] + random_between(&r, 0.1, 0.4) * (domain[1] - domain[0]);
+            bat_shape_held held = {.symmetry = true,
+                                   .length = i % 2 && i % POINTS % 3 != 1,
+                                   .point_count = i % 5 == 0,
+                                   .points = &pin};
+            memcpy(held.upright, axis, sizeof held.upright);
+            for (int d = 0; d < 2; d++) delta[d] = random_between(&r, -12, 12);
+            assert_int_equal(bat_shape_copy(shape, &before), BAT_OK);
+            assert_int_equal(bat_shape_copy(shape, &free_one), BAT_OK);
+            assert_true(unlike(finest(before), axis) <= NEAR * 200);
+            assert_int_equal(bat_shape_drag_held(shape, level, u, delta, &held), BAT_OK);
+            assert_true(apart(finest(before), finest(shape), u, delta) <= NEAR * 200);
+            assert_true(unlike(finest(shape), axis) <= NEAR * 200);
+            assert_int_equal(bat_shape_drag_held(free_one, level, u, delta, &(bat_shape_held){0}), BAT_OK);
+            assert_true(unlike(finest(free_one), axis) > 1e-3);
+            bat_shape_free(before), bat_shape_free(free_one);
+        }
+        bat_shape_free(shape);
+    }
+}
+
+/* The least symmetric move: that of dragging a place and its image together, each by its own way. */
+static void the_least_symmetric_move(void **state) {
+    (void)state;
+    random_source r = {4};
+    for (int i = 0; i < 4; i++) {
+        double axis[2], there, back, domain[2], deltas[4] = {7, -5};
+        bat_shape *shape = even(&r, i % 2, 0, 0, 0, axis);
+        bat_curve *expected = NULL;
+        bat_curve_domain(finest(shape), domain);
+        const double u[2] = {domain[0] + 0.3 * (domain[1] - domain[0]),
+                             domain[0] + 0.7 * (domain[1] - domain[0]) +
+                                 (i % 2 ? 4 : 0)}; /* of rings: the axis is at 2 */
+        const double along = deltas[0] * axis[0] + deltas[1] * axis[1];
+        for (int k = 0; k < 2; k++) deltas[2 + k] = 2 * along * axis[k] - deltas[k];
+        bat_shape_held held = {.symmetry = true};
+        memcpy(held.upright, axis, sizeof held.upright);
+        assert_int_equal(bat_curve_drag(finest(shape), 2, u, deltas, &expected), BAT_OK);
+        assert_int_equal(bat_shape_drag_held(shape, 0, u[0], deltas, &held), BAT_OK);
+        assert_int_equal(bat_curve_distance(finest(shape), expected, 8, &there, &back), BAT_OK);
+        assert_true(fmax(there, back) <= NEAR * 200);
+        bat_curve_free(expected), bat_shape_free(shape);
+    }
+}
+
 /* A control point that is moved is where it was moved to, and the others give way. */
 static void a_point_is_moved(void **state) {
     (void)state;
@@ -159,6 +270,7 @@ static void what_cannot_be(void **state) {
     (void)state;
     random_source r = {1};
     bat_shape *ring = rough(&r, true, 2, 100, 2), *arc = rough(&r, false, 2, 100, 0), *straight = NULL;
+    bat_shape *space = rough(&r, true, 3, 100, 0);
     bat_curve *line = NULL;
     const double delta[3] = {5, 3, 0}, much[2] = {0, 400}, ends[2] = {0, 1}, at[1] = {2}, odd[1] = {NAN};
     assert_int_equal(bat_curve_create_clamped(2, 3, 4, (double[]){0, 0, 10, 0, 20, 0, 30, 0}, &line), BAT_OK);
@@ -170,12 +282,17 @@ static void what_cannot_be(void **state) {
     refused(ring, 3, 2, delta, &(bat_shape_held){0}, BAT_ARGUMENT);
     refused(ring, 0, 2, delta, &(bat_shape_held){.point_count = 1}, BAT_ARGUMENT);
     refused(ring, 0, 2, delta, NULL, BAT_ARGUMENT);
+    refused(ring, 0, 2, delta, &(bat_shape_held){.symmetry = true}, BAT_SINGULAR);
+    refused(ring, 0, 2, delta, &(bat_shape_held){.symmetry = true, .upright = {NAN, 1}}, BAT_NUMBER);
+    refused(straight, 0, 0.5, (double[]){3, 0}, &(bat_shape_held){.symmetry = true}, BAT_TOLERANCE);
+    refused(space, 0, 2, delta, &(bat_shape_held){.symmetry = true}, BAT_DIMENSION);
     refused(ring, 0, NAN, delta, &(bat_shape_held){0}, BAT_NUMBER);
     refused(ring, 0, 2, delta, &(bat_shape_held){.direction_count = 1, .directions = odd}, BAT_NUMBER);
     refused(ring, 0, 2, delta, &(bat_shape_held){.point_count = BAT_HELD_MAX + 1, .points = ends}, BAT_COUNT);
     assert_int_equal(bat_shape_set_muted(ring, 1, true), BAT_OK);
     refused(ring, 1, 2, delta, &(bat_shape_held){0}, BAT_STATE);
     bat_shape_free(ring), bat_shape_free(arc), bat_shape_free(straight), bat_curve_free(line);
+    bat_shape_free(space);
 }
 
 static void allocations_may_fail(void **state) {
@@ -202,6 +319,7 @@ static void allocations_may_fail(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_held_stays),   cmocka_unit_test(the_least_move),
+        cmocka_unit_test(symmetry_stays),       cmocka_unit_test(the_least_symmetric_move),
         cmocka_unit_test(a_point_is_moved),     cmocka_unit_test(what_cannot_be),
         cmocka_unit_test(allocations_may_fail),
     };

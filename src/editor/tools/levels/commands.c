@@ -208,7 +208,8 @@ static bat_status set_rule(bat_context *c, bat_frame_rule rule) {
 
 bat_status bat_leveling_set(bat_context *c, bat_property_id id, double value) {
     bat_leveling_settle(c);
-    if (id == BAT_PROPERTY_HOLD_LENGTH || id == BAT_PROPERTY_HOLD_AREA) return BAT_OK;
+    if (id >= BAT_PROPERTY_HOLD_LENGTH && id <= BAT_PROPERTY_HOLD_SYMMETRY)
+        return bat_leveling_told_held(c, id);
     if (id == BAT_PROPERTY_FRAME_RULE) return set_rule(c, (bat_frame_rule)(int)value);
     const bat_curve *curve = bat_leveling_curve(c);
     if (!bat_ladder_any(bat_leveling_of(c)->apart)) return BAT_OK;

@@ -123,6 +123,8 @@ static void tell(bat_context *c, bat_status status) {
         bat_notice(c, BAT_STRING_NOTICE_MUTED);
     else if (status == BAT_TOLERANCE)
         bat_notice(c, BAT_STRING_NOTICE_HELD);
+    else if (status == BAT_SINGULAR && c->settings->values[BAT_PROPERTY_HOLD_SYMMETRY] != 0)
+        bat_notice(c, BAT_STRING_NOTICE_LEVEL_UNEVEN);
     else if (status != BAT_OK)
         bat_notice_failure(c, status);
 }

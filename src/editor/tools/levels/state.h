@@ -93,6 +93,8 @@ bool bat_leveling_holds(const bat_context *c);
  * that cannot be. */
 bat_status bat_leveling_move_held(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                                   const double delta[3], bat_shape **out);
+/* After what is held has been switched: says when the chosen curve has no symmetry to hold. */
+bat_status bat_leveling_told_held(bat_context *c, bat_property_id id);
 /* Puts a pin at a parameter of the chosen curve; with one there, holds its direction, too, and then takes it away. */
 void bat_leveling_pin(bat_context *c, double u);
 void bat_leveling_show_pins(const bat_context *c, bat_overlay *list);

@@ -1,6 +1,8 @@
 /* The tangents tool: hit testing, on its spline and on others. */
 #include "base/vec.h"
 #include "hands/tangents/spline.h"
+#include "editor/choice/choice.h"
+#include "editor/choice/selection.h"
 #include "editor/scene/scene.h"
 #include "editor/scene/seen.h"
 #include "editor/session/context.h"
@@ -126,6 +128,10 @@ bat_spline_hit bat_splining_find(bat_context *c, const double pixel[2], bat_devi
     bat_seen_sync(c);
     bat_pick pick = bat_pick_curve(c->scene, 0, p.point, CURVE_REACH * p.reach * p.pixel);
     const bat_object *object = pick.object ? bat_document_at(c->session->document, pick.index) : NULL;
+    if (object && !bat_object_spline(object) && bat_object_is_made_of_curves(object) &&
+        !bat_object_shape(object, pick.curve) && bat_selection_has(&c->choice->selection, pick.object))
+        return (bat_spline_hit){
+            .part = BAT_PART_OUTLINE, .object = pick.object, .curve = pick.curve, .u = pick.near.u};
     if (!object || !bat_object_spline(object)) return (bat_spline_hit){0};
     if (pick.object == s->object) return on_curve(bat_object_curve(object, 0), pick.near.u);
     return (bat_spline_hit){.part = BAT_PART_OTHER, .object = pick.object};

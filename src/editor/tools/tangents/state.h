@@ -23,9 +23,10 @@ typedef enum bat_tangents_part {
     BAT_PART_DIRECTION, /* the circle around a point, or the arrow in it */
     BAT_PART_LEFT,      /* the ends of the handles */
     BAT_PART_RIGHT,
-    BAT_PART_CURVE, /* the curve of the chosen spline */
-    BAT_PART_FIRST, /* the first point, which closes the curve */
-    BAT_PART_OTHER  /* another spline */
+    BAT_PART_CURVE,  /* the curve of the chosen spline */
+    BAT_PART_FIRST,  /* the first point, which closes the curve */
+    BAT_PART_OTHER,  /* another spline */
+    BAT_PART_OUTLINE /* a selected curve that is no spline */
 } bat_tangents_part;
 
 typedef struct bat_spline_hit {
@@ -33,7 +34,9 @@ typedef struct bat_spline_hit {
     int point;
     int segment; /* CURVE: segment numbered as in bat_tangents, and where on it */
     double t;
-    bat_id object; /* OTHER */
+    bat_id object; /* OTHER, OUTLINE */
+    int curve;     /* OUTLINE: which of its curves, and where on it */
+    double u;
 } bat_spline_hit;
 
 typedef struct bat_splining {

@@ -33,6 +33,7 @@
 #include "editor/view/stage.h"
 #include "editor/view/way.h"
 #include "base/real.h"
+#include <batten/refine.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -255,7 +256,7 @@ static void begin_drag(bat_context *c) {
     s->step = press.part == BAT_PART_POINT || press.part == BAT_PART_FIRST ? BAT_STRING_STEP_MOVE_POINT
                                                                            : BAT_STRING_STEP_DIRECTION;
     if (press.part == BAT_PART_FIRST) press.part = BAT_PART_POINT;
-    if (press.part == BAT_PART_OTHER || press.part == BAT_PART_NOTHING) return;
+    if (press.part >= BAT_PART_OTHER || press.part == BAT_PART_NOTHING) return;
     if (press.part == BAT_PART_CURVE) {
         s->step = BAT_STRING_STEP_INSERT_POINT;
         press.part = BAT_PART_POINT;
@@ -337,6 +338,36 @@ static bool taps_twice(bat_splining *s, const bat_pointer *event) {
     return twice;
 }
 
+/* The most that a knot inside the domain is repeated; 1 where there is none. */
+static int most_repeated(const bat_curve *curve) {
+    const double *t = bat_curve_knots(curve);
+    double domain[2];
+    int most = 1, run = 0;
+    bat_curve_domain(curve, domain);
+    for (int i = 0; i < bat_curve_knot_count(curve); i++) {
+        run = i > 0 && t[i] == t[i - 1] ? run + 1 : 1;
+        if (t[i] > domain[0] && t[i] < domain[1] && run > most) most = run;
+    }
+    return most;
+}
+
+/* A knot in a curve that is no spline, which keeps its shape: as many as its other joints have, so that a Bézier outline gets a point of its own
+ * kind. */
+static void add_to_outline(bat_context *c, const bat_spline_hit *press) {
+    const bat_document *document = c->session->document;
+    const bat_object *object = bat_document_at(document, bat_document_find(document, press->object));
+    const bat_curve *curve = bat_object_curve(object, press->curve);
+    const int degree = bat_curve_degree(curve), most = most_repeated(curve);
+    bat_curve *after = NULL;
+    bat_status status = bat_curve_insert_knot(curve, press->u, most < degree ? most : degree, &after);
+    if (status == BAT_OK)
+        status = bat_commit_curve(c, press->object, press->curve, after, BAT_STRING_STEP_KNOT_IN);
+    if (status == BAT_KNOTS)
+        bat_notice(c, BAT_STRING_NOTICE_KNOT_FULL);
+    else if (status != BAT_OK)
+        bat_notice_failure(c, status);
+}
+
 static void tap(bat_context *c, const bat_pointer *event) {
     bat_splining *s = bat_splining_of(c);
     bat_spline_hit press = s->press;
@@ -358,6 +389,7 @@ static void tap(bat_context *c, const bat_pointer *event) {
         s->object = press.object;
         s->point = -1;
         break;
+    case BAT_PART_OUTLINE: add_to_outline(c, &press); break;
     case BAT_PART_NOTHING: break;
     }
 }
@@ -547,7 +579,7 @@ static bat_string hint(const bat_context *c, const void *state) {
         [BAT_PART_POINT] = BAT_STRING_HINT_POINT,  [BAT_PART_DIRECTION] = BAT_STRING_HINT_DIRECTION,
         [BAT_PART_LEFT] = BAT_STRING_HINT_HANDLE,  [BAT_PART_RIGHT] = BAT_STRING_HINT_HANDLE,
         [BAT_PART_CURVE] = BAT_STRING_HINT_INSERT, [BAT_PART_FIRST] = BAT_STRING_HINT_PLACE_CLOSE,
-        [BAT_PART_OTHER] = BAT_STRING_HINT_CHOOSE};
+        [BAT_PART_OTHER] = BAT_STRING_HINT_CHOOSE, [BAT_PART_OUTLINE] = BAT_STRING_HINT_INSERT};
     if (s->state == BAT_SPLINING_DRAGGING) {
         if (s->press.part == BAT_PART_POINT || bat_splining_is_even(c)) return BAT_STRING_HINT_MOVING;
         if (s->press.part != BAT_PART_DIRECTION) return BAT_STRING_HINT_TENSING;
@@ -568,7 +600,7 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
     if (s->state == BAT_SPLINING_DRAGGING && s->press.part == BAT_PART_POINT) return BAT_CURSOR_GRABBING;
     bat_tangents_part part = s->state == BAT_SPLINING_IDLE ? s->over.part : s->press.part;
     if (part == BAT_PART_NOTHING) return BAT_CURSOR_CROSS;
-    return part == BAT_PART_CURVE || part == BAT_PART_OTHER || part == BAT_PART_FIRST ? BAT_CURSOR_PEN
+    return part == BAT_PART_CURVE || part >= BAT_PART_OTHER || part == BAT_PART_FIRST ? BAT_CURSOR_PEN
                                                                                       : BAT_CURSOR_GRAB;
 }
 

@@ -1,0 +1,216 @@
+/* A surface between two edges. The rows of control points beside an edge follow from its derivatives across, which are curves on the
+ * edge's own knots, so that the joint is exact (docs/math/blend.md 4). */
+#include "form/surface/surface.h"
+#include "form/sweep/sections.h"
+#include "relate/end.h"
+
+#include <batten/blend.h>
+#include <batten/refine.h>
+#include <batten/sweep.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ORDER = BAT_CONTINUITY_MAX, ROWS = 2 * ORDER + 2, MEASURED = 33 };
+
+/* An edge: the line, and its derivatives along the outward direction, points of curves with the line's knots. */
+typedef struct border {
+    bat_curve *line; /* in space */
+    double *across;  /* (order + 1) * count * 3 */
+    int order;
+} border;
+
+static void drop(border *b) {
+    bat_curve_free(b->line);
+    free(b->across);
+}
+
+/* The derivatives 0..order at the end of a row of control points, outwards. A row that is one point stands still. */
+static bat_status derive(const bat_surface *s, int axis, int row, bool last, int order, double *out) {
+    const bat_curve *model = &s->axis[axis];
+    const int count = model->count;
+    double *points = malloc(3 * (size_t)count * sizeof *points), jet[3 * (ORDER + 1)] = {0}, domain[2];
+    bat_curve *line = NULL;
+    if (!points) return BAT_MEMORY;
+    for (int i = 0; i < count; i++)
+        memcpy(points + 3 * i, axis == 0 ? bat_surface_row(s, i) + 3 * row : bat_surface_row(s, row) + 3 * i,
+               3 * sizeof *points);
+    bat_status status = bat_curve_create(3, model->degree, false, (size_t)count, points,
+                                         bat_curve_knot_count(model), bat_curve_knots(model), &line);
+    if (status == BAT_OK) {
+        bat_curve_domain(line, domain);
+        (last ? bat_curve_eval_left : bat_curve_eval)(line, domain[last], order, jet);
+    } else if (status == BAT_SINGULAR) {
+        memcpy(jet, points, 3 * sizeof *jet);
+        status = BAT_OK;
+    }
+    for (int j = 0; j <= order; j++)
+        for (int d = 0; d < 3; d++) out[3 * j + d] = (j % 2 && !last ? -1 : 1) * jet[3 * j + d];
+    bat_curve_free(line), free(points);
+    return status;
+}
+
+/* BAT_ARGUMENT: the surface is closed across the edge. */
+static bat_status read_edge(const bat_surface *s, bat_side side, int order, border *out) {
+    const int along = side == BAT_SIDE_U0 || side == BAT_SIDE_U1, axis = 1 - along;
+    const bool last = side == BAT_SIDE_U1 || side == BAT_SIDE_V1;
+    if (s->axis[axis].closed) return BAT_ARGUMENT;
+    const bat_curve *model = &s->axis[along];
+    const size_t count = (size_t)model->count;
+    double each[3 * (ORDER + 1)];
+    bat_status status = BAT_OK;
+    out->order = order;
+    out->across = malloc(3 * count * (size_t)(order + 1) * sizeof *out->across);
+    if (!out->across) return BAT_MEMORY;
+    for (size_t i = 0; i < count && status == BAT_OK; i++) {
+        status = derive(s, axis, (int)i, last, order, each);
+        for (int j = 0; j <= order; j++)
+            memcpy(out->across + 3 * ((size_t)j * count + i), each + 3 * j, 3 * sizeof *each);
+    }
+    bat_curve *line = NULL;
+    if (status == BAT_OK)
+        status = bat_curve_create(3, model->degree, model->closed, count, out->across,
+                                  bat_curve_knot_count(model), bat_curve_knots(model), &line);
+    out->line = line;
+    return status;
+}
+
+/* Of a curve there is nothing across. */
+static bat_status read_curve(const bat_curve *curve, border *out) {
+    bat_status status = bat_curve_to_dimension(curve, 3, &out->line);
+    if (status != BAT_OK) return status;
+    const size_t bytes = 3 * bat_curve_count(out->line) * sizeof(double);
+    out->across = malloc(bytes);
+    if (!out->across) return BAT_MEMORY;
+    memcpy(out->across, bat_curve_points(out->line), bytes);
+    return BAT_OK;
+}
+
+static void at_share(const bat_curve *line, double share, double out[3]) {
+    double domain[2];
+    bat_curve_domain(line, domain);
+    bat_curve_eval(line, domain[0] + share * (domain[1] - domain[0]), 0, out);
+}
+
+/* The mean distance of the two lines, the second turned round or not. */
+static double gap(const border b[2], bool turned) {
+    double sum = 0, p[3], q[3];
+    for (int i = 0; i < MEASURED; i++) {
+        const double share = (i + 0.5) / MEASURED;
+        at_share(b[0].line, share, p), at_share(b[1].line, turned ? 1 - share : share, q);
+        sum += bat_distance(p, q, 3) / MEASURED;
+    }
+    return sum;
+}
+
+/* How fast a border's surface runs across, in the mean over its control points. */
+static double speed(const border *b) {
+    const size_t count = bat_curve_count(b->line);
+    static const double zero[3] = {0};
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += bat_distance(b->across + 3 * (count + i), zero, 3) / (double)count;
+    return sum;
+}
+
+/* The order + 1 rows of control points beside a border, outwards; degree: across the blend. factor: of the parameter across. */
+static bat_status make_rows(const border *b, int degree, double factor, bool turned, bat_curve **rows) {
+    const bat_curve *line = b->line;
+    const size_t numbers = 3 * bat_curve_count(line);
+    double *points = calloc(numbers, sizeof *points);
+    bat_status status = points ? BAT_OK : BAT_MEMORY;
+    for (int j = 0; j <= b->order && status == BAT_OK; j++) {
+        double choose = 1,
+               scale = 1; /* of the i-th difference: (j over i) factor^i (degree - i)! / degree! */
+        memset(points, 0, numbers * sizeof *points);
+        for (int i = 0; i <= j; i++) {
+            for (size_t k = 0; k < numbers; k++)
+                points[k] += choose * scale * b->across[(size_t)i * numbers + k];
+            choose *= (double)(j - i) / (i + 1), scale *= factor / (degree - i);
+        }
+        bat_curve *row = NULL;
+        status = bat_curve_create(3, line->degree, line->closed, numbers / 3, points,
+                                  bat_curve_knot_count(line), bat_curve_knots(line), &row);
+        if (status == BAT_OK && turned)
+            status = bat_curve_reverse(row, &rows[j]);
+        else
+            rows[j] = row, row = NULL;
+        bat_curve_free(row);
+    }
+    free(points);
+    return status;
+}
+
+/* The rows as lines of a surface, Bézier across. */
+static bat_status assemble(int count, bat_curve *const *rows, bat_surface **out) {
+    const bat_curve *first = rows[0];
+    const int degree[2] = {first->degree, count - 1}, size[2] = {first->count, count};
+    double knots[2 * ROWS];
+    bat_surface *made;
+    bat_status status = bat_surface_allocate(degree, (const bool[2]){first->closed, false}, size, &made);
+    if (status != BAT_OK) return status;
+    for (int i = 0; i < count; i++) knots[i] = 0, knots[count + i] = 1;
+    memcpy(bat_curve_own_knots(&made->axis[0]), bat_curve_knots(first),
+           (size_t)bat_curve_knot_count(first) * sizeof(double));
+    memcpy(bat_curve_own_knots(&made->axis[1]), knots, 2 * (size_t)count * sizeof *knots);
+    for (int i = 0; i < first->count; i++)
+        for (int k = 0; k < count; k++)
+            memcpy(bat_surface_own_row(made, i) + 3 * k, bat_curve_points(rows[k]) + 3 * i,
+                   3 * sizeof(double));
+    return bat_surface_finish(made, out);
+}
+
+static bat_status blend(const border b[2], const double tension[2], bat_surface **out) {
+    const int degree = b[0].order + b[1].order + 1, count = degree + 1;
+    const double far[2] = {gap(b, false), gap(b, true)};
+    const bool turned = far[1] < far[0];
+    bat_curve *rows[ROWS] = {NULL}, *matched[ROWS] = {NULL};
+    bat_status status = far[turned] > 0 ? BAT_OK : BAT_SINGULAR;
+    for (int e = 0; e < 2 && status == BAT_OK; e++) {
+        const double own = b[e].order ? speed(&b[e]) : 1;
+        if (!(own > 0)) status = BAT_SINGULAR;
+        if (status == BAT_OK)
+            status = make_rows(&b[e], degree, tension[e] * far[turned] / own, e && turned,
+                               rows + (e ? b[0].order + 1 : 0));
+    }
+    for (int i = 0; i < (b[1].order + 1) / 2; i++) { /* those of the second come towards it */
+        bat_curve **near = &rows[degree - i], **other = &rows[b[0].order + 1 + i], *kept = *near;
+        *near = *other, *other = kept;
+    }
+    if (status == BAT_OK)
+        status = bat_sections_match(count, (const bat_curve *const *)rows, (double[]){0, 1}, matched, NULL);
+    if (status == BAT_OK) {
+        status = assemble(count, matched, out);
+        bat_sections_free(count, matched);
+    }
+    for (int i = 0; i < ROWS; i++) bat_curve_free(rows[i]);
+    return status;
+}
+
+static bool is_side(bat_side side) { return side >= BAT_SIDE_V0 && side <= BAT_SIDE_U1; }
+
+/* To an edge of b, or to a curve instead. */
+static bat_status make(const bat_surface *a, bat_side a_side, const bat_surface *b, bat_side b_side,
+                       const bat_curve *curve, const bat_blend_options *given, bat_surface **out) {
+    bat_blend_options o;
+    border both[2] = {{0}, {0}};
+    bat_status status = bat_blend_options_read(given, &o);
+    if (status == BAT_OK && (!is_side(a_side) || !is_side(b_side))) status = BAT_ARGUMENT;
+    if (status == BAT_OK) status = read_edge(a, a_side, o.continuity[0], &both[0]);
+    if (status == BAT_OK)
+        status = b ? read_edge(b, b_side, o.continuity[1], &both[1]) : read_curve(curve, &both[1]);
+    if (status == BAT_OK && both[0].line->closed != both[1].line->closed) status = BAT_ARGUMENT;
+    if (status == BAT_OK) status = blend(both, o.tension, out);
+    drop(&both[0]), drop(&both[1]);
+    return status;
+}
+
+bat_status bat_surface_blend(const bat_surface *a, bat_side a_side, const bat_surface *b, bat_side b_side,
+                             const bat_blend_options *options, bat_surface **out) {
+    return a && b && out ? make(a, a_side, b, b_side, NULL, options, out) : BAT_ARGUMENT;
+}
+
+bat_status bat_surface_blend_curve(const bat_surface *a, bat_side a_side, const bat_curve *curve,
+                                   const bat_blend_options *options, bat_surface **out) {
+    return a && curve && out ? make(a, a_side, NULL, BAT_SIDE_V0, curve, options, out) : BAT_ARGUMENT;
+}
