@@ -144,7 +144,7 @@ static void heights_are_entered(void **state) {
     assert_int_equal(bat_editor_enter(editor, "z", "-25.4"), BAT_OK);
     expect_number(editor, "z", "-25.4 mm");
     expect_number(editor, "depth", "0 mm");
-    bat_editor_command(editor, "orbit-home");
+    bat_editor_command(editor, "view-upright");
     bat_editor_select(editor, 2, true); /* on the page: the two are as deep as they are apart */
     expect_number(editor, "z", "-25.4 mm");
     expect_number(editor, "depth", "25.4 mm");
