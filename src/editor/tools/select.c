@@ -329,10 +329,36 @@ static bat_status pose(bat_context *c, bat_selecting *s, const double rows[12]) 
 
 static int part_of(const bat_selecting *s) { return s->handle - BAT_GRIP_GIZMO; }
 
+/* What is moved in space snaps by its middle and its ends, along the axes that it is free to go. */
+static void snap_part(bat_context *c, bat_selecting *s, double by[3]) {
+    bat_snap_source sources[BAT_SNAP_SOURCES];
+    bool free[3];
+    int count = 0, which = 0;
+    for (int k = 0; k < 3; k++) free[k] = (part_of(s) < BAT_GIZMO_ACROSS) == (k == part_of(s) % 3);
+    sources[count].kinds = BAT_SNAP_ALL;
+    memcpy(sources[count++].point, s->gizmo.middle, sizeof s->gizmo.middle);
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < bat_object_curve_count(s->before[i]) && count + 2 <= BAT_SNAP_SOURCES; k++) {
+            const bat_curve *curve = bat_object_curve(s->before[i], k);
+            double domain[2];
+            if (bat_curve_is_closed(curve)) continue;
+            bat_curve_domain(curve, domain);
+            for (int side = 0; side < 2; side++, count++) {
+                sources[count] = (bat_snap_source){{0, 0, 0}, BAT_SNAP_ALL};
+                bat_curve_eval(curve, domain[side], 0, sources[count].point);
+            }
+        }
+    bat_seen_sync(c);
+    (*c->snap) = bat_snap_find_space(c, s->count, s->indices, count, sources, by, free, &which);
+    for (int k = 0; k < 3 && c->snap->kind; k++)
+        if (c->snap->bound[k]) by[k] = c->snap->point[k] - sources[which].point[k];
+}
+
 static bat_status place(bat_context *c, bat_selecting *s) {
     double rows[12], by[3];
     const bool turns = part_of(s) >= BAT_GIZMO_ABOUT;
     if (!bat_gizmo_drag(&s->gizmo, c->stage, part_of(s), s->start, s->at, by)) return BAT_OK;
+    if (!turns) snap_part(c, s, by);
     for (int k = 0; k < 3; k++) s->by[k] = turns ? snapped_angle(by[k], c->modifiers & BAT_SHIFT) : by[k];
     bat_gizmo_rows(&s->gizmo, part_of(s), s->by, rows);
     if (!bat_pose_in_plane(rows, s->matrix)) bat_matrix_identity(s->matrix);

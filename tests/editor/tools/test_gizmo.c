@@ -171,11 +171,43 @@ static void what_stays_on_the_page(void **state) {
     bat_editor_free(editor);
 }
 
+/* Along z a line comes to the height of another's end where the two are seen to meet. */
+static void a_drag_snaps_in_space(void **state) {
+    (void)state;
+    const double ends[6] = {400, 300, -60, 700, 300, -60};
+    bat_curve *curves[2] = {pen_curve(200, 300, 50, 0, 5), NULL};
+    assert_int_equal(bat_curve_create(3, 1, false, 2, ends, 4, (double[]){0, 0, 1, 1}, &curves[1]), BAT_OK);
+    bat_editor *editor = editor_with(2, curves);
+    const uint64_t first = digest(editor);
+    pen p = pen_for(editor);
+    double at[3], from[2], to[2], end[BAT_DIMENSION_MAX];
+    bat_editor_command(editor, "tool-select");
+    bat_editor_select(editor, 1, false);
+    for (int i = 0; i < 4; i++) bat_editor_command(editor, "orbit-up");
+    bat_editor_frame(editor);
+    const bat_curve *line = bat_object_curve(bat_document_at(editor->session.document, 0), 0);
+    double domain[2];
+    bat_curve_domain(line, domain);
+    bat_curve_eval(line, domain[1], 0, end);
+    assert_true(fabs(end[0] - 400) < 1e-9 && fabs(end[1] - 300) < 1e-9);
+    const bat_gizmo g = gizmo_of(editor);
+    bat_gizmo_handle(&g, BAT_GIZMO_ALONG + 2, at);
+    pixel_of(editor, at, from);
+    at[2] -= 57;
+    pixel_of(editor, at, to);
+    drag(&p, from[0], from[1], to[0], to[1]);
+    bat_curve_eval(bat_object_curve(bat_document_at(editor->session.document, 0), 0), domain[1], 0, end);
+    for (int k = 0; k < 3; k++) assert_true(fabs(end[k] - ends[k]) < 1e-9);
+    assert_int_equal(round_trip(editor, first), 1);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_part_leads_where_it_says),
         cmocka_unit_test(a_drag_is_shown_and_cancelled),
         cmocka_unit_test(what_stays_on_the_page),
+        cmocka_unit_test(a_drag_snaps_in_space),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
