@@ -49,8 +49,11 @@ typedef enum bat_role {
     BAT_ROLE_PAGE_BACK, /* instead of PAGE: seen from behind */
     BAT_ROLE_PIVOT,     /* what the view turns about */
     BAT_ROLE_GROUP, /* in the static list: the items that follow are painted as one picture, which then has the opacity */
-    BAT_ROLE_CLIP /* in the static list: of the items that follow, what lies within the path is painted; or a mask: `fill` is
+    BAT_ROLE_CLIP, /* in the static list: of the items that follow, what lies within the path is painted; or a mask: `fill` is
                    * the number of a picture, the path goes round its corners, and they are painted as far as it covers */
+    BAT_ROLE_AXIS_X, /* what moves along an axis of the drawing, or turns about it: lines, and filled handles */
+    BAT_ROLE_AXIS_Y,
+    BAT_ROLE_AXIS_Z
 } bat_role;
 
 enum {

@@ -1,5 +1,7 @@
 #include "base/pose.h"
 
+#include "base/real.h"
+
 #include <string.h>
 
 const double bat_pose_none[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -19,6 +21,32 @@ void bat_pose_apply(const double rows[12], size_t count, const double *points, d
         const double x = points[i], y = points[i + 1], z = points[i + 2];
         for (size_t k = 0; k < 3; k++)
             out[i + k] = rows[4 * k] * x + rows[4 * k + 1] * y + rows[4 * k + 2] * z + rows[4 * k + 3];
+    }
+}
+
+bool bat_pose_in_plane(const double r[12], double m[6]) {
+    if (r[2] != 0 || r[6] != 0 || r[8] != 0 || r[9] != 0 || r[10] != 1 || r[11] != 0) return false;
+    memcpy(m, (double[]){r[0], r[4], r[1], r[5], r[3], r[7]}, 6 * sizeof *m);
+    return true;
+}
+
+void bat_pose_translation(const double by[3], double out[12]) {
+    memcpy(out, bat_pose_none, sizeof bat_pose_none);
+    for (int k = 0; k < 3; k++) out[4 * k + 3] = by[k];
+}
+
+void bat_pose_rotation(double radians, const double a[3], const double about[3], double out[12]) {
+    const double c = bat_cos(radians), s = bat_sin(radians), rest = 1 - c;
+    const double cross[9] = {0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0};
+    for (int i = 0; i < 3; i++) {
+        out[4 * i + 3] = about[i];
+        for (int k = 0; k < 3; k++) {
+            /* Exact about the axes of the drawing: what lies in the page stays there. */
+            const double kept = a[i] * a[k] == 1 ? 1 : (i == k ? c : 0) + rest * a[i] * a[k];
+            out[4 * i + k] = kept + s * cross[3 * i + k] + 0.0;
+            out[4 * i + 3] -= out[4 * i + k] * about[k];
+        }
+        if (a[i] == 1 || a[i] == -1) out[4 * i + 3] = 0;
     }
 }
 

@@ -1,5 +1,7 @@
 /* The curve as a value: made, checked, read, copied, compared, transformed. */
 #include "curve/curve.h"
+
+#include "base/pose.h"
 #include "base/lanes.h"
 #include "base/real.h"
 
@@ -193,4 +195,16 @@ bat_status bat_curve_to_dimension(const bat_curve *curve, int dimension, bat_cur
                 d < curve->dimension ? curve->points[(size_t)i * (size_t)curve->dimension + (size_t)d] : 0;
     *out = image;
     return BAT_OK;
+}
+
+bat_status bat_curve_posed(const bat_curve *curve, const double rows[12], bat_curve **out) {
+    double m[6];
+    bat_curve *space = NULL;
+    if (curve->dimension == 3) return bat_curve_transform(curve, rows, out);
+    if (bat_pose_in_plane(rows, m))
+        return bat_curve_transform(curve, (double[]){m[0], m[2], m[4], m[1], m[3], m[5]}, out);
+    bat_status status = bat_curve_to_dimension(curve, 3, &space);
+    if (status == BAT_OK) status = bat_curve_transform(space, rows, out);
+    bat_curve_free(space);
+    return status;
 }

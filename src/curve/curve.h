@@ -38,6 +38,8 @@ bat_status bat_curve_finish(bat_curve *curve, bat_curve **out);
 double *bat_curve_own_knots(bat_curve *curve);
 double *bat_curve_own_points(bat_curve *curve);
 
+/* The image under three rows of four numbers (base/pose.h); a curve of the plane that leaves it lies in space. */
+bat_status bat_curve_posed(const bat_curve *curve, const double rows[12], bat_curve **out);
 /* bat_curve_count, as it is counted inside. */
 static inline int bat_point_count(const bat_curve *curve) { return curve->count; }
 /* How many knots a curve of so many points has. */

@@ -355,18 +355,9 @@ bat_status bat_bound_reorder(const bat_hold *hold, const size_t *order, bat_hold
 
 /* ---- affine images ---- */
 
-static void image_points(size_t count, const double *from, const double m[6], double *to) {
-    double rows[12];
-    bat_matrix_rows(m, 3, rows);
-    bat_pose_apply(rows, count, from, to);
-}
-
-static bat_status image_curve(const bat_curve *curve, const double m[6], bat_curve **out) {
-    double rows[12];
+static bat_status image_curve(const bat_curve *curve, const double rows[12], bat_curve **out) {
     *out = NULL;
-    if (!curve) return BAT_OK;
-    bat_matrix_rows(m, bat_curve_dimension(curve), rows);
-    return bat_curve_transform(curve, rows, out);
+    return curve ? bat_curve_posed(curve, rows, out) : BAT_OK;
 }
 
 static bat_status image_radius(const bat_function *radius, double factor, bat_function *out) {
@@ -376,22 +367,25 @@ static bat_status image_radius(const bat_function *radius, double factor, bat_fu
 }
 
 /* A hold on the image, with a bound of its own. */
-static bat_status image_hold(const bat_hold *hold, const double matrix[6], bat_hold *out) {
+static bat_status image_hold(const bat_hold *hold, const double rows[12], bat_hold *out) {
     const bat_bound *bound = hold->bound;
-    const double area = bat_matrix_area(matrix), factor = area > 0 ? sqrt(area) : 1;
+    double matrix[6];
+    const bool planar = bat_pose_in_plane(rows, matrix);
+    const double area = planar ? bat_matrix_area(matrix) : 1;
+    const double factor = area > 0 ? sqrt(area) : 1;
     bat_wire wires[BAT_BOUND_WIRES] = {{.reference = NULL}};
     bat_id domains[BAT_BOUND_WIRES];
     domain_ids(bound, bound->ids, domains);
     double *rest = malloc((3 * bound->point_count + 1) * sizeof *rest);
     bat_status status = rest ? BAT_OK : BAT_MEMORY;
-    if (status == BAT_OK) image_points(bound->point_count, bound->rest, matrix, rest);
+    if (status == BAT_OK) bat_pose_apply(rows, bound->point_count, bound->rest, rest);
     for (int i = 0; i < bound->count && status == BAT_OK; i++) {
         bat_curve *reference = NULL, *domain = NULL;
-        status = image_curve(bound->wires[i].reference, matrix, &reference);
+        status = image_curve(bound->wires[i].reference, rows, &reference);
         wires[i].scale = bound->wires[i].scale; /* borrowed */
         wires[i].turn = bound->wires[i].turn;
         wires[i].reference = reference;
-        if (status == BAT_OK) status = image_curve(bound->wires[i].domain, matrix, &domain);
+        if (status == BAT_OK) status = image_curve(bound->wires[i].domain, rows, &domain);
         wires[i].domain = domain;
         if (status == BAT_OK) status = image_radius(&bound->wires[i].radius, factor, &wires[i].radius);
     }
@@ -399,7 +393,7 @@ static bat_status image_hold(const bat_hold *hold, const double matrix[6], bat_h
     out->bound = NULL, out->moved = true;
     if (status == BAT_OK)
         status = bat_bound_create((size_t)bound->count, wires, bound->ids, domains, &bound->options,
-                                  bound->point_count, rest, bound->flat, &out->bound, NULL);
+                                  bound->point_count, rest, bound->flat && planar, &out->bound, NULL);
     for (int i = 0; i < bound->count; i++) {
         bat_curve_free((bat_curve *)wires[i].reference), bat_curve_free((bat_curve *)wires[i].domain);
         bat_function_clear(&wires[i].radius);
@@ -408,14 +402,14 @@ static bat_status image_hold(const bat_hold *hold, const double matrix[6], bat_h
     return status;
 }
 
-bat_status bat_bound_transform(const bat_object *object, const double matrix[6], bat_object **out) {
+bat_status bat_bound_transform(const bat_object *object, const double rows[12], bat_object **out) {
     const bat_hold *hold = bat_object_hold(object);
     bat_hold next = {.bound = NULL};
     size_t count;
     double *points = points_of(object, &count);
     if (!points) return BAT_MEMORY;
-    image_points(count, points, matrix, points);
-    bat_status status = hold ? image_hold(hold, matrix, &next) : BAT_OK;
+    bat_pose_apply(rows, count, points, points);
+    bat_status status = hold ? image_hold(hold, rows, &next) : BAT_OK;
     if (status == BAT_OK) status = bat_object_type(object)->put(object, points, &next, out);
     bat_bound_release(next.bound);
     free(points);

@@ -54,7 +54,7 @@ bat_status bat_bound_reorder(const bat_hold *hold, const size_t *order, bat_hold
 bat_status bat_bound_remake(const bat_object *object, const bat_id *ids, const bat_object *const *from,
                             bat_object **out);
 /* The image of an object with points, bound or not: what it is bound to goes with it. */
-bat_status bat_bound_transform(const bat_object *object, const double matrix[6], bat_object **out);
+bat_status bat_bound_transform(const bat_object *object, const double rows[12], bat_object **out);
 
 /* Of each wire the object whose first curve bounds its reach, among the sources of the bound; NULL: none. */
 void bat_bound_domains(const bat_bound *bound, const bat_object *const *from,

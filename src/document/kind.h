@@ -43,10 +43,11 @@ typedef struct bat_kind_type {
     uint64_t (*digest)(uint64_t digest, const void *own);
     /* Widens box (low x, low y, high x, high y) to contain whatever is not curves. */
     void (*bounds)(const void *own, double box[4]);
-    /* The image under the matrix {a, b, c, d, e, f}; the style is kept. NULL: the kind has no images. *out
-     * NULL with BAT_OK: what the curves are made from cannot produce the image; the transformed curves as a
-     * path can. */
-    bat_status (*transform)(const bat_object *object, const double matrix[6], bat_object **out);
+    /* The image under three rows of four numbers (base/pose.h), which turn, move and stretch when they lead out of the page; the
+     * style is kept. Curves of the page that leave it lie in space. NULL: the kind has no images. *out NULL with BAT_OK: what
+     * the curves are made from cannot produce the image; the transformed curves as a path can. BAT_UNSUPPORTED: it stays on
+     * the page. */
+    bat_status (*transform)(const bat_object *object, const double rows[12], bat_object **out);
     /* For kinds without curves whose fill has a colour: a copy that shows the style that the object has now. NULL: of the style
      * only the opacity has a meaning. */
     bat_status (*restyle)(const bat_object *object, bat_object **out);

@@ -180,7 +180,9 @@ bat_status bat_marking_part(const bat_marking *marking, int part, const double m
                             const bat_object *host, bat_object **out) {
     const bat_object *object = marking->parts[part].object;
     bat_object *made = NULL;
-    bat_status status = bat_object_type(object)->transform(object, matrix, &made);
+    double rows[12];
+    bat_matrix_rows(matrix, 3, rows);
+    bat_status status = bat_object_type(object)->transform(object, rows, &made);
     if (status == BAT_OK && !made) status = BAT_NUMBER;
     if (status == BAT_OK) status = dress(host, &marking->parts[part], matrix, &made);
     if (status == BAT_OK) status = clip_part(marking, matrix, object, &made);

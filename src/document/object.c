@@ -25,7 +25,7 @@ typedef struct part {
     bat_users users;
     const bat_curve *curve; /* owned; or the finest curve of `shape`, which is then owned */
     bat_shape *shape;
-    double box[4];
+    double box[4], depth[2];
     uint64_t digest; /* of shape or curve: computed once, as each step digests the whole document */
 } part;
 
@@ -44,7 +44,7 @@ struct bat_object {
     bat_users users;
     const bat_kind_type *type;
     head head;
-    double box[4];
+    double box[4], depth[2];
     int count;
     void *own; /* follows the object in the same block, as do the parts and the name */
     part **parts;
@@ -58,13 +58,14 @@ static part *part_create(void) {
 }
 
 static void part_fill(part *made, const bat_curve *curve, bat_shape *shape) {
-    double low[BAT_DIMENSION_MAX], high[BAT_DIMENSION_MAX];
+    double low[BAT_DIMENSION_MAX] = {0}, high[BAT_DIMENSION_MAX] = {0};
     bat_curve_bounds(curve, low, high);
     made->curve = curve;
     made->shape = shape;
     made->digest = shape ? bat_digest_shape(bat_digest_begin(), shape)
                          : bat_digest_curve(bat_digest_begin(), curve);
     made->box[0] = low[0], made->box[1] = low[1], made->box[2] = high[0], made->box[3] = high[1];
+    made->depth[0] = low[2], made->depth[1] = high[2];
 }
 
 static void part_release(part *made) {
@@ -109,14 +110,18 @@ static bat_object *allocate(const bat_kind_type *type, int count, const char *na
 static void measure(bat_object *object) {
     object->box[0] = object->box[1] = INFINITY;
     object->box[2] = object->box[3] = -INFINITY;
+    object->depth[0] = INFINITY, object->depth[1] = -INFINITY;
     for (int i = 0; i < object->count; i++) {
         const double *box = object->parts[i]->box;
         for (int k = 0; k < 2; k++) {
             object->box[k] = fmin(object->box[k], box[k]);
             object->box[k + 2] = fmax(object->box[k + 2], box[k + 2]);
         }
+        object->depth[0] = fmin(object->depth[0], object->parts[i]->depth[0]);
+        object->depth[1] = fmax(object->depth[1], object->parts[i]->depth[1]);
     }
     if (object->type->bounds) object->type->bounds(object->own, object->box);
+    if (!object->count && object->box[0] <= object->box[2]) object->depth[0] = object->depth[1] = 0;
 }
 
 /* An object's head that it shares with another: what it refers to has one more user. */
@@ -182,6 +187,7 @@ static bat_object *share_as(const bat_object *object, const bat_kind_type *type,
     if (!copy) return NULL;
     set_head(copy, &object->head);
     memcpy(copy->box, object->box, sizeof copy->box);
+    memcpy(copy->depth, object->depth, sizeof copy->depth);
     for (int i = 0; i < object->count; i++) {
         copy->parts[i] = object->parts[i];
         bat_users_add(&copy->parts[i]->users);
@@ -440,6 +446,7 @@ const bat_shape *bat_object_shape(const bat_object *object, int index) {
 }
 
 void bat_object_bounds(const bat_object *object, double box[4]) { memcpy(box, object->box, 4 * sizeof *box); }
+void bat_object_depth(const bat_object *object, double z[2]) { memcpy(z, object->depth, 2 * sizeof *z); }
 
 const char *bat_object_check(const bat_object *object) {
     if (!bat_style_valid(&object->head.style)) return "a style is out of range";

@@ -5,6 +5,8 @@
 
 #include <batten/document.h>
 
+/* The exact range of z of its outline, 0 to 0 on the page; empty, low > high, where its box is. */
+void bat_object_depth(const bat_object *object, double z[2]);
 uint64_t bat_digest_object(uint64_t digest, const bat_object *object);
 /* The object with its opacity times that factor. Statuses as of bat_object_with_style. */
 bat_status bat_object_faded(const bat_object *object, double factor, bat_object **out);

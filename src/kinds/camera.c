@@ -152,10 +152,10 @@ static const char *check(const bat_object *object) {
 }
 
 /* A path that is followed is moved on its own. */
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     const bat_camera *camera = bat_object_camera(object);
     bat_camera *image = NULL;
-    bat_status status = bat_camera_image(camera, m, followed(object) ? camera->given : NULL, &image);
+    bat_status status = bat_camera_image(camera, rows, followed(object) ? camera->given : NULL, &image);
     if (status == BAT_OK) status = make(object, 0, NULL, NULL, image, followed(object), out);
     if (status != BAT_OK) bat_camera_free(image);
     return status;

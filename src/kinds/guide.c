@@ -1,4 +1,5 @@
 /* A guide: an infinite vertical or horizontal line that paints nothing. */
+#include "base/pose.h"
 #include "document/digest.h"
 #include "format/json/fields.h"
 #include "kinds/kinds.h"
@@ -36,9 +37,9 @@ static uint64_t digest_guide(uint64_t digest, const void *own) {
 }
 
 /* A guide stays vertical or horizontal even when the matrix rotates. */
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     const guide *g = bat_object_own(object, &bat_kind_of_guide);
-    return bat_object_with_guide(object, g->at * m[3 * g->axis] + m[4 + g->axis], out);
+    return bat_object_with_guide(object, g->at * rows[5 * g->axis] + rows[4 * g->axis + 3], out);
 }
 
 static void write(const bat_object *object, bat_text *text) {

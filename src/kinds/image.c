@@ -1,5 +1,6 @@
 /* Images, and foreign content: pictures placed by a matrix that maps their pixels to the document. Foreign content is what the
  * program does not edit, kept as a small SVG file of its own. */
+#include "base/pose.h"
 #include "base/matrix.h"
 #include "document/clip.h"
 #include "document/digest.h"
@@ -92,8 +93,9 @@ static uint64_t digest_placed(uint64_t before, const void *own) {
     return made;
 }
 
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
-    double now[6];
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
+    double m[6], now[6];
+    if (!bat_pose_in_plane(rows, m)) return BAT_UNSUPPORTED;
     bat_matrix_compose(m, bat_object_matrix(object), now);
     return bat_object_with_matrix(object, now, out);
 }

@@ -1,6 +1,8 @@
 /* A path: one or more curves of one dimension that share a style. A shape: the same, but some of its curves
  * are the finest ones of shapes with levels. Bound curves: the same, but wires take them along. */
+#include "base/pose.h"
 #include "base/matrix.h"
+#include "curve/curve.h"
 #include "document/bound.h"
 #include "document/digest.h"
 #include "document/levelled.h"
@@ -149,29 +151,37 @@ static const char *check(const bat_object *object) {
 
 /* ---- affine images ---- */
 
-static bat_status moved(void *matrix, const bat_curve *curve, bat_curve **out) {
-    return bat_curve_transform(curve, matrix, out);
+static bat_status moved(void *rows, const bat_curve *curve, bat_curve **out) {
+    return bat_curve_posed(curve, rows, out);
 }
 
-static bat_status image_path(const bat_object *object, const double *m, bat_object **out) {
-    double matrix[12];
-    bat_matrix_rows(m, bat_curve_dimension(bat_object_curve(object, 0)), matrix);
-    return bat_object_with_each(object, moved, matrix, out);
-}
-
-/* Levels are transformed along with their curves; where the matrix flattens them, the plain curves remain.
- * *path is replaced. */
-static bat_status image_shapes(const bat_object *object, const double *m, bat_object **path) {
-    double matrix[12], area = bat_matrix_area(m), square = 0;
+/* Whether details in the plane need not be measured again. */
+static bool is_similar(const double m[6]) {
+    double square = 0;
     for (int i = 0; i < 4; i++) square += m[i] * m[i];
-    bool similar = fabs(square - 2 * area) <= 1e-12 * square; /* the details need not be measured again */
-    bat_matrix_rows(m, bat_curve_dimension(bat_object_curve(object, 0)), matrix);
-    if (bat_curve_dimension(bat_object_curve(object, 0)) != 2) similar = false;
+    return fabs(square - 2 * bat_matrix_area(m)) <= 1e-12 * square;
+}
+
+/* The levels of that curve, to be moved; those of the page may be in space from now on. */
+static bat_status take_shape(const bat_object *object, int i, bool flat, bat_shape **out) {
+    const bat_shape *shape = bat_object_shape(object, i);
+    const bool same = flat == (bat_curve_dimension(bat_object_curve(object, i)) == 2);
+    return same ? bat_shape_copy(shape, out) : bat_shape_to_dimension(shape, 3, out);
+}
+
+/* Levels are transformed along with their curves; where the map flattens them, the plain curves remain.
+ * *path is replaced. */
+static bat_status image_shapes(const bat_object *object, const double *rows, bat_object **path) {
+    double m[6], plane[6];
+    const bool flat = bat_curve_dimension(bat_object_curve(*path, 0)) == 2;
+    const bool similar = flat && bat_pose_in_plane(rows, m) && is_similar(m);
+    if (flat) memcpy(plane, (double[]){rows[0], rows[1], rows[3], rows[4], rows[5], rows[7]}, sizeof plane);
+    const double *matrix = flat ? plane : rows;
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         bat_shape *shape = NULL;
         bat_object *next = NULL;
         if (!bat_object_shape(object, i)) continue;
-        bat_status status = bat_shape_copy(bat_object_shape(object, i), &shape);
+        bat_status status = take_shape(object, i, flat, &shape);
         if (status == BAT_OK)
             status = similar ? bat_shape_transform(shape, matrix)
                              : bat_shape_reframe(shape, matrix, bat_shape_options_of(shape)->frame);
@@ -188,10 +198,12 @@ static bat_status image_shapes(const bat_object *object, const double *m, bat_ob
     return BAT_OK;
 }
 
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     bat_object *made = NULL;
-    bat_status status = image_path(object, m, &made);
-    if (status == BAT_OK) status = image_shapes(object, m, &made);
+    double numbers[12];
+    memcpy(numbers, rows, sizeof numbers);
+    bat_status status = bat_object_with_each(object, moved, numbers, &made);
+    if (status == BAT_OK) status = image_shapes(object, rows, &made);
     if (status != BAT_OK)
         bat_object_release(made);
     else

@@ -1,4 +1,5 @@
 /* A plane in space to draw on: it passes through its origin and is spanned by two axes at right angles. */
+#include "base/pose.h"
 #include "base/vec.h"
 #include "curve/curve.h"
 #include "document/digest.h"
@@ -7,6 +8,7 @@
 #include "text/text.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { NUMBERS = 9 };
 static const double RIGHT = 1e-12; /* axes this close to unit length and a right angle are left unchanged */
@@ -66,16 +68,13 @@ static const char *check(const bat_object *object) {
     return right ? NULL : "the axes of a plane are not at right angles";
 }
 
-/* The matrix is applied to the origin and the axes; z is unchanged. */
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
-    const double *f = bat_object_plane(object);
-    double moved[NUMBERS];
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
+    double moved[NUMBERS], turn[12];
     plane own;
-    for (int i = 0; i < NUMBERS; i += 3) {
-        moved[i] = m[0] * f[i] + m[2] * f[i + 1] + (i ? 0 : m[4]);
-        moved[i + 1] = m[1] * f[i] + m[3] * f[i + 1] + (i ? 0 : m[5]);
-        moved[i + 2] = f[i + 2];
-    }
+    memcpy(turn, rows, sizeof turn);
+    turn[3] = turn[7] = turn[11] = 0;
+    bat_pose_apply(rows, 1, bat_object_plane(object), moved);
+    bat_pose_apply(turn, 2, bat_object_plane(object) + 3, moved + 3);
     bat_status status = set(moved, moved + 3, &own);
     return status == BAT_OK ? bat_object_remake(object, &bat_kind_of_plane, &own, 0, NULL, out) : status;
 }

@@ -1,4 +1,5 @@
 /* A rectangle, an ellipse or a polygon whose numbers stay editable and give its one curve. */
+#include "base/pose.h"
 #include "kinds/primitive.h"
 #include "curve/curve.h"
 #include "document/digest.h"
@@ -60,10 +61,12 @@ static const char *check(const bat_object *object) {
     return same ? NULL : "the curve of a shape is not the one its numbers give";
 }
 
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     bat_primitive image;
+    double m[6];
     *out = NULL;
-    if (!bat_primitive_map(bat_object_primitive(object), m, &image)) return BAT_OK;
+    if (!bat_pose_in_plane(rows, m) || !bat_primitive_map(bat_object_primitive(object), m, &image))
+        return BAT_OK;
     const bat_status status = make(object, 0, NULL, NULL, &image, out);
     return status == BAT_MEMORY ? status : BAT_OK;
 }

@@ -1,5 +1,6 @@
 /* A skeleton and its motion. Its curves show it: the bones as lines, as they are in the first frame, or at the time that
  * it stands at. */
+#include "base/pose.h"
 #include "base/users.h"
 #include "base/vec.h"
 #include "curve/curve.h"
@@ -327,15 +328,10 @@ static const char *check(const bat_object *object) {
     return same ? NULL : "the lines of a skeleton are not where its bones are";
 }
 
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
-    double was[PLACE], place[PLACE];
-    const bat_motion *motion = bat_object_motion(object, was);
-    memcpy(place, was, sizeof place);
-    for (int k = 0; k < 4; k++) {
-        place[k] = m[0] * was[k] + m[2] * was[4 + k];
-        place[4 + k] = m[1] * was[k] + m[3] * was[4 + k];
-    }
-    place[3] += m[4], place[7] += m[5];
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
+    double place[PLACE];
+    const bat_motion *motion = bat_object_motion(object, place);
+    bat_pose_multiply(rows, place, place);
     return make_of_copy(object, 0, NULL, NULL, motion, place, out);
 }
 

@@ -1,5 +1,5 @@
 /* A spline of the tangents hand: its points and directions stay editable and define its one curve. */
-#include "base/matrix.h"
+#include "base/pose.h"
 #include "hands/tangents/spline.h"
 #include "curve/curve.h"
 #include "base/users.h"
@@ -162,32 +162,34 @@ static bool alike(const bat_curve *a, const bat_curve *b) {
 }
 
 /* Whether the object's curve is the image of the other's. */
-static bat_status gives_image(const bat_object *object, const bat_object *of, const double *m, bool *gives) {
+static bat_status gives_image(const bat_object *object, const bat_object *of, const double *rows,
+                              bool *gives) {
     bat_curve *image = NULL;
-    double rows[12];
-    bat_matrix_rows(m, bat_curve_dimension(bat_object_curve(of, 0)), rows);
-    bat_status status = bat_curve_transform(bat_object_curve(of, 0), rows, &image);
+    bat_status status = bat_curve_posed(bat_object_curve(of, 0), rows, &image);
     *gives = status == BAT_OK && alike(bat_object_curve(object, 0), image);
     bat_curve_free(image);
     return status;
 }
 
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     bat_spline spline = *bat_object_spline(object);
     bool gives = false;
+    double m[6], turn[12];
     *out = NULL;
-    const size_t n = spline.count, size = (size_t)spline.dimension;
+    memcpy(turn, rows, sizeof turn);
+    turn[3] = turn[7] = turn[11] = 0;
+    const size_t n = spline.count, was = (size_t)spline.dimension;
+    const size_t size = bat_pose_in_plane(rows, m) ? was : 3;
     double *numbers = malloc(2 * size * n * sizeof *numbers);
     if (!numbers) return BAT_MEMORY;
-    for (size_t i = 0; i < n; i++) {
-        const double *p = spline.points + size * i, *t = spline.tangents ? spline.tangents + size * i : NULL;
-        double *at = numbers + size * i, *tangent = numbers + size * (n + i);
-        at[0] = m[0] * p[0] + m[2] * p[1] + m[4];
-        at[1] = m[1] * p[0] + m[3] * p[1] + m[5];
-        tangent[0] = t ? m[0] * t[0] + m[2] * t[1] : 0;
-        tangent[1] = t ? m[1] * t[0] + m[3] * t[1] : 0;
-        if (size > 2) at[2] = p[2], tangent[2] = t ? t[2] : 0; /* heights stay */
+    for (size_t i = 0; i < 2 * n; i++) {
+        const double *from = i < n ? spline.points : spline.tangents;
+        double place[3] = {0, 0, 0};
+        if (from) memcpy(place, from + was * (i % n), was * sizeof *place);
+        bat_pose_apply(i < n ? rows : turn, 1, place, place);
+        memcpy(numbers + size * i, place, size * sizeof *place);
     }
+    spline.dimension = (int)size;
     spline.points = numbers;
     if (spline.tangents) spline.tangents = numbers + size * n;
     bat_status status = bat_object_with_spline(object, &spline, out);
@@ -196,7 +198,7 @@ static bat_status transform(const bat_object *object, const double m[6], bat_obj
         *out = NULL;
         return status == BAT_MEMORY ? status : BAT_OK;
     }
-    status = gives_image(*out, object, m, &gives);
+    status = gives_image(*out, object, rows, &gives);
     if (status == BAT_OK && gives) return BAT_OK;
     bat_object_release(*out);
     *out = NULL;

@@ -1,7 +1,6 @@
 /* A surface in space. Its curves are its lines at the knots: they show it, and change only with it. It can be made from
  * curves of the drawing by a recipe: when they change, it is made again. Or its control points are bound to wires. Or it is the finest of a surface with
  * levels. */
-#include "base/matrix.h"
 #include "base/users.h"
 #include "document/bound.h"
 #include "document/digest.h"
@@ -449,13 +448,11 @@ static bat_status transform_levels(const bat_object *object, const double rows[1
 }
 
 /* What it is made from is kept: whether it was moved with it is seen when it is asked to follow. */
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     const kept_recipe *now = made_of(bat_object_own(object, &bat_kind_of_surface));
-    double rows[12];
     bat_surface *image = NULL;
     kept_recipe *made = NULL;
-    if (bat_object_hold(object)) return bat_bound_transform(object, m, out);
-    bat_matrix_rows(m, 3, rows);
+    if (bat_object_hold(object)) return bat_bound_transform(object, rows, out);
     if (bat_object_relief(object)) return transform_levels(object, rows, out);
     bat_status status = bat_surface_transform(bat_object_surface(object), rows, &image);
     if (status == BAT_OK && now) {

@@ -1,4 +1,5 @@
 /* Texts: lettering in one colour, placed by a matrix. What it looks like is a picture that it makes itself. */
+#include "base/pose.h"
 #include "base/matrix.h"
 #include "document/digest.h"
 #include "document/lettering.h"
@@ -79,9 +80,10 @@ static bat_status restyle(const bat_object *object, bat_object **out) {
     return bat_object_with_lettering(object, bat_object_lettering(object), out);
 }
 
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     const text *old = own_of(object);
-    double place[6];
+    double m[6], place[6];
+    if (!bat_pose_in_plane(rows, m)) return BAT_UNSUPPORTED;
     bat_matrix_compose(m, old->place, place);
     return make(object, 0, NULL, NULL, bat_lettered_retain(old->lettered), place, out);
 }

@@ -1,4 +1,6 @@
 /* A view that was saved: from where the drawing is looked at. It paints nothing; pictures can be made from it. */
+#include "base/pose.h"
+#include "base/matrix.h"
 #include "curve/curve.h"
 #include "document/digest.h"
 #include "format/json/fields.h"
@@ -7,6 +9,7 @@
 #include "text/text.h"
 
 #include <math.h>
+#include <string.h>
 
 /* -0 becomes 0, so that equal views have equal bits. */
 static void plain(double *numbers, int count) {
@@ -51,20 +54,17 @@ static const char *check(const bat_object *object) {
     return bat_viewpoint_check(bat_object_view(object)) == BAT_OK ? NULL : "a view is not valid";
 }
 
-static void map(const double m[6], bool point, double at[3]) {
-    const double x = at[0], y = at[1];
-    at[0] = m[0] * x + m[2] * y + (point ? m[4] : 0);
-    at[1] = m[1] * x + m[3] * y + (point ? m[5] : 0);
-}
-
 /* Eye and target go where the drawing goes; a parallel view shows as much of it as before. A view from straight above stays
  * one, with its upward direction carried along. */
-static bat_status transform(const bat_object *object, const double m[6], bat_object **out) {
+static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     bat_viewpoint view = *bat_object_view(object), own;
-    map(m, true, view.eye);
-    map(m, true, view.target);
-    map(m, false, view.up);
-    view.height *= sqrt(fabs(m[0] * m[3] - m[1] * m[2]));
+    double turn[12], m[6];
+    memcpy(turn, rows, sizeof turn);
+    turn[3] = turn[7] = turn[11] = 0;
+    bat_pose_apply(rows, 1, view.eye, view.eye);
+    bat_pose_apply(rows, 1, view.target, view.target);
+    bat_pose_apply(turn, 1, view.up, view.up);
+    if (bat_pose_in_plane(rows, m)) view.height *= sqrt(bat_matrix_area(m));
     const bat_status status = set(&view, &own);
     return status == BAT_OK ? bat_object_remake(object, &bat_kind_of_view, &own, 0, NULL, out) : status;
 }

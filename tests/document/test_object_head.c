@@ -9,7 +9,10 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/batten.h>
+#include "base/pose.h"
 #include "document/lettering.h"
+#include "document/object.h"
+#include "document/document.h"
 #include "editor/edit/affine.h"
 #include "kinds/primitive.h"
 #include "support/pen.h"
@@ -255,6 +258,59 @@ static void every_copy_keeps_it(void **state) {
     become(&guide, NULL);
 }
 
+/* Where a curve is, on the page or in space. */
+static void place_at(const bat_object *object, int curve, double share, double at[3]) {
+    double domain[2], place[BAT_DIMENSION_MAX] = {0};
+    const bat_curve *of = bat_object_curve(object, curve);
+    bat_curve_domain(of, domain);
+    bat_curve_eval(of, domain[0] + share * (domain[1] - domain[0]), 0, place);
+    memcpy(at, place, 3 * sizeof *at);
+}
+
+/* Turned in space and lifted, every curve lies where the map takes it, levels are kept, and the range of z is the curves';
+ * turned back it is where it was. Pictures and texts stay on the page, but turn in it. */
+static void every_kind_turns_in_space(void **state) {
+    (void)state;
+    const double axis[3] = {0.6, 0, 0.8}, about[3] = {30, -10, 5};
+    double turn[12], back[12], level[12], was[3], now[3], z[2];
+    bat_pose_rotation(0.7, axis, about, turn);
+    turn[11] += 40;
+    bat_pose_rotation(-0.7, axis, (double[]){about[0], about[1], about[2] + 40}, back);
+    back[11] -= 40;
+    bat_pose_rotation(0.7, (double[]){0, 0, 1}, about, level);
+    for (int k = 0; k < KINDS; k++) {
+        bat_object *object = make(kinds[k], ID, PARENT), *turned = NULL, *again = NULL;
+        const bool stays = kinds[k] == BAT_KIND_IMAGE || kinds[k] == BAT_KIND_FOREIGN ||
+                           kinds[k] == BAT_KIND_TEXT;
+        assert_int_equal(bat_affine_pose(object, level, false, &again), BAT_OK);
+        become(&again, NULL);
+        assert_int_equal(bat_affine_pose(object, turn, false, &turned), stays ? BAT_UNSUPPORTED : BAT_OK);
+        if (!stays) {
+            same_head(turned, object, ID, PARENT);
+            assert_null(bat_object_check(turned));
+            assert_int_equal(bat_affine_pose(turned, back, false, &again), BAT_OK);
+        }
+        /* How long a camera's gaze is shown depends on the box of its path. */
+        const int count = stays ? 0 : bat_object_camera(object) ? 1 : bat_object_curve_count(object);
+        if (count) bat_object_depth(turned, z);
+        for (int i = 0; i < 9 * count; i++) {
+            place_at(object, i / 9, i % 9 / 8.0, was);
+            place_at(again, i / 9, i % 9 / 8.0, now);
+            for (int d = 0; d < 3; d++)
+                if (!(fabs(now[d] - was[d]) < 1e-6))
+                    fail_msg("kind %d back: %g, not %g", (int)kinds[k], now[d], was[d]);
+            bat_pose_apply(turn, 1, was, was);
+            place_at(turned, i / 9, i % 9 / 8.0, now);
+            for (int d = 0; d < 3; d++)
+                if (!(fabs(now[d] - was[d]) < 1e-6))
+                    fail_msg("kind %d: %g, not %g", (int)kinds[k], now[d], was[d]);
+            assert_true(z[0] - 1e-9 <= now[2] && now[2] <= z[1] + 1e-9);
+        }
+        if (kinds[k] == BAT_KIND_SHAPE) assert_int_equal(bat_shape_levels(bat_object_shape(turned, 0)), 1);
+        become(&object, NULL), become(&turned, NULL), become(&again, NULL);
+    }
+}
+
 /* A layer with one of each kind, native and as SVG. */
 static void both_formats_keep_it(void **state) {
     (void)state;
@@ -300,6 +356,7 @@ static void both_formats_keep_it(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_copy_keeps_it),
+        cmocka_unit_test(every_kind_turns_in_space),
         cmocka_unit_test(both_formats_keep_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

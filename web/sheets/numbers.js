@@ -8,7 +8,7 @@ import { PageSize } from './page_size.js';
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 
 /** Those that stand two in a row, and the signs that they have there. @type {Record<string, string>} */
-const SIGNS = { x: 'X', y: 'Y', width: 'W', height: 'H', turn: '∠' };
+const SIGNS = { x: 'X', y: 'Y', width: 'W', height: 'H', z: 'Z', depth: 'D', turn: '∠' };
 
 /** Commands that stand above the numbers, and how many objects or chosen points each needs. @type {[string, number][]} */
 const LINE_UP = [['align-left', 1], ['align-centre', 1], ['align-right', 1], ['align-top', 1], ['align-middle', 1], ['align-bottom', 1],

@@ -20,7 +20,7 @@ const EDGE = 8;
 
 // What is selected, and the shape that it had or could have.
 /** @type {number[]} */
-const SEEN = [Role.HANDLE, Role.SELECTION, Role.FIT];
+const SEEN = [Role.HANDLE, Role.SELECTION, Role.FIT, Role.AXIS_X, Role.AXIS_Y, Role.AXIS_Z];
 
 /**
  * Where what is selected is seen, with its handles: x0, y0, x1, y1 on the stage. Null: nothing of it is drawn.

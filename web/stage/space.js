@@ -6,6 +6,7 @@ import { stand } from '../page/build.js';
 import { word } from '../page/words.js';
 import { Buffers } from './buffers.js';
 import { Legend } from './legend.js';
+import { Pace } from './pace.js';
 import { LINES, SURFACES } from './shaders.js';
 import { TimeStrip } from './time.js';
 import { warp } from './warp.js';
@@ -33,6 +34,9 @@ export class Space {
     this.docked = '';
     this.middle = [0, 0];
     this.time = new TimeStrip(shell);
+    this.pace = new Pace(() => shell.wake());
+    this.ratio = 1; // pixels of the canvas per view pixel
+    this.clip = '';
     /** For tests and measurements: pictures painted, bytes sent. */
     this.counts = { painted: 0, sent: 0, whole: 0 };
     shell.painter.warp = warp;
@@ -146,12 +150,8 @@ export class Space {
     if (!this.gl || this.gl.isContextLost()) {
       return;
     }
-    if (this.canvas.width !== painter.still.width || this.canvas.height !== painter.still.height) {
-      this.canvas.width = painter.still.width;
-      this.canvas.height = painter.still.height;
-      this.shown = '';
-    }
     const picture = frame.tilt || this.time.move.through ? this.read() : null;
+    this.#size(picture);
     if (!picture) {
       this.#leave();
       this.#paintLens(false);
@@ -175,9 +175,26 @@ export class Space {
     }
   }
 
+  /** As large as the still canvas, or coarser while a heavy picture moves. @param {Picture} picture */
+  #size(picture) {
+    const { still, ratio } = this.shell.painter;
+    const clip = picture ? picture.clip.join() : '';
+    if (clip && this.clip && clip !== this.clip && this.time.lens.box.hidden) {
+      this.pace.moved(performance.now());
+    }
+    this.clip = clip;
+    const [width, height] = [still.width, still.height].map((side) => Math.max(1, Math.round(side * this.pace.share)));
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+      this.shown = '';
+    }
+    this.ratio = ratio * this.pace.share;
+  }
+
   /** What tells two pictures apart, but for what moved within surfaces. @param {NonNullable<Picture>} picture */
   #look({ look, clip, items }) {
-    return [look, this.shell.painter.ratio, this.shell.theme.turned, ...clip,
+    return [look, this.ratio, this.shell.theme.turned, ...clip,
       ...items.map(({ id, kind, version, colour, opacity, width, cap }) => [id, kind, version, colour, opacity, width, cap])].join();
   }
 
@@ -333,7 +350,7 @@ export class Space {
    */
   #paintLines({ clip, before, scale }, lines, hidden, inked, rim = null) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
-    const { ratio } = this.shell.painter;
+    const { ratio } = this;
     const { program, at } = /** @type {NonNullable<typeof this.lines>} */ (this.lines);
     gl.useProgram(program);
     gl.uniformMatrix4fv(at.clip, false, clip);

@@ -1,8 +1,10 @@
 /* The commands that choose what the pen draws on. */
 #include "editor/commands/ground.h"
+#include "base/vec.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/input/input.h"
+#include "editor/pick/front.h"
 #include "editor/pick/pivot.h"
 #include "editor/pick/surface.h"
 #include "editor/session/notice.h"
@@ -113,12 +115,23 @@ bat_status bat_command_plane_of_curve(bat_context *c, bat_command_id id) {
     return BAT_STATE;
 }
 
+/* On the plane of a mesh's face. */
+static bat_status draw_on_face(bat_context *c, const double at[3], const double normal[3]) {
+    double axes[6];
+    const vec n = vec_load(normal, 3), across = vec_any_normal(n);
+    vec_store(across, axes);
+    vec_store(vec_cross(n, across), axes + 3);
+    return bat_ground_draw_on(c, at, axes);
+}
+
 bat_status bat_command_draw_on(bat_context *c, bat_command_id id) {
     if (id == BAT_COMMAND_DRAW_ON_PAGE) {
         if (bat_stage_dimension(c->stage) == 2) return BAT_STATE;
         bat_ground_take(c, NULL);
         return BAT_OK;
     }
+    double at[3], normal[3];
+    if (c->input->pen_near && bat_pick_face(c, c->input->pen, at, normal)) return draw_on_face(c, at, normal);
     const bat_object *ground = meant_surface(c);
     if (!ground) ground = next_plane(c);
     if (ground && bat_ground_take(c, ground)) return BAT_OK;

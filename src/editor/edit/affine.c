@@ -1,6 +1,7 @@
 #include "editor/edit/affine.h"
 
 #include "base/matrix.h"
+#include "base/pose.h"
 #include "document/clip.h"
 #include "document/kind.h"
 #include "document/paint.h"
@@ -11,14 +12,14 @@ bool bat_affine_moves(const bat_object *object) {
     return !bat_object_is_group(object) || bat_object_clip(object);
 }
 
-static bat_status image_of(const bat_object *object, const double matrix[6], bat_object **out) {
+static bat_status image_of(const bat_object *object, const double rows[12], bat_object **out) {
     const bat_kind_type *type = bat_object_type(object);
     bat_object *path = NULL;
     if (!type->transform) return BAT_ARGUMENT;
-    bat_status status = type->transform(object, matrix, out);
+    bat_status status = type->transform(object, rows, out);
     if (status != BAT_OK || *out) return status;
     status = bat_object_to_path(object, &path);
-    if (status == BAT_OK) status = bat_object_type(path)->transform(path, matrix, out);
+    if (status == BAT_OK) status = bat_object_type(path)->transform(path, rows, out);
     bat_object_release(path);
     return status;
 }
@@ -48,9 +49,21 @@ static bat_status map_clip(bat_object *made, const double matrix[6], bat_object 
 
 bat_status bat_affine_object(const bat_object *object, const double matrix[6], bool strokes,
                              bat_object **out) {
+    double rows[12];
+    bat_matrix_rows(matrix, 3, rows);
+    return bat_affine_pose(object, rows, strokes, out);
+}
+
+bat_status bat_affine_pose(const bat_object *object, const double rows[12], bool strokes, bat_object **out) {
     bat_object *made = NULL, *thicker = NULL;
+    double matrix[6];
+    if (!bat_pose_in_plane(rows, matrix)) {
+        if (bat_object_clip(object)) return BAT_UNSUPPORTED;
+        strokes = false;
+        bat_matrix_translation(rows[3], rows[7], matrix); /* paint goes along */
+    }
     if (bat_object_is_group(object)) return map_clip(bat_object_retain(object), matrix, out);
-    bat_status status = image_of(object, matrix, &made);
+    bat_status status = image_of(object, rows, &made);
     const double area = bat_matrix_area(matrix);
     strokes = strokes && area > 0 && fabs(area - 1) > 1e-12;
     if (status == BAT_OK) status = map_paint(made, matrix, strokes ? sqrt(area) : 1, &made);

@@ -15,6 +15,7 @@
 #include "editor/tables/tables.h"
 #include "editor/session/reorder.h"
 #include "base/matrix.h"
+#include "base/pose.h"
 #include "document/kind.h"
 #include <math.h>
 #include <stdlib.h>
@@ -81,6 +82,22 @@ bool bat_arrange_box(const bat_document *document, int first, int end, double bo
     return box[0] <= box[2];
 }
 
+bool bat_arrange_selection_space(const bat_context *c, double low[3], double high[3]) {
+    const bat_document *document = c->session->document;
+    double box[4], z[2];
+    low[2] = INFINITY, high[2] = -INFINITY;
+    if (!bat_arrange_selection_box(c, box)) return false;
+    for (int i = 0, end = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        if (i >= end && bat_selection_has(&c->choice->selection, bat_object_id(object)))
+            end = bat_document_end(document, i);
+        bat_object_depth(object, z);
+        if (i < end) low[2] = fmin(low[2], z[0]), high[2] = fmax(high[2], z[1]);
+    }
+    for (int k = 0; k < 2; k++) low[k] = box[k], high[k] = box[k + 2];
+    return true;
+}
+
 bool bat_arrange_selection_box(const bat_context *c, double box[4]) {
     const bat_document *document = c->session->document;
     bat_box_nothing(box);
@@ -140,13 +157,13 @@ static bat_status apply(bat_context *c, bat_listing *listing, bat_string label) 
 }
 
 /* Transforms the objects first to end, within a transaction. */
-static bat_status transform_range(bat_context *c, int first, int end, const double matrix[6]) {
+static bat_status pose_range(bat_context *c, int first, int end, const double rows[12]) {
     bool strokes = c->settings->values[BAT_PROPERTY_SCALE_STROKES] != 0;
     for (int i = first; i < end; i++) {
         const bat_object *before = bat_document_at(c->session->document, i);
         bat_object *after = NULL;
         if (!bat_affine_moves(before)) continue;
-        bat_status status = bat_affine_object(before, matrix, strokes, &after);
+        bat_status status = bat_affine_pose(before, rows, strokes, &after);
         if (status == BAT_OK) status = bat_transaction_replace(c, i, after);
         bat_object_release(after);
         if (status != BAT_OK) return status;
@@ -155,18 +172,24 @@ static bat_status transform_range(bat_context *c, int first, int end, const doub
 }
 
 bat_status bat_arrange_transform(bat_context *c, const double matrix[6], bat_string label) {
+    double rows[12];
+    bat_matrix_rows(matrix, 3, rows);
+    return bat_arrange_pose(c, rows, label);
+}
+
+bat_status bat_arrange_pose(bat_context *c, const double rows[12], bat_string label) {
     int *roots, count;
-    double box[4];
+    double box[4], matrix[6];
     bat_status status = bat_arrange_roots(c, &roots, &count);
     if (status != BAT_OK) return status;
     bat_arrange_selection_box(c, box);
     status = bat_transaction_begin(c);
     if (status == BAT_OK) {
         for (int i = 0; i < count && status == BAT_OK; i++)
-            status = transform_range(c, roots[i], bat_document_end(c->session->document, roots[i]), matrix);
+            status = pose_range(c, roots[i], bat_document_end(c->session->document, roots[i]), rows);
         status = bat_transaction_end(c, status, label);
     }
-    if (status == BAT_OK) bat_repetition_note(c, matrix, box, label);
+    if (status == BAT_OK && bat_pose_in_plane(rows, matrix)) bat_repetition_note(c, matrix, box, label);
     free(roots);
     return status;
 }
@@ -480,9 +503,9 @@ bat_status bat_arrange_line_up(bat_context *c, const bat_line_up *how) {
     if (status == BAT_OK) {
         for (int i = 0; i < n && status == BAT_OK; i++) {
             const double by = things[i].by;
-            double matrix[6];
-            bat_matrix_translation(how->axis ? 0 : by, how->axis ? by : 0, matrix);
-            if (by != 0) status = transform_range(c, roots[i], bat_document_end(document, roots[i]), matrix);
+            double rows[12];
+            bat_pose_translation((double[]){how->axis ? 0 : by, how->axis ? by : 0, 0}, rows);
+            if (by != 0) status = pose_range(c, roots[i], bat_document_end(document, roots[i]), rows);
         }
         status = bat_transaction_end(c, status, how->step);
     }

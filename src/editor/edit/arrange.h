@@ -20,6 +20,8 @@ bat_status bat_arrange_moving(const bat_context *c, int **members, int *count);
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]);
 /* The box of the selection. */
 bool bat_arrange_selection_box(const bat_context *c, double box[4]);
+/* The same in space: low and high x y z. */
+bool bat_arrange_selection_space(const bat_context *c, double low[3], double high[3]);
 /* The topmost group that contains the object at the index, below layers and below the entered group, or the object
  * itself: what a click selects. */
 int bat_arrange_whole(const bat_context *c, int index);
@@ -35,6 +37,9 @@ bat_status bat_arrange_insert(bat_context *c, const bat_object *object);
 
 /* It can be repeated then (choice/repetition.h). */
 bat_status bat_arrange_transform(bat_context *c, const double matrix[6], bat_string label);
+/* The same by three rows of four numbers, as bat_affine_pose takes them, whose status it has, too. Only what stays in the page can
+ * be repeated. */
+bat_status bat_arrange_pose(bat_context *c, const double rows[12], bat_string label);
 bat_status bat_arrange_delete(bat_context *c);
 /* Puts a copy in front of each root, mapped by the matrix; the copies are selected then. */
 bat_status bat_arrange_duplicate(bat_context *c, const double matrix[6]);

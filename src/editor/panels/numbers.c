@@ -25,6 +25,8 @@
 #include "editor/view/unit.h"
 #include "editor/view/stage.h"
 #include "base/matrix.h"
+#include "base/pose.h"
+#include "format/seen/seen.h"
 #include <math.h>
 #include <string.h>
 
@@ -48,8 +50,13 @@ static bat_primitive_number shape_number(bat_number_id id) {
     return (bat_primitive_number)(id - BAT_NUMBER_SHAPE_RADIUS);
 }
 
+/* Whether heights mean something: the drawing has space, or is about to get it. */
+static bool is_in_space(const bat_context *c) {
+    return bat_stage_tilted(c->stage) || bat_seen_in_space(c->session->document);
+}
+
 bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
-    double box[4], zero[2], place[2], at;
+    double box[4], zero[2], place[2], at, low[3], high[3];
     bat_unit_origin(c, zero);
     switch (id) {
     case BAT_NUMBER_POINT_X:
@@ -83,6 +90,11 @@ bool bat_number_now(bat_context *c, bat_number_id id, double *value) {
         return c->choice->selection.count > 0 && bat_primitives_get(c, shape_number(id), value);
     if (!bat_arrange_selection_box(c, box)) return false;
     switch (id) {
+    case BAT_NUMBER_Z:
+    case BAT_NUMBER_DEPTH:
+        if (!is_in_space(c) || !bat_arrange_selection_space(c, low, high)) return false;
+        *value = id == BAT_NUMBER_Z ? low[2] : high[2] - low[2];
+        break;
     case BAT_NUMBER_X: *value = box[0] - zero[0]; break;
     case BAT_NUMBER_Y: *value = box[1] - zero[1]; break;
     case BAT_NUMBER_WIDTH: *value = box[2] - box[0]; break;
@@ -115,6 +127,23 @@ static bat_status change_selection(bat_context *c, bat_number_id id, double from
     return bat_arrange_transform(c, matrix, step);
 }
 
+/* Moves the selection along z, or makes it as deep from its lowest z on. */
+static bat_status change_depth(bat_context *c, bat_number_id id, double from, double to) {
+    double low[3], high[3], rows[12];
+    const double factor = to / from;
+    bat_arrange_selection_space(c, low, high);
+    bat_pose_translation((double[]){0, 0, to - from}, rows);
+    if (id == BAT_NUMBER_DEPTH) {
+        if (!(from > 0)) return BAT_STATE; /* what is flat has no depth to stretch */
+        if (!(factor > 0 && isfinite(factor))) return BAT_ARGUMENT;
+        rows[10] = factor, rows[11] = low[2] - factor * low[2];
+    }
+    const bat_status status = bat_arrange_pose(
+        c, rows, id == BAT_NUMBER_DEPTH ? BAT_STRING_STEP_SCALE : BAT_STRING_STEP_MOVE);
+    if (status == BAT_UNSUPPORTED) bat_notice(c, BAT_STRING_NOTICE_STAYS_ON_PAGE);
+    return status;
+}
+
 static bat_status change_point(bat_context *c, int axis, double by) {
     double delta[2] = {axis ? 0 : by, axis ? by : 0};
     if (bat_tool_at(c->choice->tool)->traits & BAT_EDITS_POINTS) return bat_pointing_shift(c, delta);
@@ -127,6 +156,7 @@ static bat_status change_point(bat_context *c, int axis, double by) {
 
 static bat_status change(bat_context *c, bat_number_id id, double from, double to) {
     if (is_of_shape(id)) return bat_primitives_set(c, shape_number(id), to);
+    if (id == BAT_NUMBER_Z || id == BAT_NUMBER_DEPTH) return change_depth(c, id, from, to);
     if (id == BAT_NUMBER_SURFACE_TWIST) return bat_making_set(c, BAT_MAKING_TWIST, to);
     if (id == BAT_NUMBER_SURFACE_SCALE) return bat_making_set(c, BAT_MAKING_SCALE, to);
     if (id == BAT_NUMBER_SURFACE_ANGLE) return bat_making_set(c, BAT_MAKING_ANGLE, to);

@@ -31,7 +31,9 @@ typedef struct branch {
 typedef struct search {
     bat_context *c;
     unsigned kinds;
-    double point[2], within;
+    int size; /* 2: a point of the page, which snaps to what is there; 3: one in space */
+    double point[3], seen[2], within; /* seen, within: in drawing coordinates */
+    bool free[3];
     int count;
     const int *but;
     branch branches[BRANCHES];
@@ -46,13 +48,27 @@ static double apart(const double a[2], const double b[2]) { return bat_hypot(a[0
 static bool better(const bat_snap *a, const bat_snap *b) {
     if (a->kind == BAT_SNAP_NONE || b->kind == BAT_SNAP_NONE) return a->kind != BAT_SNAP_NONE;
     if (a->kind != b->kind) return a->kind < b->kind;
-    int more = a->bound[0] + a->bound[1] - b->bound[0] - b->bound[1];
+    int more = a->bound[0] + a->bound[1] + a->bound[2] - b->bound[0] - b->bound[1] - b->bound[2];
     return more ? more > 0 : a->distance < b->distance;
 }
 
-static void offer(search *s, bat_snap_kind kind, const double point[2]) {
-    bat_snap snap = {kind, {point[0], point[1]}, {true, true}, apart(point, s->point), {0, 0}};
-    if (snap.distance <= s->within && better(&snap, &s->best)) s->best = snap;
+/* How far from where the point is seen another is. */
+static double seen_apart(const search *s, const double *point) {
+    double at[2];
+    return bat_stage_look(s->c->stage, s->size, point, at) ? apart(at, s->seen) : INFINITY;
+}
+
+/* The point moves there as far as it is free to; in space, not past what it is not seen to meet then. */
+static void offer(search *s, bat_snap_kind kind, const double *place) {
+    bat_snap snap = {kind, {0, 0, 0}, {s->free[0], s->free[1], s->free[2]}, 0, {0, 0}};
+    double at[2], there[2];
+    for (int k = 0; k < s->size; k++) snap.point[k] = s->free[k] ? place[k] : s->point[k];
+    snap.distance = seen_apart(s, snap.point);
+    if (!(snap.distance <= s->within) || !better(&snap, &s->best)) return;
+    if (s->size == 3 && !(bat_stage_look(s->c->stage, 3, snap.point, at) &&
+                          bat_stage_look(s->c->stage, 3, place, there) && apart(at, there) <= s->within))
+        return;
+    s->best = snap;
 }
 
 static bool wants(const search *s, bat_snap_kind kind) { return s->kinds >> kind & 1; }
@@ -65,12 +81,23 @@ static bool left_aside(const search *s, int index) {
     return false;
 }
 
+/* A place of a curve of the page or in space, and the derivative there. */
+static void eval(const bat_curve *curve, double u, double place[3], double way[3]) {
+    double both[2 * BAT_DIMENSION_MAX];
+    const int size = bat_curve_dimension(curve);
+    bat_curve_eval(curve, u, way ? 1 : 0, both);
+    for (int k = 0; k < 3; k++) {
+        place[k] = k < size ? both[k] : 0;
+        if (way) way[k] = k < size ? both[size + k] : 0;
+    }
+}
+
 static void try_ends(search *s, const bat_curve *curve) {
-    double domain[2], end[2];
+    double domain[2], end[3];
     if (bat_curve_is_closed(curve)) return;
     bat_curve_domain(curve, domain);
     for (int k = 0; k < 2; k++) {
-        bat_curve_eval(curve, domain[k], 0, end);
+        eval(curve, domain[k], end, NULL);
         offer(s, BAT_SNAP_END, end);
     }
 }
@@ -78,14 +105,18 @@ static void try_ends(search *s, const bat_curve *curve) {
 static void try_curve(search *s, int entry, int index, const bat_curve *curve) {
     const bat_finder *finder = bat_scene_finder(s->c->scene, entry, index);
     bat_near near[TURNS];
+    double place[3];
     size_t found = 0;
     if (!finder) return;
-    bat_finder_nearest(finder, s->point, near);
+    bat_finder_nearest(finder, s->seen, near);
     if (near->distance > s->within) return;
-    if (wants(s, BAT_SNAP_CURVE)) offer(s, BAT_SNAP_CURVE, near->point);
+    eval(curve, near->u, place, NULL);
+    if (wants(s, BAT_SNAP_CURVE)) offer(s, BAT_SNAP_CURVE, place);
     if (!wants(s, BAT_SNAP_CROSSING)) return;
     /* A curve may come near more than once: each time is a branch. */
-    if (bat_curve_nearest_all(curve, s->point, s->within, TURNS, near, &found) != BAT_OK) return;
+    const bat_curve *picture = s->c->scene->entries[entry].lines[index].picture;
+    if (bat_curve_nearest_all(picture ? picture : curve, s->seen, s->within, TURNS, near, &found) != BAT_OK)
+        return;
     for (size_t i = 0; i < found && i < TURNS && s->branch_count < BRANCHES; i++)
         s->branches[s->branch_count++] = (branch){curve, near[i].u};
 }
@@ -94,13 +125,13 @@ static void try_curves(search *s) {
     const bat_scene *scene = s->c->scene;
     for (int i = 0; i < scene->count; i++) {
         const bat_scene_entry *entry = &scene->entries[i];
-        if (entry->hidden || s->point[0] < entry->box[0] - s->within ||
-            s->point[0] > entry->box[2] + s->within || s->point[1] < entry->box[1] - s->within ||
-            s->point[1] > entry->box[3] + s->within || left_aside(s, i))
+        if (entry->hidden || s->seen[0] < entry->box[0] - s->within ||
+            s->seen[0] > entry->box[2] + s->within || s->seen[1] < entry->box[1] - s->within ||
+            s->seen[1] > entry->box[3] + s->within || left_aside(s, i))
             continue;
         for (int k = 0; k < bat_object_curve_count(entry->object); k++) {
             const bat_curve *curve = bat_object_curve(entry->object, k);
-            if (bat_curve_dimension(curve) != 2) continue;
+            if (bat_curve_dimension(curve) > s->size) continue;
             if (wants(s, BAT_SNAP_END)) try_ends(s, curve);
             if (wants(s, BAT_SNAP_CURVE) || wants(s, BAT_SNAP_CROSSING)) try_curve(s, i, k, curve);
         }
@@ -117,21 +148,25 @@ static double inside(const bat_curve *curve, double u) {
     return fmin(fmax(u, domain[0]), domain[1]);
 }
 
-/* The point where two branches meet, by Newton steps from their points closest to the pen. */
+/* The point where two branches meet, by Gauss-Newton steps from their points closest to the pen; on the page, Newton's. */
 static void cross(search *s, branch a, branch b) {
-    double p[4], q[4], near = 1e-12 * (fabs(s->point[0]) + fabs(s->point[1]) + s->within);
+    double p[3], q[3], v[3], w[3], way[3];
+    const double near = 1e-12 * (fabs(s->point[0]) + fabs(s->point[1]) + fabs(s->point[2]) + s->within);
     for (int i = 0; i < NEWTON; i++) {
-        bat_curve_eval(a.curve, a.u, 1, p);
-        bat_curve_eval(b.curve, b.u, 1, q);
-        double x = q[0] - p[0], y = q[1] - p[1], turn = p[2] * q[3] - p[3] * q[2];
-        if (bat_hypot(x, y) <= near) break;
-        if (!(fabs(turn) > 1e-9 * bat_hypot(p[2], p[3]) * bat_hypot(q[2], q[3]))) return; /* parallel */
-        a.u = inside(a.curve, a.u + (x * q[3] - y * q[2]) / turn);
-        b.u = inside(b.curve, b.u + (x * p[3] - y * p[2]) / turn);
+        eval(a.curve, a.u, p, v);
+        eval(b.curve, b.u, q, w);
+        for (int k = 0; k < 3; k++) way[k] = q[k] - p[k];
+        const double vv = vec_dot3(v, v), vw = vec_dot3(v, w), ww = vec_dot3(w, w);
+        const double wv = vec_dot3(way, v), wq = vec_dot3(way, w), turn = vv * ww - vw * vw;
+        if (sqrt(vec_dot3(way, way)) <= near) break;
+        if (!(turn > 1e-18 * vv * ww)) return; /* parallel */
+        a.u = inside(a.curve, a.u + (ww * wv - vw * wq) / turn);
+        b.u = inside(b.curve, b.u + (vw * wv - vv * wq) / turn);
     }
-    bat_curve_eval(a.curve, a.u, 0, p);
-    bat_curve_eval(b.curve, b.u, 0, q);
-    if (!(apart(p, q) <= 1e3 * near)) return;
+    eval(a.curve, a.u, p, NULL);
+    eval(b.curve, b.u, q, NULL);
+    for (int k = 0; k < 3; k++) way[k] = q[k] - p[k];
+    if (!(sqrt(vec_dot3(way, way)) <= 1e3 * near)) return;
     if (a.curve == b.curve) {
         double domain[2];
         bat_curve_domain(a.curve, domain);
@@ -159,17 +194,24 @@ static void cross_guide(search *s, branch a, int axis, double at) {
 
 /* The nearest line along each axis, if any is near. */
 typedef struct lines {
-    bool there[2];
-    double at[2];
+    bool there[3];
+    double at[3];
 } lines;
+
+/* How far it is seen to go when one coordinate changes. */
+static double away(const search *s, int axis, double at) {
+    double there[3] = {s->point[0], s->point[1], s->point[2]};
+    there[axis] = at;
+    return bat_stage_tilted(s->c->stage) ? seen_apart(s, there) : fabs(at - s->point[axis]);
+}
 
 static lines near_guides(search *s) {
     const bat_scene *scene = s->c->scene;
-    lines found = {{false, false}, {0, 0}};
+    lines found = {{false}, {0}};
     for (int i = 0; i < scene->count; i++) {
         double at;
         int axis = scene->entries[i].hidden ? -1 : bat_object_guide(scene->entries[i].object, &at);
-        if (axis < 0 || left_aside(s, i) || fabs(at - s->point[axis]) > s->within) continue;
+        if (axis < 0 || left_aside(s, i) || away(s, axis, at) > s->within) continue;
         if (found.there[axis] && fabs(at - s->point[axis]) >= fabs(found.at[axis] - s->point[axis])) continue;
         found.there[axis] = true;
         found.at[axis] = at;
@@ -178,13 +220,13 @@ static lines near_guides(search *s) {
 }
 
 static lines near_grid(const search *s) {
-    lines found = {{false, false}, {0, 0}};
-    double step = bat_grid_step(s->c), origin[2];
+    lines found = {{false}, {0}};
+    double step = bat_grid_step(s->c), origin[3] = {0, 0, 0};
     if (!(step > 0) || bat_grid_is_isometric(s->c)) return found;
     bat_unit_origin(s->c, origin);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < s->size; k++) {
         found.at[k] = origin[k] + step * round((s->point[k] - origin[k]) / step);
-        found.there[k] = fabs(found.at[k] - s->point[k]) <= s->within;
+        found.there[k] = s->free[k] && away(s, k, found.at[k]) <= s->within;
     }
     return found;
 }
@@ -205,21 +247,21 @@ static void try_isometric(search *s) {
 
 /* Guides take precedence; a coordinate that no guide holds snaps to the grid. */
 static void try_lines(search *s, const lines *guides, const lines *grid) {
-    bat_snap snap = {BAT_SNAP_NONE, {s->point[0], s->point[1]}, {false, false}, 0, {0, 0}};
-    for (int k = 0; k < 2; k++) {
+    bat_snap snap = {BAT_SNAP_NONE, {s->point[0], s->point[1], s->point[2]}, {false}, 0, {0, 0}};
+    for (int k = 0; k < s->size; k++) {
         const lines *drawing = guides->there[k] ? guides : grid;
         if (!drawing->there[k]) continue;
         snap.point[k] = drawing->at[k];
         snap.bound[k] = true;
         if (snap.kind != BAT_SNAP_GUIDE) snap.kind = drawing == guides ? BAT_SNAP_GUIDE : BAT_SNAP_GRID;
     }
-    snap.distance = apart(snap.point, s->point);
+    snap.distance = seen_apart(s, snap.point);
     if (better(&snap, &s->best)) s->best = snap;
 }
 
 static void run(search *s) {
-    lines guides = {{false, false}, {0, 0}}, grid = guides;
-    if (wants(s, BAT_SNAP_GUIDE)) guides = near_guides(s);
+    lines guides = {{false}, {0}}, grid = guides;
+    if (s->size == 2 && wants(s, BAT_SNAP_GUIDE)) guides = near_guides(s);
     if (wants(s, BAT_SNAP_GRID)) grid = near_grid(s);
     try_curves(s);
     for (int i = 0; i < s->branch_count; i++) {
@@ -230,7 +272,7 @@ static void run(search *s) {
     if (guides.there[0] && guides.there[1] && wants(s, BAT_SNAP_CROSSING))
         offer(s, BAT_SNAP_CROSSING, guides.at);
     try_lines(s, &guides, &grid);
-    if (wants(s, BAT_SNAP_GRID)) try_isometric(s);
+    if (s->size == 2 && wants(s, BAT_SNAP_GRID)) try_isometric(s);
 }
 
 static unsigned switched_on(const bat_context *c) {
@@ -240,25 +282,26 @@ static unsigned switched_on(const bat_context *c) {
         [BAT_SNAP_GRID] = BAT_PROPERTY_SNAP_GRID,
     };
     unsigned kinds = 0;
-    if (bat_stage_tilted(c->stage)) return 0; /* what is seen near is not near on the page */
     if (c->settings->values[BAT_PROPERTY_SNAP] == 0 || c->modifiers & (BAT_CTRL | BAT_META)) return 0;
     for (unsigned k = BAT_SNAP_END; k <= BAT_SNAP_GRID; k++)
         if (c->settings->values[switches[k]] != 0) kinds |= 1u << k;
     return kinds;
 }
 
-bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_count,
-                       const bat_snap_source *sources, const double delta[2], int *which) {
+static bat_snap find(bat_context *c, int size, const bool free[3], int count, const int *but,
+                     int source_count, const bat_snap_source *sources, const double *delta, int *which) {
     bat_snap best = {0};
     unsigned kinds = switched_on(c);
     for (int i = 0; i < source_count && kinds; i++) {
         search s = {.c = c,
                     .kinds = kinds & sources[i].kinds,
-                    .point = {sources[i].point[0] + delta[0], sources[i].point[1] + delta[1]},
+                    .size = size,
+                    .free = {free[0], free[1], free[2]},
                     .within = REACH * bat_stage_pixel(c->stage),
                     .count = count,
                     .but = but};
-        if (s.kinds) run(&s);
+        for (int k = 0; k < size; k++) s.point[k] = sources[i].point[k] + delta[k];
+        if (s.kinds && bat_stage_look(c->stage, size, s.point, s.seen)) run(&s);
         if (!better(&s.best, &best)) continue;
         best = s.best;
         if (which) *which = i;
@@ -266,11 +309,22 @@ bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_cou
     return best;
 }
 
+bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_count,
+                       const bat_snap_source *sources, const double delta[2], int *which) {
+    return find(c, 2, (bool[]){true, true, false}, count, but, source_count, sources, delta, which);
+}
+
+bat_snap bat_snap_find_space(bat_context *c, int count, const int *but, int source_count,
+                             const bat_snap_source *sources, const double delta[3], const bool free[3],
+                             int *which) {
+    return find(c, 3, free, count, but, source_count, sources, delta, which);
+}
+
 void bat_snap_point(bat_context *c, int count, const int *but, double point[2]) {
     bat_snap_source source = {{point[0], point[1]}, BAT_SNAP_ALL};
     bat_seen_sync(c);
     (*c->snap) = bat_snap_find(c, count, but, 1, &source, (double[]){0, 0}, NULL);
-    if (c->snap->kind) memcpy(point, c->snap->point, sizeof c->snap->point);
+    if (c->snap->kind) memcpy(point, c->snap->point, 2 * sizeof *point);
 }
 
 void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {

@@ -1,5 +1,5 @@
 /*
- * Snapping: what a point near the pen is attracted to. Among things within reach, ends come before crossings, then
+ * Snapping: what a point near the pen is attracted to. Near is what is seen near: in a tilted view, too. Among things within reach, ends come before crossings, then
  * guides, curves, and the grid; of one kind, the nearest wins. Properties turn it on and off; holding Ctrl or Meta
  * suspends it.
  */
@@ -20,15 +20,15 @@ typedef enum bat_snap_kind {
 
 typedef struct bat_snap {
     bat_snap_kind kind;
-    double point[2]; /* document units */
-    bool bound[2];   /* which coordinates are fixed; both, except for guides and the square grid */
+    double point[3]; /* document units; on the page z is 0 */
+    bool bound[3];   /* which coordinates are fixed; all, except for guides and the square grid */
     double distance; /* by which it was moved, document units */
     double from[2];  /* ANGLE: origin of the ray */
 } bat_snap;
 
 /* A point that may snap, and the kinds it may snap to (bits 1 << kind). */
 typedef struct bat_snap_source {
-    double point[2]; /* document units */
+    double point[3]; /* document units */
     unsigned kinds;
 } bat_snap_source;
 
@@ -42,7 +42,12 @@ typedef struct bat_snap_source {
  */
 bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_count,
                        const bat_snap_source *sources, const double delta[2], int *which);
-/* The same for a single point; the result is kept for display. `point` becomes the point snapped to. */
+/* The same in space: it snaps to what is on the page or in space, as far as the coordinates that are free allow, and to no
+ * guides; to what is found beside them it comes only where both are then seen in one place. */
+bat_snap bat_snap_find_space(bat_context *c, int count, const int *but, int source_count,
+                             const bat_snap_source *sources, const double delta[3], const bool free[3],
+                             int *which);
+/* The same for a single point of the page; the result is kept for display. `point` becomes the point snapped to. */
 void bat_snap_point(bat_context *c, int count, const int *but, double point[2]);
 /* Moves `point` to the nearest ray in steps of 15 degrees (or, with that turned off, the nearest axis) from the
  * origin; the result is kept for display. */

@@ -18,7 +18,7 @@ void bat_snap_show(const bat_context *c, bat_overlay *overlay) {
     double at[2], from[2], size = 5 * bat_stage_pixel(c->stage);
     char angle[BAT_UNIT_ROOM];
     if (snap->kind == BAT_SNAP_NONE) return;
-    bat_map_look(overlay->path.map, 2, snap->point, at);
+    bat_map_look(overlay->path.map, 3, snap->point, at);
     bat_map_look(overlay->path.map, 2, snap->from, from);
     bat_overlay_item(overlay, BAT_ROLE_GUIDE, BAT_ITEM_STROKED, 1.5F);
     if (snap->kind == BAT_SNAP_END) {

@@ -2,6 +2,7 @@
  * The select tool: click, Shift-click, marquee; drag to move; handles to scale and rotate.
  *
  * IDLE --down on a handle--> SCALING, ROTATING --up--> IDLE (committed)
+ * IDLE --down on a part of the gizmo (a tilted view)--> PLACING --up--> IDLE (committed)
  * IDLE --down on an object--> PRESSED --move--> MOVING --up--> IDLE (committed); PRESSED --up--> IDLE (a click)
  * With Alt held at the start, a move makes copies, and a click selects what lies below what is selected. A double click enters a group; Esc, or a click outside, leaves it.
  * IDLE --down on nothing--> MARQUEE --up--> IDLE
@@ -25,6 +26,7 @@
 #include "editor/session/notice.h"
 #include "editor/session/session.h"
 #include "editor/session/transaction.h"
+#include "editor/show/gizmo.h"
 #include "editor/show/overlay.h"
 #include "editor/tables/settings.h"
 #include "editor/tables/tables.h"
@@ -38,6 +40,7 @@
 #include "hands/levels/shape.h"
 #include "base/real.h"
 #include "base/matrix.h"
+#include "base/pose.h"
 #include "document/kind.h"
 #include <math.h>
 #include <stdio.h>
@@ -81,14 +84,27 @@ static bool handle_place(const bat_stage *stage, const double box[4], int handle
 /* What the handle of a shape changes. */
 static bat_primitive_number number_of(int handle) { return (bat_primitive_number)(handle - BAT_GRIP_SHAPE); }
 
+/* The handles about the middle of what is selected, where the view is tilted. */
+static bool find_gizmo(const bat_context *c, bat_gizmo *out) {
+    double low[3], high[3], middle[3];
+    if (!bat_stage_tilted(c->stage) || !bat_arrange_selection_space(c, low, high)) return false;
+    for (int k = 0; k < 3; k++) middle[k] = low[k] / 2 + high[k] / 2;
+    return bat_gizmo_place(c->stage, middle, out);
+}
+
 static int handle_at(const bat_context *c, const double pixel[2], bat_device device) {
     double box[4], place[2], best = reach(device);
     int found = BAT_GRIP_NONE;
-    if (bat_stage_tilted(c->stage)) return found; /* the box's handles are the page's */
+    bat_gizmo gizmo;
+    if (bat_stage_tilted(c->stage)) { /* the box's handles are the page's */
+        const int part = find_gizmo(c, &gizmo) ? bat_gizmo_find(&gizmo, c->stage, pixel, best)
+                                               : BAT_GIZMO_NONE;
+        return part == BAT_GIZMO_NONE ? found : BAT_GRIP_GIZMO + part;
+    }
     if (!bat_arrange_selection_box(c, box)) return found;
     const bat_primitive *shape = bat_primitive_held(c);
     for (int i = 0; i < BAT_GRIP_SHAPE + (shape ? BAT_PRIMITIVE_NUMBERS : 0); i++) {
-        if (i < BAT_GRIP_SHAPE ? !handle_place(c->stage, box, i, place)
+        if (i < BAT_GRIP_SHAPE ? i > BAT_GRIP_ROTATE || !handle_place(c->stage, box, i, place)
                                : !bat_primitive_grip(c, shape, number_of(i), place))
             continue;
         double away = bat_hypot(place[0] - pixel[0], place[1] - pixel[1]);
@@ -164,7 +180,10 @@ static void take_back(bat_context *c, bat_selecting *s) {
 
 static void give_up(bat_context *c, bat_selecting *s, bat_status status) {
     take_back(c, s);
-    bat_notice_failure(c, status);
+    if (status == BAT_UNSUPPORTED)
+        bat_notice(c, BAT_STRING_NOTICE_STAYS_ON_PAGE);
+    else
+        bat_notice_failure(c, status);
 }
 
 static void add_source(bat_selecting *s, double x, double y, unsigned kinds) {
@@ -294,8 +313,61 @@ static bat_status shape(bat_context *c, bat_selecting *s, const double from[2], 
     return status;
 }
 
+/* The objects as they were, under that map. */
+static bat_status pose(bat_context *c, bat_selecting *s, const double rows[12]) {
+    const bool strokes = c->settings->values[BAT_PROPERTY_SCALE_STROKES] != 0;
+    for (int i = 0; i < s->count; i++) {
+        bat_object *after = NULL;
+        bat_status status = bat_affine_pose(s->before[i], rows, strokes, &after);
+        if (status == BAT_OK) status = bat_transaction_replace(c, s->indices[i], after);
+        bat_object_release(after);
+        if (status != BAT_OK) return status;
+    }
+    s->due = false;
+    return BAT_OK;
+}
+
+static int part_of(const bat_selecting *s) { return s->handle - BAT_GRIP_GIZMO; }
+
+/* What is moved in space snaps by its middle and its ends, along the axes that it is free to go. */
+static void snap_part(bat_context *c, bat_selecting *s, double by[3]) {
+    bat_snap_source sources[BAT_SNAP_SOURCES];
+    bool free[3];
+    int count = 0, which = 0;
+    for (int k = 0; k < 3; k++) free[k] = (part_of(s) < BAT_GIZMO_ACROSS) == (k == part_of(s) % 3);
+    sources[count].kinds = BAT_SNAP_ALL;
+    memcpy(sources[count++].point, s->gizmo.middle, sizeof s->gizmo.middle);
+    for (int i = 0; i < s->count; i++)
+        for (int k = 0; k < bat_object_curve_count(s->before[i]) && count + 2 <= BAT_SNAP_SOURCES; k++) {
+            const bat_curve *curve = bat_object_curve(s->before[i], k);
+            double domain[2];
+            if (bat_curve_is_closed(curve)) continue;
+            bat_curve_domain(curve, domain);
+            for (int side = 0; side < 2; side++, count++) {
+                sources[count] = (bat_snap_source){{0, 0, 0}, BAT_SNAP_ALL};
+                bat_curve_eval(curve, domain[side], 0, sources[count].point);
+            }
+        }
+    bat_seen_sync(c);
+    (*c->snap) = bat_snap_find_space(c, s->count, s->indices, count, sources, by, free, &which);
+    for (int k = 0; k < 3 && c->snap->kind; k++)
+        if (c->snap->bound[k]) by[k] = c->snap->point[k] - sources[which].point[k];
+}
+
+static bat_status place(bat_context *c, bat_selecting *s) {
+    double rows[12], by[3];
+    const bool turns = part_of(s) >= BAT_GIZMO_ABOUT;
+    if (!bat_gizmo_drag(&s->gizmo, c->stage, part_of(s), s->start, s->at, by)) return BAT_OK;
+    if (!turns) snap_part(c, s, by);
+    for (int k = 0; k < 3; k++) s->by[k] = turns ? snapped_angle(by[k], c->modifiers & BAT_SHIFT) : by[k];
+    bat_gizmo_rows(&s->gizmo, part_of(s), s->by, rows);
+    if (!bat_pose_in_plane(rows, s->matrix)) bat_matrix_identity(s->matrix);
+    return pose(c, s, rows);
+}
+
 static bat_status change(bat_context *c, bat_selecting *s) {
-    double from[2], to[2], *matrix = s->matrix;
+    double from[2], to[2], rows[12], *matrix = s->matrix;
+    if (s->state == BAT_SELECTING_PLACING) return place(c, s);
     if (!bat_stage_on_page(c->stage, s->start, from) || !bat_stage_on_page(c->stage, s->at, to))
         return BAT_OK;
     if (s->state == BAT_SELECTING_SHAPING) return shape(c, s, from, to);
@@ -307,16 +379,8 @@ static bat_status change(bat_context *c, bat_selecting *s) {
         rotating(s, c->modifiers, from, to, matrix);
     else
         moving(c, s, from, to, matrix);
-    bool strokes = c->settings->values[BAT_PROPERTY_SCALE_STROKES] != 0;
-    for (int i = 0; i < s->count; i++) {
-        bat_object *after = NULL;
-        bat_status status = bat_affine_object(s->before[i], matrix, strokes, &after);
-        if (status == BAT_OK) status = bat_transaction_replace(c, s->indices[i], after);
-        bat_object_release(after);
-        if (status != BAT_OK) return status;
-    }
-    s->due = false;
-    return BAT_OK;
+    bat_matrix_rows(matrix, 3, rows);
+    return pose(c, s, rows);
 }
 
 static bool dragging(const bat_selecting *s) { return s->state >= BAT_SELECTING_MOVING; }
@@ -392,7 +456,9 @@ static void down(bat_context *c, void *state, const bat_pointer *event) {
         return;
     }
     s->hovered = 0;
+    if (find_gizmo(c, &s->gizmo)) memset(s->by, 0, sizeof s->by);
     s->state = s->handle >= BAT_GRIP_SHAPE    ? BAT_SELECTING_SHAPING
+               : s->handle >= BAT_GRIP_GIZMO  ? BAT_SELECTING_PLACING
                : s->handle == BAT_GRIP_ROTATE ? BAT_SELECTING_ROTATING
                                               : BAT_SELECTING_SCALING;
     bat_status status = take_hold(c, s);
@@ -480,6 +546,9 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
                                         [BAT_SELECTING_ROTATING] = BAT_STRING_STEP_ROTATE,
                                         [BAT_SELECTING_SHAPING] = BAT_STRING_STEP_SHAPE};
     bat_selecting_state was = s->state;
+    bat_string label = labels[was];
+    if (was == BAT_SELECTING_PLACING)
+        label = part_of(s) < BAT_GIZMO_ABOUT ? BAT_STRING_STEP_MOVE : BAT_STRING_STEP_ROTATE;
     if (was == BAT_SELECTING_PRESSED) click(c, s);
     if (was == BAT_SELECTING_PRESSED && s->twice && !bat_stage_tilted(c->stage))
         (void)bat_command_text_edit(c, BAT_COMMAND_TEXT_EDIT);
@@ -489,7 +558,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
         bool moved = bat_hypot(s->at[0] - s->start[0], s->at[1] - s->start[1]) > 0;
         bat_status status = moved ? change(c, s) : BAT_OK;
         if (status == BAT_OK)
-            status = bat_transaction_commit(c, s->originals ? BAT_STRING_STEP_DUPLICATE : labels[was], NULL);
+            status = bat_transaction_commit(c, s->originals ? BAT_STRING_STEP_DUPLICATE : label, NULL);
         if (status != BAT_OK) {
             give_up(c, s, status);
             return;
@@ -499,7 +568,7 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
         } else if (s->originals)
             bat_repetition_note_copies(c, s->matrix, s->box);
         else
-            bat_repetition_note(c, s->matrix, s->box, labels[was]);
+            bat_repetition_note(c, s->matrix, s->box, label);
     }
     forget_drag(s);
     if (event->device != BAT_DEVICE_TOUCH) hover(c, s, event);
@@ -592,6 +661,8 @@ static bool busy(const bat_context *c, const void *state) {
 
 static void update(bat_context *c, void *state) {
     bat_selecting *s = state;
+    if (s->state == BAT_SELECTING_IDLE && s->handle != BAT_GRIP_NONE) /* the view may have turned */
+        s->handle = handle_at(c, s->at, s->device);
     if (!dragging(s) || !s->due) return;
     bat_status status = change(c, s);
     if (status != BAT_OK) {
@@ -651,6 +722,17 @@ static void show_shaped(const bat_context *c, const bat_selecting *s, bat_overla
     bat_overlay_label(overlay, BAT_ROLE_VALUE, point, 24, 24, text);
 }
 
+static void show_gizmo(const bat_context *c, const bat_selecting *s, bat_overlay *overlay) {
+    double rows[12];
+    bat_gizmo gizmo = s->gizmo;
+    if (s->state == BAT_SELECTING_PLACING) {
+        bat_gizmo_rows(&s->gizmo, part_of(s), s->by, rows);
+        bat_pose_apply(rows, 1, s->gizmo.middle, gizmo.middle);
+        bat_gizmo_show_drag(c, &gizmo, part_of(s), s->by, overlay);
+    } else if (!dragging(s) && s->state != BAT_SELECTING_MARQUEE && find_gizmo(c, &gizmo))
+        bat_gizmo_show(c, &gizmo, s->handle >= BAT_GRIP_GIZMO ? part_of(s) : BAT_GIZMO_NONE, overlay);
+}
+
 static void show_selection(const bat_context *c, const bat_selecting *s, bat_overlay *overlay) {
     const bat_stage *stage = c->stage;
     double box[4], place[2], line[4];
@@ -658,6 +740,7 @@ static void show_selection(const bat_context *c, const bat_selecting *s, bat_ove
     bat_overlay_item(overlay, BAT_ROLE_SELECTION, BAT_ITEM_STROKED | BAT_ITEM_DASHED, 1);
     show_page_box(overlay, box);
     if (s->state == BAT_SELECTING_SHAPING) show_shaped(c, s, overlay);
+    if (bat_stage_tilted(stage)) show_gizmo(c, s, overlay);
     if (dragging(s) || bat_stage_tilted(stage)) return;
     line[0] = line[2] = box[0] / 2 + box[2] / 2;
     line[1] = box[1];
@@ -716,9 +799,11 @@ static bat_string hint(const bat_context *c, const void *state) {
     case BAT_SELECTING_MOVING: return BAT_STRING_HINT_MOVING_SELECTION;
     case BAT_SELECTING_SCALING: return BAT_STRING_HINT_SCALING;
     case BAT_SELECTING_ROTATING: return BAT_STRING_HINT_ROTATING;
+    case BAT_SELECTING_PLACING: return BAT_STRING_HINT_GIZMO_DRAG;
     default: break;
     }
     if (s->handle >= BAT_GRIP_SHAPE) return shapes[number_of(s->handle)];
+    if (s->handle >= BAT_GRIP_GIZMO) return BAT_STRING_HINT_GIZMO;
     if (s->handle == BAT_GRIP_ROTATE) return BAT_STRING_HINT_ROTATE;
     if (s->handle != BAT_GRIP_NONE) return BAT_STRING_HINT_SCALE;
     if (s->hovered && bat_selection_has(&c->choice->selection, s->hovered)) return BAT_STRING_HINT_MOVE;
@@ -732,7 +817,7 @@ static bat_cursor cursor(const bat_context *c, const void *state) {
                                          BAT_CURSOR_RESIZE_EW};
     if (s->state == BAT_SELECTING_ROTATING) return BAT_CURSOR_GRABBING;
     if (s->state == BAT_SELECTING_MOVING) return BAT_CURSOR_MOVE;
-    if (s->state == BAT_SELECTING_SHAPING) return BAT_CURSOR_GRABBING;
+    if (s->state == BAT_SELECTING_SHAPING || s->state == BAT_SELECTING_PLACING) return BAT_CURSOR_GRABBING;
     if (s->handle >= BAT_GRIP_ROTATE) return BAT_CURSOR_GRAB;
     if (s->handle != BAT_GRIP_NONE) /* the handles follow the rotation of the view */
         return handles[(s->handle + 8 + (int)round(bat_stage_angle(c->stage) / 45)) % 4];

@@ -5,6 +5,7 @@
 #include "editor/session/context.h"
 #include "editor/choice/selection.h"
 #include "editor/pick/snap.h"
+#include "editor/view/gizmo.h"
 
 typedef enum bat_selecting_state {
     BAT_SELECTING_IDLE,
@@ -13,11 +14,18 @@ typedef enum bat_selecting_state {
     BAT_SELECTING_MOVING,
     BAT_SELECTING_SCALING,
     BAT_SELECTING_ROTATING,
-    BAT_SELECTING_SHAPING /* a number of the shape that is selected alone */
+    BAT_SELECTING_PLACING, /* by the gizmo */
+    BAT_SELECTING_SHAPING  /* a number of the shape that is selected alone */
 } bat_selecting_state;
 
-/* The eight handles of the box, clockwise from the top left; the handle that rotates; those of a shape's numbers. */
-enum { BAT_GRIP_ROTATE = 8, BAT_GRIP_SHAPE, BAT_GRIP_NONE = -1, BAT_SNAP_SOURCES = 40 };
+/* The eight handles of the box, clockwise from the top left; the handle that rotates; those of the gizmo, in a tilted view; those of a shape's numbers. */
+enum {
+    BAT_GRIP_ROTATE = 8,
+    BAT_GRIP_GIZMO,
+    BAT_GRIP_SHAPE = BAT_GRIP_GIZMO + BAT_GIZMO_PARTS,
+    BAT_GRIP_NONE = -1,
+    BAT_SNAP_SOURCES = 40
+};
 
 typedef struct bat_selecting {
     bat_selecting_state state;
@@ -41,6 +49,8 @@ typedef struct bat_selecting {
     bat_id *originals; /* when dragging copies: the previous selection; otherwise NULL */
     int original_count;
     double matrix[6]; /* how the drag maps them at present */
+    bat_gizmo gizmo;  /* where it was when a part of it was taken hold of */
+    double by[3];     /* how far that part has come */
     bool due;         /* the drag has moved since the objects were last updated */
 
     double clicked[2], clicked_at;             /* view pixels, time: of the last press, for double clicks */

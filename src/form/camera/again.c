@@ -1,7 +1,8 @@
 /* Cameras made of another one: a copy, a copy along another path, an image. */
 #include "form/camera/camera.h"
 
-#include "base/matrix.h"
+#include "base/pose.h"
+#include "curve/curve.h"
 #include "curve/function.h"
 
 #include <stdlib.h>
@@ -99,17 +100,22 @@ bat_status bat_camera_with_path(const bat_camera *camera, const bat_curve *path,
 
 /* ---- images ---- */
 
-/* The rotation about z that is nearest to a matrix; of one that mirrors: nearest to the matrix after x is mirrored. */
+/* The rotation that is nearest to a map; of one that mirrors, nearest to it after x is mirrored. */
 typedef struct turn {
-    bool mirrors;
+    bool mirrors, leaves; /* the page */
     quat q;
 } turn;
 
-static turn turn_of(const double m[6]) {
+static turn turn_of(const double r[12]) {
+    double m[6];
+    if (!bat_pose_in_plane(r, m))
+        return (turn){false, true,
+                      quat_of_axes(vec_unit((vec){r[0], r[4], r[8]}), vec_unit((vec){r[1], r[5], r[9]}),
+                                   vec_unit((vec){r[2], r[6], r[10]}))};
     const bool mirrors = m[0] * m[3] - m[1] * m[2] < 0;
     const double a = mirrors ? -m[0] : m[0], b = mirrors ? -m[1] : m[1];
     const double half = 0.5 * bat_atan2(b - m[2], a + m[3]);
-    return (turn){mirrors, {0, 0, bat_sin(half), bat_cos(half)}};
+    return (turn){mirrors, false, {0, 0, bat_sin(half), bat_cos(half)}};
 }
 
 static vec turned(const turn *t, vec v) {
@@ -136,11 +142,7 @@ static bat_status turn_options(const turn *t, const double rows[12], bat_camera_
         o->target_curve = *target;
         if (status != BAT_OK) return status;
     }
-    const double *p = o->target;
-    const double at[3] = {p[0], p[1], p[2]};
-    for (int k = 0; k < 3; k++)
-        o->target[k] = rows[4 * k] * at[0] + rows[4 * k + 1] * at[1] + rows[4 * k + 2] * at[2] +
-                       rows[4 * k + 3];
+    bat_pose_apply(rows, 1, o->target, o->target);
     if (!o->base) return BAT_OK;
     *keys = malloc(4 * base->count * sizeof **keys);
     if (!*keys) return BAT_MEMORY;
@@ -169,30 +171,26 @@ static bat_status mirror_levels(bat_camera *camera) {
 static void pin_frame(const bat_camera *camera, const turn *t, bat_camera_options *o) {
     bat_frame3 frame;
     const bool turns = t->q.z != 0, flat = bat_curve_dimension(camera->given) == 2;
-    if (o->mode != BAT_CAMERA_ALONG || o->has_first || !(t->mirrors || (turns && !flat))) return;
+    if (o->mode != BAT_CAMERA_ALONG || o->has_first || !(t->mirrors || t->leaves || (turns && !flat))) return;
     bat_frame_chain_at(camera->chain, camera->domain[0], &frame);
     for (int k = 0; k < 3; k++) o->first[k] = frame.s[k];
     o->has_first = true;
 }
 
-bat_status bat_camera_image(const bat_camera *camera, const double matrix[6], const bat_curve *path,
+bat_status bat_camera_image(const bat_camera *camera, const double rows[12], const bat_curve *path,
                             bat_camera **out) {
-    const turn t = turn_of(matrix);
-    double rows[12], *keys = NULL;
+    const turn t = turn_of(rows);
+    double *keys = NULL;
     bat_camera_options options = camera->options;
     pin_frame(camera, &t, &options);
     bat_rotation_curve base;
     bat_curve *target = NULL, *moved = NULL;
     bat_camera *made = NULL;
-    for (int k = 0; k < 6; k++)
-        if (!(fabs(matrix[k]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    for (int k = 0; k < 12; k++)
+        if (!(fabs(rows[k]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     options.base = bat_camera_base_curve(camera, &base) ? &base : NULL;
-    bat_matrix_rows(matrix, 3, rows);
     bat_status status = turn_options(&t, rows, &options, &base, &keys, &target);
-    if (status == BAT_OK && !path) {
-        bat_matrix_rows(matrix, bat_curve_dimension(camera->given), rows);
-        status = bat_curve_transform(camera->given, rows, &moved);
-    }
+    if (status == BAT_OK && !path) status = bat_curve_posed(camera->given, rows, &moved);
     if (status == BAT_OK) status = bat_camera_again(camera, path ? path : moved, &options, &made);
     if (status == BAT_OK && t.mirrors) status = mirror_levels(made);
     free(keys);

@@ -55,10 +55,10 @@ bat_status bat_camera_lay(bat_camera *camera, const bat_curve *path);
 /* Another camera of these parts. NULL in `options`: as in bat_camera_create. Copies the levels of `from`. */
 bat_status bat_camera_again(const bat_camera *from, const bat_curve *path, const bat_camera_options *options,
                             bat_camera **out);
-/* The image under the matrix {a, b, c, d, e, f} of the page, z unchanged: a path is moved by it (NULL: the camera's own, else
- * this one, which is there already), the gaze is turned by the rotation that is nearest to it; a mirrored camera sees what is
- * mirrored as the camera saw it, left and right exchanged. */
-bat_status bat_camera_image(const bat_camera *camera, const double matrix[6], const bat_curve *path,
+/* The image under three rows of four numbers, of the page (base/pose.h) or such that turn, move and stretch: a path is moved by them
+ * (NULL: the camera's own, else this one, which is there already), the gaze is turned by the rotation that is nearest to
+ * them; a mirrored camera sees what is mirrored as the camera saw it, left and right exchanged. */
+bat_status bat_camera_image(const bat_camera *camera, const double rows[12], const bat_curve *path,
                             bat_camera **out);
 /* The rotation of levels 0..top at u, relative to the ground. */
 quat bat_camera_up_to(const bat_camera *camera, int top, double u);

@@ -127,10 +127,47 @@ static void real_sizes(void **state) {
     }
 }
 
+/* Heights are numbers once the view is tilted or the drawing has space, in the unit of the drawing; each is a step. */
+static void heights_are_entered(void **state) {
+    (void)state;
+    bat_curve *curves[] = {segment(100, 100, 300, 200), segment(400, 300, 600, 500)};
+    bat_editor *editor = editor_with(2, curves);
+    const uint64_t first = digest(editor);
+    bat_editor_set(editor, "unit", 1);
+    bat_editor_select(editor, 1, false);
+    expect_number(editor, "z", "");
+    expect_number(editor, "depth", "");
+    assert_int_equal(bat_editor_enter(editor, "z", "1"), BAT_STATE);
+    bat_editor_command(editor, "orbit-up");
+    expect_number(editor, "z", "0 mm");
+    assert_int_equal(bat_editor_enter(editor, "depth", "2"), BAT_STATE); /* it is flat */
+    assert_int_equal(bat_editor_enter(editor, "z", "-25.4"), BAT_OK);
+    expect_number(editor, "z", "-25.4 mm");
+    expect_number(editor, "depth", "0 mm");
+    bat_editor_command(editor, "view-upright");
+    bat_editor_select(editor, 2, true); /* on the page: the two are as deep as they are apart */
+    expect_number(editor, "z", "-25.4 mm");
+    expect_number(editor, "depth", "25.4 mm");
+    const uint64_t now = digest(editor);
+    static const char *const bad[] = {"", "deep", "-3", "0", "1e300"};
+    for (int i = 0; i < 5; i++) assert_int_not_equal(bat_editor_enter(editor, "depth", bad[i]), BAT_OK);
+    assert_true(digest(editor) == now);
+    assert_int_equal(bat_editor_enter(editor, "depth", "1in * 2"), BAT_OK); /* from its lowest z on */
+    expect_number(editor, "z", "-25.4 mm");
+    expect_number(editor, "depth", "50.8 mm");
+    const bat_curve *page = bat_object_curve(bat_document_at(editor->session.document, 1), 0);
+    const double *p = bat_curve_points(page);
+    assert_int_equal(bat_curve_dimension(page), 3);
+    assert_true(fabs(p[2] - 96) < 1e-9 && p[0] == 400 && p[1] == 300);
+    assert_int_equal(round_trip(editor, first), 2);
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(real_sizes),
         cmocka_unit_test(numbers_are_entered),
+        cmocka_unit_test(heights_are_entered),
     };
     return cmocka_run_group_tests_name("numbers", tests, NULL, NULL);
 }

@@ -170,8 +170,86 @@ static void moves_snap(void **state) {
     bat_editor_free(editor);
 }
 
+static bat_curve *space_segment(double x0, double y0, double x1, double y1, double z) {
+    const double ends[6] = {x0, y0, z, x1, y1, z};
+    bat_curve *curve = NULL;
+    assert_int_equal(bat_curve_create(3, 1, false, 2, ends, 4, (double[]){0, 0, 1, 1}, &curve), BAT_OK);
+    return curve;
+}
+
+/* Snaps the place of the page that is seen so many pixels beside another. */
+static bat_snap beside(bat_editor *editor, double x, double y, double right, double down) {
+    double seen[2], pixel[2], at[2];
+    assert_true(bat_stage_look(&editor->stage, 2, (double[]){x, y}, seen));
+    bat_stage_project(&editor->stage, seen, pixel);
+    assert_true(bat_stage_on_page(&editor->stage, (double[]){pixel[0] + right, pixel[1] + down}, at));
+    return snap(editor, at[0], at[1]);
+}
+
+/* On a page that is tilted, eight pixels are those that are seen. */
+static void a_tilted_page_snaps(void **state) {
+    (void)state;
+    for (int view = 0; view < 4; view++) {
+        bat_curve *curves[] = {segment(300, 300, 500, 500), segment(300, 500, 500, 300)};
+        bat_editor *editor = editor_with(2, curves);
+        bat_editor_set(editor, "perspective", view & 1);
+        for (int i = 0; i < 3 + (view & 2); i++)
+            bat_editor_command(editor, i & 1 ? "orbit-left" : "orbit-up");
+        bat_snap found = beside(editor, 300, 300, 4, -5);
+        at_once(&found, BAT_SNAP_END, 300, 300);
+        found = beside(editor, 400, 400, -3, 5);
+        at_once(&found, BAT_SNAP_CROSSING, 400, 400);
+        assert_int_equal(beside(editor, 300, 300, -6, -6).kind, BAT_SNAP_NONE);
+        bat_editor_set(editor, "snap-curves", 1);
+        found = beside(editor, 350, 350, 3, 0);
+        assert_int_equal(found.kind, BAT_SNAP_CURVE);
+        assert_true(fabs(found.point[0] - found.point[1]) < 1e-9);
+        bat_editor_set(editor, "show-grid", 1);
+        bat_editor_set(editor, "snap-grid", 1);
+        bat_editor_set(editor, "grid-spacing", 100);
+        found = beside(editor, 200, 600, 3, 3);
+        at_once(&found, BAT_SNAP_GRID, 200, 600);
+        bat_editor_free(editor);
+    }
+}
+
+/* In space a point snaps to ends and crossings there, as far as it is free, and only to what is seen where it is then. */
+static void a_point_in_space_snaps(void **state) {
+    (void)state;
+    bat_curve *curves[] = {space_segment(300, 400, 500, 400, -50), space_segment(400, 300, 400, 500, -50),
+                           space_segment(350, 420, 450, 380, -52)};
+    bat_editor *editor = editor_with(3, curves);
+    const int but[] = {2}; /* it passes the crossing, but does not meet it */
+    const double still[3] = {0, 0, 0};
+    double seen[2], pixel[2], other[2];
+    for (int i = 0; i < 3; i++) bat_editor_command(editor, "orbit-up");
+    bat_editor_frame(editor);
+    for (int what = 0; what < 4; what++) {
+        /* near an end, near the crossing; then free along z alone: above the crossing, and behind it as it is seen */
+        static const double near[4][3] = {{302, 401, -48}, {401, 398, -51}, {400, 400, -46}, {0}};
+        bat_snap_source source = {{near[what][0], near[what][1], near[what][2]}, BAT_SNAP_ALL};
+        const bool free[3] = {what < 2, what < 2, true};
+        if (what == 3) { /* where the page is seen there */
+            bat_stage_look(&editor->stage, 3, (double[]){400, 400, -50}, seen);
+            bat_stage_project(&editor->stage, seen, pixel);
+            assert_true(bat_stage_on_page(&editor->stage, pixel, other));
+            source.point[0] = other[0], source.point[1] = other[1];
+        }
+        const bat_snap found = bat_snap_find_space(&editor->context, 1, but, 1, &source, still, free, NULL);
+        if (what == 3) {
+            assert_int_equal(found.kind, BAT_SNAP_NONE);
+            continue;
+        }
+        at_once(&found, what ? BAT_SNAP_CROSSING : BAT_SNAP_END, what ? 400 : 300, 400);
+        assert_true(fabs(found.point[2] + 50) < 1e-9 && found.bound[2] && found.bound[0] == free[0]);
+    }
+    bat_editor_free(editor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_tilted_page_snaps),
+        cmocka_unit_test(a_point_in_space_snaps),
         cmocka_unit_test(snaps_to_known_places),
         cmocka_unit_test(snaps_to_triangles),
         cmocka_unit_test(moves_snap),
