@@ -112,6 +112,7 @@ class Function:
         self.required, self.optional, self.before, self.after, self.passed = [], [], [], [], []
         self.results, self.told, self.room = [], None, any(word[0] == "%" for word, _ in self.words)
         self.constant = any(word.startswith("@") and type_.startswith("const") for word, type_ in self.words)
+        self.ranged = []  # the numbers that have a range
         self.names = {}  # how a name of a formula is written
         for word, type_ in self.words:
             self.know(word, type_)
@@ -185,6 +186,9 @@ class Function:
             low, high = least, TOTALS[self.kind]
         if low is not None and type_ == "int":
             self.before.append(f'detail::inside("{name}", {name}, {low}, {high});')
+        start, end, *above = generate.RULES["ranges"].get(f"{self.call['c']}.{name}", generate.RULES["ranges"].get(name, (-1e75, 1e75)))
+        if bare(type_) in ("double", "int", "bat_id") and missing != "inf" and not isinstance(start, str) and not isinstance(end, str):
+            self.ranged.append(f'{{"{name}", static_cast<double>({name}), {start}, {end}{", true" * bool(above)}}}')
         self.give(type_, name, {"inf": "std::numeric_limits<double>::infinity()"}.get(missing, missing))
         return name
 
@@ -305,13 +309,21 @@ class Function:
         shown = [one for one in self.results if one[0] not in used]
         call = f"{self.call['c']}({', '.join(self.passed)})"
         if guard := generate.RULES["checked"].get(self.call["c"]):
-            self.before.append(f"detail::check({guard}({self.passed[0]}));")
+            self.before += ["bat_problem refused{};", f"detail::check({guard}({self.passed[0]}, &refused), refused);"]
         struct, lines = None, list(self.before)
         status = returns == "bat_status"
         checking = f"detail::check(status{', ' + self.told if self.told else ''});"
+        if self.ranged and not self.told:
+            checking = f"detail::check(status, {{{', '.join(self.ranged)}}});"
+        given = [passed for passed, (word, _) in zip(self.passed, self.words) if word[0] not in ">!"]
+        structs = [(explains, passed) for passed, (word, type_) in zip(self.passed, self.words)
+                   if word[0] == "(" and word[1:-1] not in self.counted and not self.told and (explains := generate.RULES["explained_struct"].get(bare(type_)))]
         if explained := generate.RULES["explained"].get(self.call["c"]):
+            structs.insert(0, (explained, ", ".join(given)))
+        if structs and status and not self.room:
             lines.append("bat_problem problem{};")
-            checking = f"if (status != BAT_OK) detail::check({explained}({', '.join([*self.passed[:-1], '&problem'])}), problem);"
+            there = {passed: f" && {passed} != nullptr" for _, passed in structs if re.fullmatch(r"\w+", passed)}
+            checking = "".join(f"if (status != BAT_OK{there.get(passed, '')}) detail::check({explains}({passed}, &problem), problem);\n    " for explains, passed in structs) + checking
         if self.room:
             counted = any(word == ">count" for word, _ in self.words)
             type_of = next(t for w, t in self.words if w[0] == "%")

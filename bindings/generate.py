@@ -25,14 +25,38 @@ ALSO_CORE = ["bat_free", "bat_version", "bat_status_message", "bat_meeting_free"
 ALSO = [*FREES.values(), *ALSO_CORE, *(c + "_retain" for c in SHARED), "bat_surface_row", "bat_tessellation_mesh", "bat_tracks_points",
         "bat_line_drawing_at", "bat_motion_take", "bat_picture_bytes", "bat_object_corners", "bat_object_guide", "bat_object_sources",
         "bat_object_spline", "bat_stroke_read", "bat_spline_read", "bat_style_defaults", "bat_svg_reader_create", "bat_svg_reader_start",
-        "bat_svg_reader_text", "bat_svg_reader_end", "bat_svg_reader_source", "bat_svg_reader_finish", "bat_svg_reader_free",
-        "bat_curve_check", "bat_surface_check"]
+        "bat_svg_reader_text", "bat_svg_reader_end", "bat_svg_reader_source", "bat_svg_reader_finish", "bat_svg_reader_free"]
 READ = ["bat_frame_arrays", "bat_mesh", "bat_seen_line", "bat_svg_options", "bat_svg_report", "bat_problem"]  # structs of these
 # What both packages know of arguments, beside their types.
 RULES = {
     "checked": {"bat_width_eval": "bat_width_check", "bat_width_is_even": "bat_width_check", "bat_function_eval": "bat_function_check"},
-    # Which call takes the same arguments, and a problem in place of the result, and says what is wrong.
-    "explained": {"bat_curve_create": "bat_curve_check", "bat_surface_create": "bat_surface_check"},
+    # Which call takes the same arguments, and a problem in place of the result, and says what is wrong; and which says it of a struct.
+    "explained": {"bat_curve_create": "bat_curve_check", "bat_curve_create_clamped": "bat_curve_clamped_check", "bat_surface_create": "bat_surface_check",
+                  "bat_polymesh_create": "bat_polymesh_check", "bat_take_create": "bat_take_check", "bat_picture_create": "bat_picture_check"},
+    "explained_struct": {"bat_style": "bat_style_check", "bat_paint": "bat_paint_check", "bat_viewpoint": "bat_viewpoint_check",
+                         "bat_width_profile": "bat_width_check", "bat_function": "bat_function_check"},
+    # What a call that was refused may have been refused for, by its name and the argument's, or the argument's alone: from, to, and whether
+    # the first is out. Any other number lies within 1e75. start, end: of the domain; a word: what the object has; "-" takes one off.
+    "ranges": {
+        "tolerance": [0, 1e75], "corner": [0, 1e75], "limit": [0, 1e75, True], "pixel": [0, 1e75, True], "duration": [0, 1e75, True], "spacing": [0, 1e75],
+        "precision": [0, 1e75, True], "width": [0, 1e75], "smooth_limit": [0, 1e75], "fairness": [0, 1e75, True], "tension": [0, 1e75, True], "within": [0, 1e75],
+        "gap": [0, 1e75], "grid": [0, 1e75], "chord": [0, 1e75], "leaf": [0, 1e75], "reach": [0, 1e75], "distance": [-1e75, 1e75], "miter_limit": [1, 1e75],
+        "opacity": [0, 1], "axis": [0, 1], "fov": [0, 180], "id": [1, 0x7fffffff], "parent": [0, 0x7fffffff], "follows": [0, 0x7fffffff], "degree": [1, 7],
+        "millimetres": [1e-12, 1e12], "frame_time": [0, 1e9, True], "smoothing": [0, 1e75], "feed": [0, 1e75, True], "arcs": [0, 1e75, True], "rate": [0, 1e75, True],
+        "pins": [2, 1 << 20], "u": ["start", "end"], "u0": ["start", "end"], "u1": ["start", "end"], "start": ["start", "end"], "end": ["start", "end"],
+        "level": [0, "level_total"], "index": [0, "count-"], "first": [0, "count-"], "i": [0, "count-"], "joint": [0, "joint_count-"], "frame": [0, "frames-"],
+        "continuity": [0, 3], "levels": [1, 64], "coarsest": [2, 1e9],
+        **{f"bat_{name}.tolerance": [0, 1e75, True] for name in (
+            "curve_arcs", "curve_cover_width", "curve_flatten", "curve_intersect", "curve_self_intersect", "curve_offset", "curve_outline",
+            "curve_outline_width", "curve_refit_extremes", "surface_revolve", "shape_drag_finest", "shape_live_drag_finest", "relief_drag_finest",
+            "regions_combine", "fit_within", "region_offset", "sweep_surface", "gcode_write", "stl_write", "gltf_write")},
+        **{f"bat_{name}.level": [1, "level_total"] for name in ("shape_set_gain", "shape_set_muted", "relief_set_gain", "camera_set_gain", "camera_shake_of")},
+        "bat_shape_move.index": [0, "level_count-"], "bat_shape_move_many.first": [0, "level_count-"], "bat_shape_live_move.first": [0, 1e9],
+        "bat_motion_angle.angle": [0, 2], "bat_motion_redraw.angle": [0, 2], "bat_motion_redraw.level": [0, "levels-"], "bat_motion_set_gain.level": [1, "levels-"],
+        "bat_surface_revolve.angle": [-6.2832, 6.2832], "bat_curve_elevate.degree": ["degree", 7], "bat_camera_view.distance": [0, 1e75, True],
+        "bat_curve_reparametrise.start": [-1e30, 1e30], "bat_curve_reparametrise.end": [-1e30, 1e30], "bat_document_insert.index": [0, "count"],
+        "bat_object_with_curve.index": [0, "curve_count-"], "bat_object_with_shape.index": [0, "curve_count-"], "bat_object_cover.curve": [0, "curve_count-"],
+        "bat_curve_join.continuity": [0, 2], "bat_recipe_surface.scale": [0, 1e75]},
     "each": {"bat_rotation_curve.points": 4},  # numbers of a record of an array with a count
     "defaults": {"bat_nib": {"cap": "round", "join": "round", "miter_limit": 4.0}, "bat_recipe": {"scale": 1.0, "angle": 360.0}, "bat_wire": {"scale": 1.0},
                  "bat_gradient": {"matrix": [1, 0, 0, 1, 0, 0]}, "bat_viewpoint": {"up": [0, 0, 1], "size": [1000, 1000]}},
@@ -40,6 +64,7 @@ RULES = {
     "within": {"dimension": [2, 3], "degree": [1, 7], "order": [0, 7], "per_span": [1, 4096], "substeps": [0, 4096], "steps": [0, 4096], "times": [1, 8],
                "solves_max": [0, 4096], "pins": [0, 1 << 20], "Surface.order": [0, 2], "id": [0, 0x7fffffff], "uint32_t": [0, 0xffffffff],
                "uint64_t": [0, 1 << 53]}}
+ALSO += [*RULES["explained"].values(), *RULES["explained_struct"].values()]
 TITLES = {"bat_frame3": "Frame", "bat_mesh": "TriangleGrid"}  # of structs in the packages; the others are called as in C: Near, FitReport
 
 

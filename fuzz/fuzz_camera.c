@@ -130,7 +130,8 @@ static void check_keys(const bat_camera *camera) {
     bat_viewpoint view;
     const double window[2] = {160, 90};
     bat_camera_at_time(camera, 0, &pose);
-    if (bat_camera_view(&pose, 1, window, &view) == BAT_OK && bat_viewpoint_check(&view) != BAT_OK) abort();
+    if (bat_camera_view(&pose, 1, window, &view) == BAT_OK && bat_viewpoint_check(&view, NULL) != BAT_OK)
+        abort();
 }
 
 /* What is written is read back, bit for bit, as it is and as an object of a drawing. */

@@ -53,6 +53,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     demand(steps >= 250 || digest(editor) == first, "undoing everything does not give the first drawing");
     while (bat_editor_command(editor, "redo") == BAT_OK) {
     }
+    demand(*bat_editor_problem(editor)->message, "what is refused does not say why");
     demand(digest(editor) == top, "redoing everything does not give the last drawing");
     bat_editor_free(editor);
     return 0;

@@ -50,7 +50,7 @@ static void put_in_place(const bat_document *document, bool extremes, int curves
     char old[sizeof BEFORE + sizeof AFTER + 80], *text;
     size_t size;
     snprintf(old, sizeof old, "%s\n    <contour><point x=\"1\" y=\"2\"/></contour>%s", BEFORE, AFTER);
-    const bat_status status = bat_glif_replace(old, strlen(old), document, extremes, &text, &size);
+    const bat_status status = bat_glif_replace(old, strlen(old), document, extremes, &text, &size, NULL);
     if (status == BAT_MEMORY) return;
     if (status != BAT_OK || size < strlen(BEFORE) + strlen(AFTER)) abort();
     if (memcmp(text, BEFORE, strlen(BEFORE)) != 0) abort();
@@ -73,7 +73,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         check(glyph, length, curves);
         bat_free(glyph);
         put_in_place(document, extremes, curves);
-        if (bat_glif_replace(text, size, document, extremes, &glyph, &length) == BAT_OK) bat_free(glyph);
+        if (bat_glif_replace(text, size, document, extremes, &glyph, &length, NULL) == BAT_OK)
+            bat_free(glyph);
     }
     bat_document_free(document);
     return 0;

@@ -102,6 +102,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const double at[3] = {0, 0, 0};
         const int three = 3, face[3] = {0, 0, (int)size};
         if (bat_polymesh_create(1, at, 1, &three, face, &mesh, &length) == BAT_OK) abort();
+        if (bat_polymesh_check(1, at, 1, &three, face, &problem) == BAT_OK || !*problem.message) abort();
     }
     if (small(&model)) convert(&model), compare(&model);
     bat_model_clear(&model);

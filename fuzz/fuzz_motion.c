@@ -108,6 +108,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const bat_bone *bones = bat_take_joints(take, &count);
     const double *values = bat_take_values(take, &frames, &channels);
     if (bat_take_create(count, bones, frames, bat_take_frame_time(take), values, &copy) != BAT_OK) abort();
+    if (bat_take_check(count, bones, frames, bat_take_frame_time(take), values, NULL) != BAT_OK) abort();
     check_text(copy);
     if (count <= JOINTS_MOST && frames <= FRAMES_MOST) {
         check_frames(take);

@@ -152,7 +152,7 @@ static bat_status made_of(source *s, const bat_document *document, const bat_obj
     const bat_curve *given[5];
     bat_recipe_report report;
     for (size_t i = 0; i < count; i++) given[i] = bat_object_curve(sources[i], 0);
-    demand(bat_recipe_check(&recipe, count) == BAT_OK);
+    demand(bat_recipe_check(&recipe, count, NULL) == BAT_OK);
     demand(bat_recipe_surface(&recipe, count, given, &again, &report) == BAT_OK && report.apart >= 0);
     demand(bat_surface_is_equal(again, bat_object_surface(*out)));
     bat_surface_free(again);
@@ -282,9 +282,13 @@ static void ask(const bat_object *object) {
     bool drawn = bat_object_is_drawn(object), group = bat_object_is_group(object);
     demand(bat_object_id(object) > 0 && bat_object_name(object) && bat_object_style(object));
     demand(bat_object_parent(object) != bat_object_id(object));
+    demand(bat_style_check(bat_object_style(object), NULL) == BAT_OK);
+    demand(bat_object_head_check(bat_object_id(object), bat_object_name(object), bat_object_style(object),
+                                 NULL) == BAT_OK);
     demand(!bat_object_paint(object) || bat_object_is_made_of_curves(object));
+    demand(!bat_object_paint(object) || bat_paint_check(bat_object_paint(object), NULL) == BAT_OK);
     const bat_width_profile profile = bat_object_widths(object);
-    demand(bat_width_check(&profile) == BAT_OK && (!profile.count || bat_object_paint(object)));
+    demand(bat_width_check(&profile, NULL) == BAT_OK && (!profile.count || bat_object_paint(object)));
     size_t cubics;
     double *cover;
     const bat_status covered = bat_object_cover(object, 0, &cubics, &cover);
@@ -313,7 +317,7 @@ static void ask(const bat_object *object) {
     const size_t folded = bat_object_folds(object, folds);
     demand(folded == 0 || (recipe && recipe->kind == BAT_RECIPE_SWEEP));
     for (size_t i = 0; i < folded && i < BAT_RECIPE_FOLDS; i++) demand(folds[2 * i] <= folds[2 * i + 1]);
-    demand(!recipe || bat_recipe_check(recipe, (size_t)sources) == BAT_OK);
+    demand(!recipe || bat_recipe_check(recipe, (size_t)sources, NULL) == BAT_OK);
     for (int i = 0; i < sources; i++) demand(from[i] > 0 && from[i] != bat_object_id(object));
     bat_object_bounds(object, box);
     for (int i = 0; i < bat_object_curve_count(object); i++) {

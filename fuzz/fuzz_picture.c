@@ -29,7 +29,11 @@ static void check(bat_picture *picture) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_picture *picture = NULL;
-    if (bat_picture_create(data, size, &picture) == BAT_OK) check(picture);
+    bat_problem problem;
+    if ((bat_picture_create(data, size, &picture) == BAT_OK) !=
+        (bat_picture_check(data, size, &problem) == BAT_OK))
+        abort();
+    if (picture) check(picture);
     if (bat_picture_from_base64((const char *)data, size, &picture) == BAT_OK) check(picture);
     return 0;
 }

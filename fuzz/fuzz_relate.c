@@ -53,11 +53,11 @@ static void widen(const bat_curve *curve, unsigned kind, double size) {
     if (count > 2 && kind & 1 && bat_width_remove(&count, stops, 1) != BAT_OK) abort();
     if (bat_width_move(count, stops, 0, kind % 4 / 3.0, 0.5) != BAT_OK) abort();
     const bat_width_profile profile = {count, stops};
-    if (bat_width_check(&profile) != BAT_OK) abort();
+    if (bat_width_check(&profile, NULL) != BAT_OK) abort();
     bat_width_eval(&profile, kind & 2, kind % 9 / 8.0, value);
     if (!(value[0] >= 0 && value[0] <= 1)) abort();
     const bat_width_profile piece = {bat_width_stretch(&profile, 0.7, 0.1, part), part};
-    if (bat_width_check(&piece) != BAT_OK) abort();
+    if (bat_width_check(&piece, NULL) != BAT_OK) abort();
     if (bat_width_is_even(&profile) && !bat_width_is_even(&piece)) abort();
     if (bat_curve_cover_width(curve, &nib, &profile, 1e-3 * size, 0.02, &cubics, &points) == BAT_OK) {
         for (size_t i = 0; i < 8 * cubics; i++)

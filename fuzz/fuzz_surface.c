@@ -195,6 +195,9 @@ static void check_create(const uint8_t *data, size_t size) {
     if (bat_curve_check(3, 2, size & 1, 9, numbers, 12 - 2 * (int)(size & 1), numbers + 27, &problem) !=
         curve)
         abort();
+    const bat_status clamped = bat_curve_create_clamped(3, 2, size % 9, numbers, &c);
+    if (clamped == BAT_OK) bat_curve_free(c);
+    if (bat_curve_clamped_check(3, 2, size % 9, numbers, &problem) != clamped) abort();
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -58,7 +58,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     bat_problem problem;
     if (bat_sweep_read((const char *)data, size, &source, &problem) != BAT_OK) return 0;
     bat_sweep *sweep = NULL;
-    if (bat_function_check(&source.options.twist) != BAT_OK) abort();
+    if (bat_function_check(&source.options.twist, NULL) != BAT_OK) abort();
     if (small(source.path) && small(source.profile) && small_function(&source.options.twist) &&
         small_function(&source.options.scale) &&
         bat_sweep_create(source.path, source.profile, &source.options, &sweep) == BAT_OK)

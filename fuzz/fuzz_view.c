@@ -15,7 +15,7 @@ static double length(const double *a) { return hypot(hypot(a[0], a[1]), a[2]); }
 static void check_rays(const bat_viewpoint *view) {
     double from[3], way[3], seen[2], depth;
     const double pixel[2] = {view->size[0] / 3, view->size[1] / 5};
-    if (bat_viewpoint_check(view) != BAT_OK) abort();
+    if (bat_viewpoint_check(view, NULL) != BAT_OK) abort();
     if (bat_viewpoint_ray(view, pixel, from, way) != BAT_OK) abort();
     if (!(fabs(length(way) - 1) < 1e-9)) abort();
     if (bat_viewpoint_project(view, view->target, seen, &depth) == BAT_OK && !(depth >= 0)) abort();

@@ -98,7 +98,8 @@ static int glif(const cli_arguments *arguments, const bat_document *document, ch
     const bool extremes = arguments_value(arguments, "--extremes") != NULL;
     size_t old_size;
     char *old = load_glyph(arguments->operands[1], &old_size);
-    bat_status status = old ? bat_glif_replace(old, old_size, document, extremes, text, size) : BAT_SYNTAX;
+    bat_status status = old ? bat_glif_replace(old, old_size, document, extremes, text, size, NULL)
+                            : BAT_SYNTAX;
     free(old);
     if (status == BAT_SYNTAX) status = bat_glif_write(document, extremes, text, size);
     return status == BAT_OK

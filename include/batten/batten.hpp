@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdio>
 #include <initializer_list>
 #include <iterator>
 #include <limits>
@@ -109,6 +110,26 @@ inline void check(bat_status status, const bat_problem &problem) {
     const std::string place = problem.place, message = problem.message;
     if (message.empty()) throw Error(status);
     throw Error(status, place.empty() ? message : place + ": " + message);
+}
+// A number that a call was given, and its range: from low, or above it, to high.
+struct Range {
+    const char *name;
+    double value, low, high;
+    bool above = false;
+};
+inline void check(bat_status status, std::initializer_list<Range> given) {
+    if (status == BAT_OK) return;
+    const bool numbers = status == BAT_ARGUMENT || status == BAT_NUMBER || status == BAT_PARAMETER || status == BAT_COUNT || status == BAT_DEGREE;
+    for (const Range &one : given) {
+        if (!numbers || (one.value >= one.low && one.value <= one.high && !(one.above && one.value == one.low))) continue;
+        char text[200];
+        if (one.above && one.value <= one.low)
+            std::snprintf(text, sizeof text, "%s: expected more than %g, found %g", one.name, one.low, one.value);
+        else
+            std::snprintf(text, sizeof text, "%s: expected %g to %g, found %g", one.name, one.low, one.high, one.value);
+        throw Error(status, text);
+    }
+    throw Error(status);
 }
 inline void check(bat_status status, std::size_t wrong) {
     if (status == BAT_OK) return;
@@ -1084,7 +1105,7 @@ inline std::vector<double> Curve::at_many(Numbers u, int order) const {
     detail::inside("order", order, 0, 7);
     std::vector<double> out_(u.size()*(static_cast<std::size_t>(order)+1)*static_cast<std::size_t>(dimension()));
     const bat_status status = bat_curve_eval_many(get(), u.size(), u.data(), order, out_.data());
-    detail::check(status);
+    detail::check(status, {{"order", static_cast<double>(order), -1e+75, 1e+75}});
     return out_;
 }
 
@@ -1128,7 +1149,7 @@ inline Curve Curve::to_dimension(int dimension) const {
     bat_curve *out_ = nullptr;
     const bat_status status = bat_curve_to_dimension(get(), dimension, &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    detail::check(status, {{"dimension", static_cast<double>(dimension), -1e+75, 1e+75}});
     return made;
 }
 
@@ -1137,7 +1158,7 @@ inline Curve Curve::insert_knot(double u, int times) const {
     bat_curve *out_ = nullptr;
     const bat_status status = bat_curve_insert_knot(get(), u, times, &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    detail::check(status, {{"times", static_cast<double>(times), -1e+75, 1e+75}});
     return made;
 }
 
@@ -1164,7 +1185,7 @@ inline CurveRemoveKnotResult Curve::remove_knot(double u, int times, double tole
     double error_{};
     const bat_status status = bat_curve_remove_knot(get(), u, times, tolerance, &out_, &removed_, &error_);
     CurveRemoveKnotResult made{Curve(out_), removed_, error_};
-    detail::check(status);
+    detail::check(status, {{"times", static_cast<double>(times), -1e+75, 1e+75}, {"tolerance", static_cast<double>(tolerance), 0, 1e+75}});
     return made;
 }
 
@@ -1173,7 +1194,7 @@ inline CurveSimplifyResult Curve::simplify(double tolerance, double corner) cons
     double error_{};
     const bat_status status = bat_curve_simplify(get(), tolerance, corner, &out_, &error_);
     CurveSimplifyResult made{Curve(out_), error_};
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
@@ -1206,7 +1227,7 @@ inline Curve Curve::reparametrise(double start, double end) const {
     bat_curve *out_ = nullptr;
     const bat_status status = bat_curve_reparametrise(get(), start, end, &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    detail::check(status, {{"start", static_cast<double>(start), -1e+30, 1e+30}, {"end", static_cast<double>(end), -1e+30, 1e+30}});
     return made;
 }
 
@@ -1239,7 +1260,7 @@ inline Curve Curve::close(double tolerance) const {
     bat_curve *out_ = nullptr;
     const bat_status status = bat_curve_close(get(), tolerance, &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75}});
     return made;
 }
 
@@ -1256,7 +1277,7 @@ inline CurveJoinResult Curve::join(const Curve &b, int continuity, double gap) c
     double moved_{};
     const bat_status status = bat_curve_join(get(), b.get(), continuity, gap, &out_, &moved_);
     CurveJoinResult made{Curve(out_), moved_};
-    detail::check(status);
+    detail::check(status, {{"continuity", static_cast<double>(continuity), 0, 2}, {"gap", static_cast<double>(gap), 0, 1e+75}});
     return made;
 }
 
@@ -1278,7 +1299,7 @@ inline std::vector<double> Curve::to_cubics(double tolerance) const {
     double *points_ = nullptr;
     const bat_status status = bat_curve_to_cubics(get(), tolerance, &segments_, &points_);
     std::vector<double> made = detail::taken(points_, static_cast<std::size_t>(segments_)*4*static_cast<std::size_t>(dimension()));
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75}});
     return made;
 }
 
@@ -1347,7 +1368,7 @@ inline CurveDistanceResult Curve::distance(const Curve &b, int per_span) const {
     double b_to_a_{};
     const bat_status status = bat_curve_distance(get(), b.get(), per_span, &a_to_b_, &b_to_a_);
     CurveDistanceResult made{a_to_b_, b_to_a_};
-    detail::check(status);
+    detail::check(status, {{"per_span", static_cast<double>(per_span), -1e+75, 1e+75}});
     return made;
 }
 
@@ -1395,21 +1416,21 @@ inline bat_near Finder::nearest(Numbers point) const {
 inline bat_apart Curve::hausdorff(const Curve &b, double precision) const {
     bat_apart out_{};
     const bat_status status = bat_curve_hausdorff(get(), b.get(), precision, &out_);
-    detail::check(status);
+    detail::check(status, {{"precision", static_cast<double>(precision), 0, 1e+75, true}});
     return out_;
 }
 
 inline detail::Owned<bat_meeting, bat_meeting_free> Curve::intersect(const Curve &b, double tolerance) const {
     bat_meeting out_{};
     const bat_status status = bat_curve_intersect(get(), b.get(), tolerance, &out_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return detail::Owned<bat_meeting, bat_meeting_free>(out_);
 }
 
 inline detail::Owned<bat_meeting, bat_meeting_free> Curve::self_intersect(double tolerance) const {
     bat_meeting out_{};
     const bat_status status = bat_curve_self_intersect(get(), tolerance, &out_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return detail::Owned<bat_meeting, bat_meeting_free>(out_);
 }
 
@@ -1419,7 +1440,7 @@ inline CurveFlattenResult Curve::flatten(double tolerance) const {
     double *u_ = nullptr;
     const bat_status status = bat_curve_flatten(get(), tolerance, &count_, &points_, &u_);
     CurveFlattenResult made{detail::taken(points_, static_cast<std::size_t>(count_)*static_cast<std::size_t>(dimension())), detail::taken(u_, static_cast<std::size_t>(count_))};
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return made;
 }
 
@@ -1429,7 +1450,7 @@ inline CurveArcsResult Curve::arcs(double tolerance, double corner) const {
     double max_error_{};
     const bat_status status = bat_curve_arcs(get(), tolerance, corner, &count_, &arcs_, &max_error_);
     CurveArcsResult made{detail::taken(arcs_, static_cast<std::size_t>(count_)), max_error_};
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
@@ -1439,7 +1460,7 @@ inline CurveOffsetResult Curve::offset(double distance, double tolerance, double
     double max_error_{};
     const bat_status status = bat_curve_offset(get(), distance, tolerance, corner, &count_, &curves_, &max_error_);
     CurveOffsetResult made{detail::taken_objects<Curve>(curves_, static_cast<std::size_t>(count_)), max_error_, status == BAT_OK};
-    if (status != BAT_OK && !(status == BAT_TOLERANCE && (curves_ != nullptr))) detail::check(status);
+    if (status != BAT_OK && !(status == BAT_TOLERANCE && (curves_ != nullptr))) detail::check(status, {{"distance", static_cast<double>(distance), -1e+75, 1e+75}, {"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
@@ -1448,7 +1469,7 @@ inline CurveRefitResult Curve::refit(double tolerance, double corner) const {
     double error_{};
     const bat_status status = bat_curve_refit(get(), tolerance, corner, &out_, &error_);
     CurveRefitResult made{Curve(out_), error_};
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
@@ -1457,7 +1478,7 @@ inline CurveRefitG1Result Curve::refit_g1(double tolerance, double corner) const
     double error_{};
     const bat_status status = bat_curve_refit_g1(get(), tolerance, corner, &out_, &error_);
     CurveRefitG1Result made{Curve(out_), error_};
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
@@ -1466,7 +1487,7 @@ inline CurveRefitExtremesResult Curve::refit_extremes(double tolerance, double c
     double error_{};
     const bat_status status = bat_curve_refit_extremes(get(), tolerance, corner, grid, &out_, &error_);
     CurveRefitExtremesResult made{Curve(out_), error_};
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}, {"corner", static_cast<double>(corner), 0, 1e+75}, {"grid", static_cast<double>(grid), 0, 1e+75}});
     return made;
 }
 
@@ -1526,7 +1547,7 @@ inline Curve Curve::calm(Numbers range, double limit, double pixel) const {
     bat_curve *out_ = nullptr;
     const bat_status status = bat_sketch_calm(get(), range.data(), limit, pixel, &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    detail::check(status, {{"limit", static_cast<double>(limit), 0, 1e+75, true}, {"pixel", static_cast<double>(pixel), 0, 1e+75, true}});
     return made;
 }
 
@@ -1658,7 +1679,7 @@ inline double Shape::drag_finest(int level, double u, Numbers delta, double tole
     detail::exactly("delta", delta.size(), static_cast<std::size_t>(bat_curve_dimension(bat_shape_curve(get(), 0))));
     double left_{};
     const bat_status status = bat_shape_drag_finest(get(), level, u, delta.data(), tolerance, &left_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return left_;
 }
 
@@ -1669,7 +1690,7 @@ inline void Shape::move_many(int level, int first, Numbers deltas) {
 
 inline void Shape::set_gain(int level, double gain) {
     const bat_status status = bat_shape_set_gain(get(), level, gain);
-    detail::check(status);
+    detail::check(status, {{"gain", static_cast<double>(gain), -1e+75, 1e+75}});
 }
 
 inline void Shape::set_muted(int level, bool muted) {
@@ -1716,7 +1737,7 @@ inline Shape Shape::to_dimension(int dimension) const {
     bat_shape *out_ = nullptr;
     const bat_status status = bat_shape_to_dimension(get(), dimension, &out_);
     Shape made = Shape(out_);
-    detail::check(status);
+    detail::check(status, {{"dimension", static_cast<double>(dimension), -1e+75, 1e+75}});
     return made;
 }
 
@@ -1735,7 +1756,7 @@ inline LiveShape Shape::live(int level) const {
 
 inline void LiveShape::move(int first, Numbers deltas) {
     const bat_status status = bat_shape_live_move(get(), first, detail::many("deltas", deltas.size(), static_cast<std::size_t>(bat_curve_dimension(bat_shape_curve(bat_shape_live_shape(get()), 0)))), deltas.data());
-    detail::check(status);
+    detail::check(status, {{"first", static_cast<double>(first), 0, 1000000000.0}});
 }
 
 inline void LiveShape::drag(double u, Numbers delta) {
@@ -1748,7 +1769,7 @@ inline double LiveShape::drag_finest(double u, Numbers delta, double tolerance) 
     detail::exactly("delta", delta.size(), static_cast<std::size_t>(bat_curve_dimension(bat_shape_curve(bat_shape_live_shape(get()), 0))));
     double left_{};
     const bat_status status = bat_shape_live_drag_finest(get(), u, delta.data(), tolerance, &left_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return left_;
 }
 
@@ -1778,7 +1799,7 @@ inline Shape Curve::levels(int levels, const bat_shape_options *options) const {
     bat_shape *out_ = nullptr;
     const bat_status status = bat_shape_decompose(get(), levels, options, &out_);
     Shape made = Shape(out_);
-    detail::check(status);
+    detail::check(status, {{"levels", static_cast<double>(levels), 1, 64}});
     return made;
 }
 
@@ -1786,7 +1807,7 @@ inline Shape Curve::levels_to(int levels, size_t coarsest, const bat_shape_optio
     bat_shape *out_ = nullptr;
     const bat_status status = bat_shape_decompose_to(get(), levels, coarsest, options, &out_);
     Shape made = Shape(out_);
-    detail::check(status);
+    detail::check(status, {{"levels", static_cast<double>(levels), 1, 64}});
     return made;
 }
 
@@ -1812,7 +1833,7 @@ inline CurveMatchResult Curve::match(const Curve &b, bool a_end, bool b_end, int
     double moved_{};
     const bat_status status = bat_curve_match(get(), a_end, b.get(), b_end, continuity, tension, &out_, &moved_);
     CurveMatchResult made{Curve(out_), moved_};
-    detail::check(status);
+    detail::check(status, {{"continuity", static_cast<double>(continuity), 0, 3}, {"tension", static_cast<double>(tension), 0, 1e+75, true}});
     return made;
 }
 
@@ -1829,7 +1850,7 @@ inline CurveOutlineResult Curve::outline(const bat_nib &nib, double tolerance, d
     double max_error_{};
     const bat_status status = bat_curve_outline(get(), &nib, tolerance, corner, &count_, &curves_, &max_error_);
     CurveOutlineResult made{detail::taken_objects<Curve>(curves_, static_cast<std::size_t>(count_)), max_error_, status == BAT_OK};
-    if (status != BAT_OK && !(status == BAT_TOLERANCE && (curves_ != nullptr))) detail::check(status);
+    if (status != BAT_OK && !(status == BAT_TOLERANCE && (curves_ != nullptr))) detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
@@ -1837,18 +1858,22 @@ inline CurveOutlineWidthResult Curve::outline_width(const bat_nib &nib, const ba
     size_t count_{};
     bat_curve **curves_ = nullptr;
     double max_error_{};
+    bat_problem problem{};
     const bat_status status = bat_curve_outline_width(get(), &nib, &profile, tolerance, corner, &count_, &curves_, &max_error_);
     CurveOutlineWidthResult made{detail::taken_objects<Curve>(curves_, static_cast<std::size_t>(count_)), max_error_};
-    detail::check(status);
+    if (status != BAT_OK) detail::check(bat_width_check(&profile, &problem), problem);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
 inline std::vector<double> Curve::cover_width(const bat_nib &nib, const bat_width_profile &profile, double tolerance, double corner) const {
     size_t cubics_{};
     double *points_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_curve_cover_width(get(), &nib, &profile, tolerance, corner, &cubics_, &points_);
     std::vector<double> made = detail::taken(points_, static_cast<std::size_t>(cubics_)*4*static_cast<std::size_t>(dimension()));
-    detail::check(status);
+    if (status != BAT_OK) detail::check(bat_width_check(&profile, &problem), problem);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
@@ -1922,7 +1947,7 @@ inline std::vector<double> Surface::at_grid(Numbers u, Numbers v, int order) con
     detail::inside("order", order, 0, 2);
     std::vector<double> out_(u.size()*v.size()*(static_cast<std::size_t>(order)*static_cast<std::size_t>(order)/2+static_cast<std::size_t>(order)*3/2+1)*3);
     const bat_status status = bat_surface_eval_grid(get(), u.size(), u.data(), v.size(), v.data(), order, out_.data());
-    detail::check(status);
+    detail::check(status, {{"order", static_cast<double>(order), -1e+75, 1e+75}});
     return out_;
 }
 
@@ -1944,7 +1969,7 @@ inline std::vector<double> Surface::spread(bat_direction direction, size_t count
 inline std::array<double, 3> Surface::normal(double u, double v) const {
     std::array<double, 3> normal_{};
     const bat_status status = bat_surface_normal(get(), u, v, normal_.data());
-    detail::check(status);
+    detail::check(status, {{"v", static_cast<double>(v), -1e+75, 1e+75}});
     return normal_;
 }
 
@@ -1953,7 +1978,7 @@ inline SurfaceCurvatureResult Surface::curvature(double u, double v) const {
     double mean_{};
     const bat_status status = bat_surface_curvature(get(), u, v, &gauss_, &mean_);
     SurfaceCurvatureResult made{gauss_, mean_};
-    detail::check(status);
+    detail::check(status, {{"v", static_cast<double>(v), -1e+75, 1e+75}});
     return made;
 }
 
@@ -1961,7 +1986,7 @@ inline Curve Surface::isocurve(bat_direction direction, double at) const {
     bat_curve *out_ = nullptr;
     const bat_status status = bat_surface_isocurve(get(), direction, at, &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    detail::check(status, {{"at", static_cast<double>(at), -1e+75, 1e+75}});
     return made;
 }
 
@@ -2037,7 +2062,7 @@ inline SurfaceRedrawResult Surface::redraw(bat_direction direction, double at, c
     bat_surface_redraw_report report_{};
     const bat_status status = bat_surface_redraw(get(), direction, at, line.get(), options, &out_, weights_.data(), &report_);
     SurfaceRedrawResult made{Surface(out_), std::move(weights_), report_};
-    detail::check(status);
+    detail::check(status, {{"at", static_cast<double>(at), -1e+75, 1e+75}});
     return made;
 }
 
@@ -2123,27 +2148,27 @@ inline void Relief::move(int level, Span<const size_t> index, Numbers deltas) {
 inline void Relief::drag(int level, double u, double v, Numbers delta) {
     detail::exactly("delta", delta.size(), 3);
     const bat_status status = bat_relief_drag(get(), level, u, v, delta.data());
-    detail::check(status);
+    detail::check(status, {{"v", static_cast<double>(v), -1e+75, 1e+75}});
 }
 
 inline double Relief::drag_finest(int level, double u, double v, Numbers delta, double tolerance) {
     detail::exactly("delta", delta.size(), 3);
     double left_{};
     const bat_status status = bat_relief_drag_finest(get(), level, u, v, delta.data(), tolerance, &left_);
-    detail::check(status);
+    detail::check(status, {{"v", static_cast<double>(v), -1e+75, 1e+75}, {"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return left_;
 }
 
 inline bat_surface_redraw_report Relief::redraw(int level, bat_direction direction, double at, const Curve &line, const bat_surface_redraw_options *options) {
     bat_surface_redraw_report report_{};
     const bat_status status = bat_relief_redraw(get(), level, direction, at, line.get(), options, nullptr, &report_);
-    detail::check(status);
+    detail::check(status, {{"at", static_cast<double>(at), -1e+75, 1e+75}});
     return report_;
 }
 
 inline void Relief::set_gain(int level, double gain) {
     const bat_status status = bat_relief_set_gain(get(), level, gain);
-    detail::check(status);
+    detail::check(status, {{"gain", static_cast<double>(gain), -1e+75, 1e+75}});
 }
 
 inline void Relief::set_muted(int level, bool muted) {
@@ -2161,7 +2186,7 @@ inline Relief Surface::levels(int levels) const {
     bat_relief *out_ = nullptr;
     const bat_status status = bat_relief_decompose(get(), levels, &out_);
     Relief made = Relief(out_);
-    detail::check(status);
+    detail::check(status, {{"levels", static_cast<double>(levels), 1, 64}});
     return made;
 }
 
@@ -2170,7 +2195,7 @@ inline Relief Surface::levels_to(int levels, Span<const size_t> coarsest) const 
     bat_relief *out_ = nullptr;
     const bat_status status = bat_relief_decompose_to(get(), levels, coarsest.data(), &out_);
     Relief made = Relief(out_);
-    detail::check(status);
+    detail::check(status, {{"levels", static_cast<double>(levels), 1, 64}});
     return made;
 }
 
@@ -2222,7 +2247,7 @@ inline SweepSurfaceResult Sweep::surface(double tolerance) const {
     bat_sweep_report report_{};
     const bat_status status = bat_sweep_surface(get(), tolerance, &out_, &report_);
     SweepSurfaceResult made{Surface(out_), report_, status == BAT_OK};
-    if (status != BAT_OK && !(status == BAT_TOLERANCE && (out_ != nullptr))) detail::check(status);
+    if (status != BAT_OK && !(status == BAT_TOLERANCE && (out_ != nullptr))) detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return made;
 }
 
@@ -2233,7 +2258,7 @@ inline CurveRevolveResult Curve::revolve(Numbers origin, Numbers direction, doub
     double max_error_{};
     const bat_status status = bat_surface_revolve(get(), origin.data(), direction.data(), angle, tolerance, &out_, &max_error_);
     CurveRevolveResult made{Surface(out_), max_error_};
-    detail::check(status);
+    detail::check(status, {{"angle", static_cast<double>(angle), -6.2832, 6.2832}, {"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return made;
 }
 
@@ -2339,21 +2364,21 @@ inline ReferenceNearestResult Reference::nearest(Numbers point) const {
 inline bat_deviation Curve::deviation(const Reference &reference, double spacing) const {
     bat_deviation out_{};
     const bat_status status = bat_curve_deviation(get(), reference.get(), spacing, &out_);
-    detail::check(status);
+    detail::check(status, {{"spacing", static_cast<double>(spacing), 0, 1e+75}});
     return out_;
 }
 
 inline bat_deviation Surface::deviation(const Reference &reference, double spacing) const {
     bat_deviation out_{};
     const bat_status status = bat_surface_deviation(get(), reference.get(), spacing, &out_);
-    detail::check(status);
+    detail::check(status, {{"spacing", static_cast<double>(spacing), 0, 1e+75}});
     return out_;
 }
 
 inline bat_deviation Mesh::deviation(const Reference &reference, double spacing) const {
     bat_deviation out_{};
     const bat_status status = bat_polymesh_deviation(get(), reference.get(), spacing, &out_);
-    detail::check(status);
+    detail::check(status, {{"spacing", static_cast<double>(spacing), 0, 1e+75}});
     return out_;
 }
 
@@ -2406,8 +2431,10 @@ inline bool Tracks::is_given_up() const {
 
 inline Tracks Surface::silhouettes(const bat_viewpoint &view) const {
     bat_tracks *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_surface_silhouettes(get(), &view, &out_);
     Tracks made = Tracks(out_);
+    if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
     detail::check(status);
     return made;
 }
@@ -2418,7 +2445,7 @@ inline Tracks Surface::section(Numbers origin, Numbers normal, double tolerance)
     bat_tracks *out_ = nullptr;
     const bat_status status = bat_surface_section(get(), origin.data(), normal.data(), tolerance, &out_);
     Tracks made = Tracks(out_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75}});
     return made;
 }
 
@@ -2434,7 +2461,7 @@ inline Curve Tracks::curve(size_t i, double tolerance) const {
     bat_curve *out_ = nullptr;
     const bat_status status = bat_tracks_curve(get(), i, tolerance, &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75}});
     return made;
 }
 
@@ -2448,7 +2475,9 @@ inline bool LineDrawing::is_whole() const {
 
 inline bat_surface_pick Surface::pick_line(const bat_viewpoint &view, const bat_stroke &marking) const {
     bat_surface_pick out_{};
+    bat_problem problem{};
     const bat_status status = bat_surface_pick_line(&view, &marking, get(), &out_);
+    if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
     detail::check(status);
     return out_;
 }
@@ -2457,9 +2486,11 @@ inline SurfaceSketchResult Surface::sketch(bat_direction direction, double at, c
     bat_surface *out_ = nullptr;
     std::vector<double> weights_(static_cast<std::size_t>(count(direction)));
     bat_surface_sketch_report report_{};
+    bat_problem problem{};
     const bat_status status = bat_surface_sketch(get(), direction, at, &view, &stroke, options, &out_, weights_.data(), &report_);
     SurfaceSketchResult made{Surface(out_), std::move(weights_), report_, status == BAT_OK};
-    if (status != BAT_OK && !(status == BAT_TOLERANCE && (out_ != nullptr))) detail::check(status);
+    if (status != BAT_OK && !(status == BAT_TOLERANCE && (out_ != nullptr))) if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
+    detail::check(status, {{"at", static_cast<double>(at), -1e+75, 1e+75}});
     return made;
 }
 
@@ -2510,7 +2541,7 @@ inline double Camera::gain(int level) const {
 
 inline void Camera::set_gain(int level, double gain) {
     const bat_status status = bat_camera_set_gain(get(), level, gain);
-    detail::check(status);
+    detail::check(status, {{"gain", static_cast<double>(gain), -1e+75, 1e+75}});
 }
 
 inline void Camera::set_muted(int level, bool muted) {
@@ -2525,7 +2556,7 @@ inline bool Camera::is_muted(int level) const {
 
 inline void Camera::add_shake(uint64_t seed, double amount, double rate) {
     const bat_status status = bat_camera_add_shake(get(), seed, amount, rate);
-    detail::check(status);
+    detail::check(status, {{"amount", static_cast<double>(amount), -1e+75, 1e+75}, {"rate", static_cast<double>(rate), 0, 1e+75, true}});
 }
 
 inline bat_camera_shake Camera::shake(int level) const {
@@ -2545,8 +2576,10 @@ inline const bat_function *Camera::timing() const {
 }
 
 inline void Camera::set_timing(double duration, const bat_function *timing) {
+    bat_problem problem{};
     const bat_status status = bat_camera_set_timing(get(), duration, timing);
-    detail::check(status);
+    if (status != BAT_OK && timing != nullptr) detail::check(bat_function_check(timing, &problem), problem);
+    detail::check(status, {{"duration", static_cast<double>(duration), 0, 1e+75, true}});
 }
 
 inline void Camera::retime(Numbers points) {
@@ -2556,7 +2589,7 @@ inline void Camera::retime(Numbers points) {
 
 inline void Camera::ease(double begin, double end) {
     const bat_status status = bat_camera_ease(get(), begin, end);
-    detail::check(status);
+    detail::check(status, {{"begin", static_cast<double>(begin), -1e+75, 1e+75}});
 }
 
 inline void Camera::turn(int level, double u, Numbers rotation) {
@@ -2597,7 +2630,7 @@ inline double Camera::remove_key(size_t key) {
 
 inline void Camera::set_fov(double u, double degrees) {
     const bat_status status = bat_camera_set_fov(get(), u, degrees);
-    detail::check(status);
+    detail::check(status, {{"degrees", static_cast<double>(degrees), -1e+75, 1e+75}});
 }
 
 inline Camera Camera::aim(Numbers target, Numbers up) const {
@@ -2680,7 +2713,7 @@ inline std::vector<bat_camera_key> Camera::keys(double place, double angle) cons
     bat_camera_key *keys_ = nullptr;
     const bat_status status = bat_camera_keys(get(), place, angle, &count_, &keys_);
     std::vector<bat_camera_key> made = detail::taken(keys_, static_cast<std::size_t>(count_));
-    detail::check(status);
+    detail::check(status, {{"place", static_cast<double>(place), -1e+75, 1e+75}, {"angle", static_cast<double>(angle), -1e+75, 1e+75}});
     return made;
 }
 
@@ -2732,7 +2765,7 @@ inline double Motion::duration() const {
 inline std::vector<double> Motion::positions(double time) const {
     std::vector<double> out_(joints()*3);
     const bat_status status = bat_motion_positions(get(), time, out_.data());
-    detail::check(status);
+    detail::check(status, {{"time", static_cast<double>(time), -1e+75, 1e+75}});
     return out_;
 }
 
@@ -2754,19 +2787,19 @@ inline std::optional<Shape> Motion::path() const {
 
 inline void Motion::set_gain(int joint, int level, double gain) {
     const bat_status status = bat_motion_set_gain(get(), joint, level, gain);
-    detail::check(status);
+    detail::check(status, {{"gain", static_cast<double>(gain), -1e+75, 1e+75}});
 }
 
 inline double Motion::angle(int joint, int angle, double time) const {
     double degrees_{};
     const bat_status status = bat_motion_angle(get(), joint, angle, time, &degrees_);
-    detail::check(status);
+    detail::check(status, {{"angle", static_cast<double>(angle), 0, 2}, {"time", static_cast<double>(time), -1e+75, 1e+75}});
     return degrees_;
 }
 
 inline void Motion::redraw(int joint, int angle, int level, Numbers points) {
     const bat_status status = bat_motion_redraw(get(), joint, angle, level, detail::many("points", points.size(), 2), points.data());
-    detail::check(status);
+    detail::check(status, {{"angle", static_cast<double>(angle), 0, 2}});
 }
 
 inline void Motion::bend(const Curve &path) {
@@ -2818,7 +2851,7 @@ inline Object Object::with_guide(double at) const {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_with_guide(get(), at, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"at", static_cast<double>(at), -1e+75, 1e+75}});
     return made;
 }
 
@@ -2867,7 +2900,7 @@ inline Object Object::with_camera(const Camera &camera, bat_id follows) const {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_with_camera(get(), camera.get(), follows, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"follows", static_cast<double>(follows), 0, 2147483647}});
     return made;
 }
 
@@ -2883,7 +2916,7 @@ inline Object Object::at_time(double seconds) const {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_at_time(get(), seconds, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"seconds", static_cast<double>(seconds), -1e+75, 1e+75}});
     return made;
 }
 
@@ -2900,7 +2933,7 @@ inline Object Object::with_parent(bat_id parent) const {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_with_parent(get(), parent, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"parent", static_cast<double>(parent), 0, 2147483647}});
     return made;
 }
 
@@ -2924,7 +2957,7 @@ inline Object Object::with_id(bat_id id) const {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_with_id(get(), id, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
@@ -2938,8 +2971,10 @@ inline Object Object::with_curve(int index, const Curve &curve) const {
 
 inline Object Object::with_style(const bat_style &style) const {
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_with_style(get(), &style, &out_);
     Object made = Object(out_);
+    if (status != BAT_OK) detail::check(bat_style_check(&style, &problem), problem);
     detail::check(status);
     return made;
 }
@@ -3095,8 +3130,10 @@ inline std::array<double, 4> Object::bounds() const {
 
 inline Object Object::with_paint(const bat_paint &paint) const {
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_with_paint(get(), &paint, &out_);
     Object made = Object(out_);
+    if (status != BAT_OK) detail::check(bat_paint_check(&paint, &problem), problem);
     detail::check(status);
     return made;
 }
@@ -3188,7 +3225,7 @@ inline bat_unit Document::unit() const {
 
 inline void Document::set_scale(double millimetres, bat_unit unit) {
     const bat_status status = bat_document_set_scale(get(), millimetres, unit);
-    detail::check(status);
+    detail::check(status, {{"millimetres", static_cast<double>(millimetres), 1e-12, 1000000000000.0}});
 }
 
 inline const char *Document::check() const {
@@ -3240,7 +3277,7 @@ inline std::string Document::to_dxf(double arcs) const {
     size_t size_{};
     const bat_status status = bat_dxf_write(get(), arcs, &text_, &size_);
     std::string made = detail::taken_text(text_, size_);
-    detail::check(status);
+    detail::check(status, {{"arcs", static_cast<double>(arcs), 0, 1e+75, true}});
     return made;
 }
 
@@ -3256,9 +3293,10 @@ inline std::string Document::to_glif(bool extremes) const {
 inline std::string Document::replace_glif(std::string_view glyph, bool extremes) const {
     char *text_ = nullptr;
     size_t size_{};
-    const bat_status status = bat_glif_replace(glyph.data(), glyph.size(), get(), extremes, &text_, &size_);
+    bat_problem problem_told{};
+    const bat_status status = bat_glif_replace(glyph.data(), glyph.size(), get(), extremes, &text_, &size_, &problem_told);
     std::string made = detail::taken_text(text_, size_);
-    detail::check(status);
+    detail::check(status, problem_told);
     return made;
 }
 
@@ -3276,7 +3314,7 @@ inline std::string Camera::to_gltf(double place, double angle) const {
     size_t size_{};
     const bat_status status = bat_gltf_write_move(get(), place, angle, &bytes_, &size_);
     std::string made = detail::taken_text(bytes_, size_);
-    detail::check(status);
+    detail::check(status, {{"place", static_cast<double>(place), -1e+75, 1e+75}, {"angle", static_cast<double>(angle), -1e+75, 1e+75}});
     return made;
 }
 
@@ -3285,7 +3323,7 @@ inline std::string Camera::to_gltf_scene(const bat_model &scene, double place, d
     size_t size_{};
     const bat_status status = bat_gltf_write_scene(get(), &scene, place, angle, &bytes_, &size_);
     std::string made = detail::taken_text(bytes_, size_);
-    detail::check(status);
+    detail::check(status, {{"place", static_cast<double>(place), -1e+75, 1e+75}, {"angle", static_cast<double>(angle), -1e+75, 1e+75}});
     return made;
 }
 
@@ -3354,7 +3392,7 @@ inline std::string Document::to_svg_within(double precision, bool native) const 
     size_t size_{};
     const bat_status status = bat_svg_write_within(get(), native, precision, &text_, &size_);
     std::string made = detail::taken_text(text_, size_);
-    detail::check(status);
+    detail::check(status, {{"precision", static_cast<double>(precision), 0, 1e+75, true}});
     return made;
 }
 
@@ -3363,7 +3401,7 @@ inline std::string Document::to_svg_kept(bool native, double precision) const {
     size_t size_{};
     const bat_status status = bat_svg_write_kept(get(), native, precision, &text_, &size_);
     std::string made = detail::taken_text(text_, size_);
-    detail::check(status);
+    detail::check(status, {{"precision", static_cast<double>(precision), 0, 1e+75, true}});
     return made;
 }
 
@@ -3378,15 +3416,18 @@ inline bool Document::is_kept() const {
     const bat_status status = bat_curve_create(dimension, degree, closed, detail::many("points", points.size(), static_cast<std::size_t>(dimension)), points.data(), static_cast<int>(knots.size()), knots.data(), &out_);
     Curve made = Curve(out_);
     if (status != BAT_OK) detail::check(bat_curve_check(dimension, degree, closed, detail::many("points", points.size(), static_cast<std::size_t>(dimension)), points.data(), static_cast<int>(knots.size()), knots.data(), &problem), problem);
+    detail::check(status, {{"degree", static_cast<double>(degree), 1, 7}});
     return made;
 }
 
 [[nodiscard]] inline Curve clamped(Numbers points, int dimension = 2, int degree = 3) {
     detail::inside("degree", degree, 1, 7);
     bat_curve *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_curve_create_clamped(dimension, degree, detail::many("points", points.size(), static_cast<std::size_t>(dimension)), points.data(), &out_);
     Curve made = Curve(out_);
-    detail::check(status);
+    if (status != BAT_OK) detail::check(bat_curve_clamped_check(dimension, degree, detail::many("points", points.size(), static_cast<std::size_t>(dimension)), points.data(), &problem), problem);
+    detail::check(status, {{"degree", static_cast<double>(degree), 1, 7}});
     return made;
 }
 
@@ -3397,7 +3438,7 @@ inline bool Document::is_kept() const {
     double error_{};
     const bat_status status = bat_curve_from_bezier(dimension, degree, closed, static_cast<int>((detail::many("points", points.size(), static_cast<std::size_t>(dimension))-1)/static_cast<std::size_t>(degree)), points.data(), corner, tolerance, &out_, &error_);
     FromBezierResult made{Curve(out_), error_};
-    detail::check(status);
+    detail::check(status, {{"degree", static_cast<double>(degree), 1, 7}, {"corner", static_cast<double>(corner), 0, 1e+75}, {"tolerance", static_cast<double>(tolerance), 0, 1e+75}});
     return made;
 }
 
@@ -3406,7 +3447,7 @@ inline bool Document::is_kept() const {
     bat_curve **curves_ = nullptr;
     const bat_status status = bat_regions_combine(operation, regions.size(), regions.data(), tolerance, &count_, &curves_);
     std::vector<Curve> made = detail::taken_objects<Curve>(curves_, static_cast<std::size_t>(count_));
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return made;
 }
 
@@ -3481,13 +3522,15 @@ inline bool Document::is_kept() const {
 }
 
 inline void check_function(const bat_function &function) {
-    const bat_status status = bat_function_check(&function);
-    detail::check(status);
+    bat_problem problem_told{};
+    const bat_status status = bat_function_check(&function, &problem_told);
+    detail::check(status, problem_told);
 }
 
 [[nodiscard]] inline std::array<double, 3> function_at(const bat_function &function, double x) {
     std::array<double, 3> out_{};
-    detail::check(bat_function_check(&function));
+    bat_problem refused{};
+    detail::check(bat_function_check(&function, &refused), refused);
     bat_function_eval(&function, x, out_.data());
     return out_;
 }
@@ -3497,24 +3540,27 @@ inline void check_function(const bat_function &function) {
     bat_curve **curves_ = nullptr;
     const bat_status status = bat_region_offset(&region, distance, join, miter_limit, tolerance, corner, &count_, &curves_);
     std::vector<Curve> made = detail::taken_objects<Curve>(curves_, static_cast<std::size_t>(count_));
-    detail::check(status);
+    detail::check(status, {{"distance", static_cast<double>(distance), -1e+75, 1e+75}, {"miter_limit", static_cast<double>(miter_limit), 1, 1e+75}, {"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}, {"corner", static_cast<double>(corner), 0, 1e+75}});
     return made;
 }
 
 inline void check_widths(const bat_width_profile &profile) {
-    const bat_status status = bat_width_check(&profile);
-    detail::check(status);
+    bat_problem problem_told{};
+    const bat_status status = bat_width_check(&profile, &problem_told);
+    detail::check(status, problem_told);
 }
 
 [[nodiscard]] inline std::array<double, 2> width_at(const bat_width_profile &profile, double at, bool closed = false) {
     std::array<double, 2> out_{};
-    detail::check(bat_width_check(&profile));
+    bat_problem refused{};
+    detail::check(bat_width_check(&profile, &refused), refused);
     bat_width_eval(&profile, closed, at, out_.data());
     return out_;
 }
 
 [[nodiscard]] inline bool width_is_even(const bat_width_profile &profile) {
-    detail::check(bat_width_check(&profile));
+    bat_problem refused{};
+    detail::check(bat_width_check(&profile, &refused), refused);
     return bat_width_is_even(&profile);
 }
 
@@ -3529,6 +3575,7 @@ inline void check_widths(const bat_width_profile &profile) {
     const bat_status status = bat_surface_create(degree.data(), closed.data(), count.data(), points.data(), knot_count.data(), u_knots.data(), v_knots.data(), &out_);
     Surface made = Surface(out_);
     if (status != BAT_OK) detail::check(bat_surface_check(degree.data(), closed.data(), count.data(), points.data(), knot_count.data(), u_knots.data(), v_knots.data(), &problem), problem);
+    detail::check(status);
     return made;
 }
 
@@ -3538,7 +3585,7 @@ inline void check_widths(const bat_width_profile &profile) {
     std::array<double, 4> apart_{};
     const bat_status status = bat_surface_coons(sides.data(), within, &out_, apart_.data());
     CoonsResult made{Surface(out_), apart_};
-    detail::check(status);
+    detail::check(status, {{"within", static_cast<double>(within), 0, 1e+75}});
     return made;
 }
 
@@ -3552,8 +3599,9 @@ inline void check_widths(const bat_width_profile &profile) {
 }
 
 inline void check_recipe(const bat_recipe &recipe, size_t count) {
-    const bat_status status = bat_recipe_check(&recipe, count);
-    detail::check(status);
+    bat_problem problem_told{};
+    const bat_status status = bat_recipe_check(&recipe, count, &problem_told);
+    detail::check(status, problem_told);
 }
 
 [[nodiscard]] inline RecipeSurfaceResult recipe_surface(const bat_recipe &recipe, const List<Curve> &curves) {
@@ -3568,8 +3616,10 @@ inline void check_recipe(const bat_recipe &recipe, size_t count) {
 [[nodiscard]] inline Mesh mesh(Numbers vertices, Span<const int> sizes, Span<const int> corners) {
     bat_polymesh *out_ = nullptr;
     std::size_t wrong_told = std::numeric_limits<std::size_t>::max();
+    bat_problem problem{};
     const bat_status status = bat_polymesh_create(detail::many("vertices", vertices.size(), 3), vertices.data(), sizes.size(), sizes.data(), corners.data(), &out_, &wrong_told);
     Mesh made = Mesh(out_);
+    if (status != BAT_OK) detail::check(bat_polymesh_check(detail::many("vertices", vertices.size(), 3), vertices.data(), sizes.size(), sizes.data(), corners.data(), &problem), problem);
     detail::check(status, wrong_told);
     return made;
 }
@@ -3593,23 +3643,28 @@ inline void check_recipe(const bat_recipe &recipe, size_t count) {
 
 [[nodiscard]] inline LineDrawing line_drawing(const bat_viewpoint &view, const bat_line_scene &scene) {
     bat_line_drawing *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_line_drawing_create(&view, &scene, &out_);
     LineDrawing made = LineDrawing(out_);
+    if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
     detail::check(status);
     return made;
 }
 
 inline void check_view(const bat_viewpoint &view) {
-    const bat_status status = bat_viewpoint_check(&view);
-    detail::check(status);
+    bat_problem problem_told{};
+    const bat_status status = bat_viewpoint_check(&view, &problem_told);
+    detail::check(status, problem_told);
 }
 
 [[nodiscard]] inline ViewRayResult view_ray(const bat_viewpoint &view, Numbers pixel) {
     detail::exactly("pixel", pixel.size(), 2);
     std::array<double, 3> origin_{};
     std::array<double, 3> direction_{};
+    bat_problem problem{};
     const bat_status status = bat_viewpoint_ray(&view, pixel.data(), origin_.data(), direction_.data());
     ViewRayResult made{origin_, direction_};
+    if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
     detail::check(status);
     return made;
 }
@@ -3618,8 +3673,10 @@ inline void check_view(const bat_viewpoint &view) {
     detail::exactly("point", point.size(), 3);
     std::array<double, 2> pixel_{};
     double depth_{};
+    bat_problem problem{};
     const bat_status status = bat_viewpoint_project(&view, point.data(), pixel_.data(), &depth_);
     ViewProjectResult made{pixel_, depth_};
+    if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
     detail::check(status);
     return made;
 }
@@ -3627,8 +3684,10 @@ inline void check_view(const bat_viewpoint &view) {
 [[nodiscard]] inline CastResult cast(const bat_viewpoint &view, const bat_stroke &stroke, const bat_canvas &canvas) {
     std::vector<bat_cast_point> out_(stroke.count);
     size_t landed_{};
+    bat_problem problem{};
     const bat_status status = bat_cast(&view, &stroke, &canvas, out_.data(), &landed_);
     CastResult made{std::move(out_), landed_};
+    if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
     detail::check(status);
     return made;
 }
@@ -3637,7 +3696,7 @@ inline void check_view(const bat_viewpoint &view) {
     detail::exactly("size", size.size(), 2);
     bat_viewpoint out_{};
     const bat_status status = bat_camera_view(&pose, distance, size.data(), &out_);
-    detail::check(status);
+    detail::check(status, {{"distance", static_cast<double>(distance), 0, 1e+75, true}});
     return out_;
 }
 
@@ -3650,16 +3709,20 @@ inline void check_view(const bat_viewpoint &view) {
 
 [[nodiscard]] inline Take take(Span<const bat_bone> joints, size_t frames, double frame_time, Numbers values) {
     bat_take *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_take_create(static_cast<int>(joints.size()), joints.data(), frames, frame_time, values.data(), &out_);
     Take made = Take(out_);
-    detail::check(status);
+    if (status != BAT_OK) detail::check(bat_take_check(static_cast<int>(joints.size()), joints.data(), frames, frame_time, values.data(), &problem), problem);
+    detail::check(status, {{"frame_time", static_cast<double>(frame_time), 0, 1000000000.0, true}});
     return made;
 }
 
 [[nodiscard]] inline Picture picture(std::string_view bytes) {
     bat_picture *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_picture_create(bytes.data(), bytes.size(), &out_);
     Picture made = Picture(out_);
+    if (status != BAT_OK) detail::check(bat_picture_check(bytes.data(), bytes.size(), &problem), problem);
     detail::check(status);
     return made;
 }
@@ -3667,17 +3730,21 @@ inline void check_view(const bat_viewpoint &view) {
 [[nodiscard]] inline Object path_object(const List<Curve> &curves, bat_id id = 1, const std::string &name = {}, const bat_style *style = nullptr) {
     const auto curves_kept = curves.kept(bat_curve_copy);
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_create_path(id, name.c_str(), style, static_cast<int>(curves.size()), curves_kept.data(), &out_);
     Object made = Object(out_);
-    detail::check(status);
+    if (status != BAT_OK && style != nullptr) detail::check(bat_style_check(style, &problem), problem);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
 [[nodiscard]] inline Object spline_object(const bat_spline &spline, const bat_tangents_options *options = nullptr, bat_id id = 1, const std::string &name = {}, const bat_style *style = nullptr) {
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_create_spline(id, name.c_str(), style, &spline, options, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    if (status != BAT_OK && style != nullptr) detail::check(bat_style_check(style, &problem), problem);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
@@ -3685,7 +3752,7 @@ inline void check_view(const bat_viewpoint &view) {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_create_group(id, name.c_str(), layer, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
@@ -3694,7 +3761,7 @@ inline void check_view(const bat_viewpoint &view) {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_create_image(id, name.c_str(), picture.get(), matrix.data(), opacity, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}, {"opacity", static_cast<double>(opacity), 0, 1}});
     return made;
 }
 
@@ -3703,7 +3770,7 @@ inline void check_view(const bat_viewpoint &view) {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_create_foreign(id, name.c_str(), picture.get(), matrix.data(), opacity, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}, {"opacity", static_cast<double>(opacity), 0, 1}});
     return made;
 }
 
@@ -3711,7 +3778,7 @@ inline void check_view(const bat_viewpoint &view) {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_create_guide(id, axis, at, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}, {"axis", static_cast<double>(axis), 0, 1}, {"at", static_cast<double>(at), -1e+75, 1e+75}});
     return made;
 }
 
@@ -3721,56 +3788,68 @@ inline void check_view(const bat_viewpoint &view) {
     bat_object *out_ = nullptr;
     const bat_status status = bat_object_create_plane(id, name.c_str(), origin.data(), axes.data(), &out_);
     Object made = Object(out_);
-    detail::check(status);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
 [[nodiscard]] inline Object view_object(const bat_viewpoint &view, bat_id id = 1, const std::string &name = {}) {
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_create_view(id, name.c_str(), &view, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
 [[nodiscard]] inline Object surface_object(const Surface &surface, bat_id id = 1, const std::string &name = {}, const bat_style *style = nullptr) {
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_create_surface(id, name.c_str(), style, surface.get(), &out_);
     Object made = Object(out_);
-    detail::check(status);
+    if (status != BAT_OK && style != nullptr) detail::check(bat_style_check(style, &problem), problem);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
 [[nodiscard]] inline Object made_object(const bat_recipe &recipe, const List<Object> &sources, bat_id id = 1, const std::string &name = {}, const bat_style *style = nullptr) {
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_create_made(id, name.c_str(), style, &recipe, sources.size(), sources.data(), &out_);
     Object made = Object(out_);
-    detail::check(status);
+    if (status != BAT_OK && style != nullptr) detail::check(bat_style_check(style, &problem), problem);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
 [[nodiscard]] inline Object mesh_object(const Mesh &mesh, bat_id id = 1, const std::string &name = {}, const bat_style *style = nullptr) {
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_create_mesh(id, name.c_str(), style, mesh.get(), &out_);
     Object made = Object(out_);
-    detail::check(status);
+    if (status != BAT_OK && style != nullptr) detail::check(bat_style_check(style, &problem), problem);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
 [[nodiscard]] inline Object camera_object(const Camera &camera, bat_id id = 1, const std::string &name = {}, const bat_style *style = nullptr, bat_id follows = 0) {
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_create_camera(id, name.c_str(), style, camera.get(), follows, &out_);
     Object made = Object(out_);
-    detail::check(status);
+    if (status != BAT_OK && style != nullptr) detail::check(bat_style_check(style, &problem), problem);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}, {"follows", static_cast<double>(follows), 0, 2147483647}});
     return made;
 }
 
 [[nodiscard]] inline Object skeleton_object(const Motion &motion, bat_id id = 1, const std::string &name = {}, const bat_style *style = nullptr, Numbers place = {}) {
     if (!place.empty()) detail::exactly("place", place.size(), 12);
     bat_object *out_ = nullptr;
+    bat_problem problem{};
     const bat_status status = bat_object_create_skeleton(id, name.c_str(), style, motion.get(), place.empty() ? nullptr : place.data(), &out_);
     Object made = Object(out_);
-    detail::check(status);
+    if (status != BAT_OK && style != nullptr) detail::check(bat_style_check(style, &problem), problem);
+    detail::check(status, {{"id", static_cast<double>(id), 1, 2147483647}});
     return made;
 }
 
@@ -3895,7 +3974,7 @@ inline void check_view(const bat_viewpoint &view) {
     size_t size_{};
     const bat_status status = bat_stl_write(&model, tolerance, &bytes_, &size_);
     std::string made = detail::taken_text(bytes_, size_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return made;
 }
 
@@ -3904,7 +3983,7 @@ inline void check_view(const bat_viewpoint &view) {
     size_t size_{};
     const bat_status status = bat_gltf_write(&model, tolerance, &bytes_, &size_);
     std::string made = detail::taken_text(bytes_, size_);
-    detail::check(status);
+    detail::check(status, {{"tolerance", static_cast<double>(tolerance), 0, 1e+75, true}});
     return made;
 }
 
@@ -3928,8 +4007,10 @@ inline void check_view(const bat_viewpoint &view) {
 [[nodiscard]] inline std::string write_view(const bat_viewpoint &view) {
     char *text_ = nullptr;
     size_t size_{};
+    bat_problem problem{};
     const bat_status status = bat_viewpoint_write(&view, &text_, &size_);
     std::string made = detail::taken_text(text_, size_);
+    if (status != BAT_OK) detail::check(bat_viewpoint_check(&view, &problem), problem);
     detail::check(status);
     return made;
 }

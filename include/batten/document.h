@@ -29,6 +29,8 @@ typedef struct bat_style {
 } bat_style;
 
 BAT_API bat_style bat_style_defaults(void); /* black stroke of width 2, round cap and join, no fill */
+/* BAT_ARGUMENT: a number is out of range; problem (may be NULL) says which. The calls that take a style check it. */
+BAT_API bat_status bat_style_check(const bat_style *style, bat_problem *problem);
 
 /* An object is one of these: a path, which is one or more curves of one dimension that share a style (an O has
  * two); a spline of the tangents hand, whose points and directions stay editable and give its one curve; a shape,
@@ -69,6 +71,8 @@ enum { BAT_PICTURE_SIDE = 65535 };           /* pixels of a side, at most */
 /* Copies the bytes. BAT_UNSUPPORTED: none of these kinds nor foreign content as bat_object_create_foreign takes it, a broken header, or a side too long; BAT_COUNT: too
  * many bytes. O(size). */
 BAT_API bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out);
+/* The same check, without a picture; problem (may be NULL) says what was expected. */
+BAT_API bat_status bat_picture_check(const void *bytes, size_t size, bat_problem *problem);
 BAT_API bat_picture *bat_picture_retain(const bat_picture *picture); /* counts users */
 BAT_API void bat_picture_release(bat_picture *picture);              /* NULL is fine */
 BAT_API const void *bat_picture_bytes(const bat_picture *picture, size_t *size);
@@ -77,6 +81,10 @@ bat_picture_type(const bat_picture *picture); /* "image/png", "image/jpeg", "ima
 BAT_API uint64_t bat_picture_digest(const bat_picture *picture);             /* of its bytes */
 BAT_API void bat_picture_sides(const bat_picture *picture, double sides[2]); /* pixels across and down */
 
+/* What all objects have is checked so by the calls that make one: BAT_ARGUMENT: an id, a name or a style (each may be NULL) as below;
+ * problem (may be NULL) says which: "style.opacity". */
+BAT_API bat_status bat_object_head_check(bat_id id, const char *name, const bat_style *style,
+                                         bat_problem *problem);
 /* Takes ownership of the curves, which must all be different (the array itself stays the caller's). name: UTF-8,
  * may be NULL or empty. BAT_ARGUMENT: id 0 or above BAT_ID_MAX, a style out of range, a name that is not UTF-8. */
 BAT_API bat_status bat_object_create_path(bat_id id, const char *name, const bat_style *style,

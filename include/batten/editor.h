@@ -37,6 +37,9 @@ BAT_API bat_status bat_editor_get(const bat_editor *editor, const char *property
  * ("1in + 3mm"); what is no property makes a step. BAT_SYNTAX: not a valid text; BAT_STATE: there is nothing that it could
  * change now, or a drag is under way; otherwise as bat_editor_set. */
 BAT_API bat_status bat_editor_enter(bat_editor *editor, const char *name, const char *text);
+/* Why the last of these calls (but bat_editor_get), or of bat_editor_bind, was refused: place names the command, the property or the
+ * argument, message what was expected and found. Empty texts: it was not. Owned by the editor, overwritten by the next one. */
+BAT_API const bat_problem *bat_editor_problem(const bat_editor *editor);
 /* The number as it is now ("12.5 mm"), "" when there is none; valid until the next call. A property in view pixels is given as
  * a length in the drawing. Also "page-width", "page-height", "page-unit"; "page-asks W × H": "yes" if those two would differ;
  * "points": how many control points are chosen together. */
@@ -60,8 +63,8 @@ BAT_API const char *bat_editor_tables(bat_editor *editor);
 /* The words of another language: UTF-8 JSON {key:text}, as the build makes them from the table (words.ko.json). A
  * text that is missing stays English; so does one with more or fewer "%" (placeholders for values) than the
  * English text. NULL, 0: English. The words are copied. BAT_SYNTAX, BAT_MEMORY: nothing has changed. The language
- * is never part of a document or journal. */
-BAT_API bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size);
+ * is never part of a document or journal. problem (may be NULL) says where the text is no JSON. */
+BAT_API bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size, bat_problem *problem);
 /* The host has saved the document as it was when it took the frame that asked for it (or, when none did, as it is
  * now): that state counts as saved from now on. */
 BAT_API void bat_editor_saved(bat_editor *editor);
@@ -97,8 +100,8 @@ BAT_API const char *bat_editor_texts(bat_editor *editor);
 /* Changes a text to what such JSON says, whose missing members stay as they are, and selects it; with "id":0 it is a new one, at the
  * place asked for. Or several, in a list. The box must be measured by whoever shapes the letters. One that is empty is deleted. This
  * is a step of the history. BAT_STATE: a gesture is under way, or the document is read-only; other statuses: there is no such text, a
- * member is missing, or out of its range. */
-BAT_API bat_status bat_editor_write(bat_editor *editor, const char *json, size_t size);
+ * member is missing, or out of its range; problem (may be NULL) says which and where. */
+BAT_API bat_status bat_editor_write(bat_editor *editor, const char *json, size_t size, bat_problem *problem);
 
 /* What of the drawing is copied: as it is, with its page; everything, or the selection with all that is in it, without a
  * page, so that files show the box of what is painted. */

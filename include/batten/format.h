@@ -67,9 +67,9 @@ BAT_API bat_status bat_dxf_write(const bat_document *document, double arcs, char
 BAT_API bat_status bat_glif_write(const bat_document *document, bool extremes, char **text, size_t *size);
 /* The same, in a file that is a glyph already (glyph, of glyph_size bytes of UTF-8): only its contours give way to those of the
  * drawing; its name, advance, code points, components, anchors and all else stay, to the byte. BAT_SYNTAX: the file is not a
- * glyph. */
+ * glyph; problem (may be NULL) says what it is. */
 BAT_API bat_status bat_glif_replace(const char *glyph, size_t glyph_size, const bat_document *document,
-                                    bool extremes, char **text, size_t *size);
+                                    bool extremes, char **text, size_t *size, bat_problem *problem);
 /* G-code for mills, plotters and laser cutters (ISO 6983): millimetres, the page's lower left corner at (0, 0), or
  * without a page the document's origin, y upwards. Visible curves of the plane become lines and arcs (G1, G2, G3) within the tolerance and four
  * decimals, in the drawing's order. */

@@ -22,8 +22,9 @@ static inline bat_function bat_function_of(double constant) {
     bat_function function = {constant, NULL};
     return function;
 }
-/* BAT_NUMBER: the constant is not finite or beyond BAT_COORDINATE_MAX; BAT_PARAMETER: the domain is not [0, 1]. */
-BAT_API bat_status bat_function_check(const bat_function *function);
+/* BAT_NUMBER: the constant is not finite or beyond BAT_COORDINATE_MAX; BAT_PARAMETER: the domain is not [0, 1].
+ * problem (may be NULL) says what is wrong. */
+BAT_API bat_status bat_function_check(const bat_function *function, bat_problem *problem);
 /* The value and the first two derivatives at x, as bat_curve_eval: out[3]. */
 BAT_API void bat_function_eval(const bat_function *function, double x, double out[3]);
 BAT_API void bat_function_clear(bat_function *function);

@@ -32,6 +32,9 @@ typedef struct bat_polymesh bat_polymesh;
 BAT_API bat_status bat_polymesh_create(size_t vertex_count, const double *vertices, size_t face_count,
                                        const int *sizes, const int *corners, bat_polymesh **out,
                                        size_t *wrong);
+/* The same check, without a mesh; problem (may be NULL) says what is wrong: "faces[3][1]", "vertices[2][0]". */
+BAT_API bat_status bat_polymesh_check(size_t vertex_count, const double *vertices, size_t face_count,
+                                      const int *sizes, const int *corners, bat_problem *problem);
 BAT_API bat_status bat_polymesh_copy(const bat_polymesh *mesh, bat_polymesh **out);
 BAT_API void bat_polymesh_free(bat_polymesh *mesh); /* NULL is fine */
 

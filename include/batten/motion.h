@@ -44,6 +44,9 @@ typedef struct bat_take bat_take;
  * BAT_NUMBER: a number is not finite or too large. */
 BAT_API bat_status bat_take_create(int joint_count, const bat_bone *joints, size_t frames, double frame_time,
                                    const double *values, bat_take **out);
+/* The same check, without a take; problem (may be NULL) says what is wrong: "joints[2].parent", "values[40]". */
+BAT_API bat_status bat_take_check(int joint_count, const bat_bone *joints, size_t frames, double frame_time,
+                                  const double *values, bat_problem *problem);
 BAT_API void bat_take_free(bat_take *take); /* NULL is fine */
 /* Owned by the take. */
 BAT_API const bat_bone *bat_take_joints(const bat_take *take, int *count);

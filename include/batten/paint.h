@@ -52,6 +52,8 @@ typedef struct bat_paint {
                                    * with a round pen and without dashes; the stroke is then a filled outline */
 } bat_paint;
 
+/* The statuses of bat_object_with_paint for a paint; problem (may be NULL) says what is wrong: "fill.stops[2].at". */
+BAT_API bat_status bat_paint_check(const bat_paint *paint, bat_problem *problem);
 /* A copy with that paint, which is copied, its pictures retained; NULL, or a paint with nothing in it: none. BAT_ARGUMENT: the object is not made of
  * curves, or has a kind whose curves only show it; BAT_NUMBER: a number that is not finite or beyond BAT_COORDINATE_MAX, a
  * singular matrix or pen, stops that go back, negative dashes or radii, widths that are no profile, a gradient that is a point or

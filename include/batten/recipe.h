@@ -47,8 +47,9 @@ static inline bat_recipe bat_recipe_of(bat_recipe_kind kind) {
     bat_recipe recipe = {kind, BAT_STAND_LYING, 0, 1, 360};
     return recipe;
 }
-/* BAT_ARGUMENT: no such kind or stand; BAT_COUNT: not that many curves; BAT_NUMBER: a number is out of range. */
-BAT_API bat_status bat_recipe_check(const bat_recipe *recipe, size_t count);
+/* BAT_ARGUMENT: no such kind or stand; BAT_COUNT: not that many curves; BAT_NUMBER: a number is out of range. problem
+ * (may be NULL) says which. */
+BAT_API bat_status bat_recipe_check(const bat_recipe *recipe, size_t count, bat_problem *problem);
 /* How the profile of a sweep stands beside the path as they were drawn. */
 BAT_API bat_recipe_stand bat_recipe_stands(const bat_curve *path, const bat_curve *profile);
 

@@ -24,8 +24,9 @@ typedef struct bat_viewpoint {
 } bat_viewpoint;
 
 /* Checks a view: BAT_NUMBER: a number is not finite or too large; BAT_ARGUMENT: size, fov or height are out of range;
- * BAT_SINGULAR: eye and target are the same point, or up is parallel to the gaze. The calls below check it, too. */
-BAT_API bat_status bat_viewpoint_check(const bat_viewpoint *view);
+ * BAT_SINGULAR: eye and target are the same point, or up is parallel to the gaze. The calls below check it, too.
+ * problem (may be NULL) says what is wrong: "size[1]". */
+BAT_API bat_status bat_viewpoint_check(const bat_viewpoint *view, bat_problem *problem);
 /* The ray through a pixel. direction has length 1. origin: the eye, or in parallel projection the point at the pixel in
  * the plane of the eye at right angles to the gaze; what lies before it on the ray is behind the eye. BAT_NUMBER:
  * the pixel is not finite. */

@@ -29,8 +29,8 @@ typedef struct bat_width_profile {
 } bat_width_profile;
 
 /* BAT_COUNT: too many stops; BAT_ARGUMENT: there are none where the count says so; BAT_NUMBER: a number out of range, or
- * stops that do not ascend. */
-BAT_API bat_status bat_width_check(const bat_width_profile *profile);
+ * stops that do not ascend. problem (may be NULL) says which: "stops[2].at". */
+BAT_API bat_status bat_width_check(const bat_width_profile *profile, bat_problem *problem);
 /* The share at a place 0..1 (beyond: clamped) and its derivative by the place: out[2]. Programmer errors: a profile that is not
  * valid. O(count). */
 BAT_API void bat_width_eval(const bat_width_profile *profile, bool closed, double at, double out[2]);

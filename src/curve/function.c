@@ -1,15 +1,23 @@
 /* Functions of one parameter: the first coordinate of a curve, or a number. */
 #include "curve/function.h"
 #include "curve/curve.h"
+#include "text/json.h"
 
 #include <math.h>
 
-bat_status bat_function_check(const bat_function *function) {
-    double domain[2];
-    if (!function) return BAT_ARGUMENT;
-    if (!function->curve) return fabs(function->constant) <= BAT_COORDINATE_MAX ? BAT_OK : BAT_NUMBER;
-    bat_curve_domain(function->curve, domain);
-    return domain[0] == 0 && domain[1] == 1 ? BAT_OK : BAT_PARAMETER;
+bat_status bat_function_check(const bat_function *function, bat_problem *problem) {
+    double domain[2] = {0, 1};
+    if (!function)
+        return bat_problem_set(problem, BAT_ARGUMENT, "function", "expected a function, found none");
+    if (function->curve)
+        bat_curve_domain(function->curve, domain);
+    else if (bat_problem_outside(problem, "constant", 0, -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX,
+                                 function->constant))
+        return BAT_NUMBER;
+    for (size_t i = 0; i < 2; i++)
+        if (bat_problem_outside(problem, "domain[%zu]", i, (double)i, (double)i, domain[i]))
+            return BAT_PARAMETER;
+    return BAT_OK;
 }
 
 void bat_function_eval(const bat_function *function, double x, double out[3]) {

@@ -12,6 +12,7 @@
 #include "document/markers.h"
 #include "document/paint.h"
 #include "document/style.h"
+#include "text/json.h"
 #include "text/utf8.h"
 
 #include <batten/measure.h>
@@ -163,15 +164,19 @@ static bat_status check_curves(const bat_kind_type *type, int count, bat_curve *
     return BAT_OK;
 }
 
+bat_status bat_object_head_check(bat_id id, const char *name, const bat_style *style, bat_problem *problem) {
+    if (bat_problem_outside(problem, "id", 0, 1, (double)BAT_ID_MAX, (double)id)) return BAT_ARGUMENT;
+    if (name && !bat_utf8_valid(name, strlen(name)))
+        return bat_problem_set(problem, BAT_ARGUMENT, "name", "expected UTF-8, found other bytes");
+    return style ? bat_problem_inside(problem, bat_style_check(style, problem), "style") : BAT_OK;
+}
+
 bat_status bat_object_make(const bat_kind_type *type, bat_id id, const char *name, const bat_style *style,
                            const void *own, int count, bat_curve *const *curves, bat_object **out) {
-    if (!out || id == 0 || id > BAT_ID_MAX || (style && !bat_style_valid(style))) return BAT_ARGUMENT;
-    bat_status status = check_curves(type, count, curves);
-    if (status != BAT_OK) return status;
-    if (!name) name = "";
-    if (!bat_utf8_valid(name, strlen(name))) return BAT_ARGUMENT;
+    bat_status status = out ? bat_object_head_check(id, name, style, NULL) : BAT_ARGUMENT;
+    if (status == BAT_OK) status = check_curves(type, count, curves);
     head with = {.id = id, .style = style ? *style : bat_style_defaults()};
-    return make(type, &with, name, own, count, curves, out);
+    return status == BAT_OK ? make(type, &with, name ? name : "", own, count, curves, out) : status;
 }
 
 bat_status bat_object_remake(const bat_object *object, const bat_kind_type *type, const void *own, int count,
@@ -269,7 +274,7 @@ static bat_status recolour(bat_object *copy, uint32_t colour, bat_object **out) 
 }
 
 bat_status bat_object_with_style(const bat_object *object, const bat_style *style, bat_object **out) {
-    if (!object || !style || !out || !bat_style_valid(style)) return BAT_ARGUMENT;
+    if (!object || !style || !out || bat_style_check(style, NULL) != BAT_OK) return BAT_ARGUMENT;
     bat_object *copy = share(object);
     if (!copy) return BAT_MEMORY;
     const bat_status status = keep_paint(copy, style);
@@ -449,7 +454,7 @@ void bat_object_bounds(const bat_object *object, double box[4]) { memcpy(box, ob
 void bat_object_depth(const bat_object *object, double z[2]) { memcpy(z, object->depth, 2 * sizeof *z); }
 
 const char *bat_object_check(const bat_object *object) {
-    if (!bat_style_valid(&object->head.style)) return "a style is out of range";
+    if (bat_style_check(&object->head.style, NULL) != BAT_OK) return "a style is out of range";
     if (!bat_object_is(object, BAT_CURVES)) {
         if (object->count) return "an object has curves whose kind has none";
     } else if (object->count < 1) {

@@ -4,6 +4,7 @@
 #include "base/users.h"
 #include "curve/curve.h"
 #include "document/digest.h"
+#include "text/json.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -36,19 +37,51 @@ static bool is_pattern(const bat_gradient *g) {
     return same;
 }
 
-static bat_status check_gradient(const bat_gradient *g) {
-    if (g->count == 0) return BAT_OK;
-    if (g->count < 2 || g->count > BAT_STOPS_MAX) return BAT_COUNT;
-    if (!g->stops || (unsigned)g->spread > BAT_SPREAD_REPEAT) return BAT_ARGUMENT;
-    if (!bat_are_coordinates(g->from, 3) || !bat_are_coordinates(g->to, 3) ||
-        !bat_are_coordinates(g->matrix, 6) || !bat_matrix_is_regular(g->matrix))
-        return BAT_NUMBER;
-    if (g->radial ? g->from[2] < 0 || !(g->to[2] > 0) : g->from[2] != 0 || g->to[2] != 0) return BAT_NUMBER;
-    if (!g->radial && g->from[0] == g->to[0] && g->from[1] == g->to[1]) return BAT_NUMBER;
-    if (g->tile && !is_pattern(g)) return BAT_NUMBER;
-    for (size_t i = 0; i < g->count; i++)
-        if (!(g->stops[i].at >= (i > 0 ? g->stops[i - 1].at : 0) && g->stops[i].at <= 1)) return BAT_NUMBER;
+/* BAT_NUMBER: one of them is beyond what a coordinate may be. */
+static bat_status check_numbers(bat_problem *problem, const char *place, size_t count,
+                                const double *numbers) {
+    for (size_t i = 0; i < count; i++)
+        if (bat_problem_outside(problem, place, i, -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX, numbers[i]))
+            return BAT_NUMBER;
     return BAT_OK;
+}
+
+/* The circles of a radial gradient, or the ends of a linear one. */
+static bat_status check_ends(const bat_gradient *g, bat_problem *problem) {
+    if (g->radial && g->from[2] < 0)
+        return bat_problem_found(problem, BAT_NUMBER, "from[2]", 0, "a radius of 0 or more", g->from[2]);
+    if (g->radial && !(g->to[2] > 0))
+        return bat_problem_found(problem, BAT_NUMBER, "to[2]", 0, "a radius above 0", g->to[2]);
+    if (g->radial) return BAT_OK;
+    if (bat_problem_outside(problem, "from[2]", 0, 0, 0, g->from[2]) ||
+        bat_problem_outside(problem, "to[2]", 0, 0, 0, g->to[2]))
+        return BAT_NUMBER;
+    return g->from[0] != g->to[0] || g->from[1] != g->to[1]
+               ? BAT_OK
+               : bat_problem_set(problem, BAT_NUMBER, "to",
+                                 "expected another place than from, found the same");
+}
+
+static bat_status check_gradient(const bat_gradient *g, bat_problem *problem) {
+    if (g->count == 0) return BAT_OK;
+    if (bat_problem_outside(problem, "count", 0, 2, BAT_STOPS_MAX, (double)g->count)) return BAT_COUNT;
+    if (!g->stops) return bat_problem_set(problem, BAT_ARGUMENT, "stops", "expected stops, found none");
+    if (bat_problem_outside(problem, "spread", 0, 0, BAT_SPREAD_REPEAT, (double)g->spread))
+        return BAT_ARGUMENT;
+    bat_status status = check_numbers(problem, "from[%zu]", 3, g->from);
+    if (status == BAT_OK) status = check_numbers(problem, "to[%zu]", 3, g->to);
+    if (status == BAT_OK) status = check_numbers(problem, "matrix[%zu]", 6, g->matrix);
+    if (status == BAT_OK && !bat_matrix_is_regular(g->matrix))
+        status = bat_problem_set(problem, BAT_NUMBER, "matrix",
+                                 "expected a map of the plane, found one of rank below 2");
+    if (status == BAT_OK) status = check_ends(g, problem);
+    if (status == BAT_OK && g->tile && !is_pattern(g))
+        status = bat_problem_set(problem, BAT_NUMBER, "tile", "expected the members of a pattern beside it");
+    for (size_t i = 0; i < g->count && status == BAT_OK; i++)
+        if (bat_problem_outside(problem, "stops[%zu].at", i, i > 0 ? g->stops[i - 1].at : 0, 1,
+                                g->stops[i].at))
+            status = BAT_NUMBER;
+    return status;
 }
 
 /* Whether the matrix maps circles to circles, within 1 percent, or is none. */
@@ -57,26 +90,36 @@ static bool is_round(const double m[4]) {
     return fabs(x - y) <= 0.01 * (x + y) && fabs(xy) <= 0.01 * (x + y);
 }
 
-static bat_status check(const bat_paint *paint) {
-    bat_status status = check_gradient(&paint->fill);
-    if (status == BAT_OK) status = check_gradient(&paint->stroke);
-    if (status != BAT_OK) return status;
-    if (paint->width_count) status = bat_width_check(&(bat_width_profile){paint->width_count, paint->widths});
-    if (status != BAT_OK) return status;
-    if (!bat_are_coordinates(paint->pen, 4) || (!is_round(paint->pen) && !bat_matrix_is_regular(paint->pen)))
-        return BAT_NUMBER;
+static bat_status check_dashes(const bat_paint *paint, bat_problem *problem) {
     if (paint->dash_count == 0) return BAT_OK;
-    if (paint->dash_count > BAT_DASHES_MAX) return BAT_COUNT;
-    if (!paint->dashes) return BAT_ARGUMENT;
-    if (!bat_are_coordinates(paint->dashes, paint->dash_count) ||
-        !bat_are_coordinates(&paint->dash_offset, 1))
-        return BAT_NUMBER;
+    if (bat_problem_outside(problem, "dash_count", 0, 0, BAT_DASHES_MAX, (double)paint->dash_count))
+        return BAT_COUNT;
+    if (!paint->dashes)
+        return bat_problem_set(problem, BAT_ARGUMENT, "dashes", "expected dashes, found none");
     double sum = 0;
     for (size_t i = 0; i < paint->dash_count; i++) {
-        if (paint->dashes[i] < 0) return BAT_NUMBER;
+        if (bat_problem_outside(problem, "dashes[%zu]", i, 0, BAT_COORDINATE_MAX, paint->dashes[i]))
+            return BAT_NUMBER;
         sum += paint->dashes[i];
     }
-    return sum > 0 ? BAT_OK : BAT_NUMBER;
+    if (!(sum > 0)) return bat_problem_found(problem, BAT_NUMBER, "dashes", 0, "one above 0", sum);
+    return check_numbers(problem, "dash_offset", 1, &paint->dash_offset);
+}
+
+bat_status bat_paint_check(const bat_paint *paint, bat_problem *problem) {
+    if (!paint) return bat_problem_set(problem, BAT_ARGUMENT, "paint", "expected a paint, found none");
+    bat_status status = bat_problem_inside(problem, check_gradient(&paint->fill, problem), "fill");
+    if (status != BAT_OK) return status;
+    status = bat_problem_inside(problem, check_gradient(&paint->stroke, problem), "stroke");
+    if (status == BAT_OK && paint->width_count) {
+        const bat_width_profile profile = {paint->width_count, paint->widths};
+        status = bat_problem_inside(problem, bat_width_check(&profile, problem), "widths");
+    }
+    if (status == BAT_OK) status = check_numbers(problem, "pen[%zu]", 4, paint->pen);
+    if (status == BAT_OK && !is_round(paint->pen) && !bat_matrix_is_regular(paint->pen))
+        status = bat_problem_set(problem, BAT_NUMBER, "pen",
+                                 "expected a map of the plane, found one of rank below 2");
+    return status == BAT_OK ? check_dashes(paint, problem) : status;
 }
 
 /* -0 is 0. */
@@ -122,7 +165,7 @@ static bool is_flat(const bat_paint *paint) {
 }
 
 bat_status bat_painted_create(const bat_paint *given, bat_painted **out) {
-    const bat_status status = check(given);
+    const bat_status status = bat_paint_check(given, NULL);
     if (status != BAT_OK) return status;
     bat_paint own = *given;
     const bat_paint *paint = &own;
@@ -190,12 +233,12 @@ bat_paint bat_paint_mapped(const bat_paint *paint, const double matrix[6], doubl
         double m[6];
         bat_matrix_compose(matrix, parts[k]->matrix, m);
         memcpy(parts[k]->matrix, m, sizeof m);
-        if (check_gradient(parts[k]) != BAT_OK) *parts[k] = (bat_gradient){0};
+        if (check_gradient(parts[k], NULL) != BAT_OK) *parts[k] = (bat_gradient){0};
     }
     for (size_t i = 0; i < made.dash_count; i++)
         dashes[i] = fmin(made.dashes[i] * longer, BAT_COORDINATE_MAX);
     made.dashes = dashes;
     made.dash_offset = fmax(fmin(made.dash_offset * longer, BAT_COORDINATE_MAX), -BAT_COORDINATE_MAX);
-    if (check(&made) != BAT_OK) made.dash_count = 0;
+    if (bat_paint_check(&made, NULL) != BAT_OK) made.dash_count = 0;
     return made;
 }

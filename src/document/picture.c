@@ -3,6 +3,7 @@
 
 #include "document/digest.h"
 #include "base/users.h"
+#include "text/json.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -16,16 +17,33 @@ struct bat_picture {
     unsigned char bytes[];
 };
 
+/* The type of a picture and its sides. */
+static bat_status look(const void *bytes, size_t size, const char **type, uint32_t sides[2],
+                       bat_problem *problem) {
+    if (!bytes) return bat_problem_set(problem, BAT_ARGUMENT, "bytes", "expected a picture, found none");
+    if (bat_problem_outside(problem, "size", 0, 0, (double)BAT_PICTURE_SIZE, (double)size)) return BAT_COUNT;
+    *type = bat_picture_head(bytes, size, &sides[0], &sides[1]);
+    return *type ? BAT_OK
+                 : bat_problem_set(problem, BAT_UNSUPPORTED, "bytes",
+                                   "expected the head of a PNG, JPEG or WebP file, or of an SVG file that "
+                                   "stands alone, of up to 65535 pixels a side");
+}
+
+bat_status bat_picture_check(const void *bytes, size_t size, bat_problem *problem) {
+    const char *type;
+    return look(bytes, size, &type, (uint32_t[2]){0}, problem);
+}
+
 bat_status bat_picture_create(const void *bytes, size_t size, bat_picture **out) {
-    uint32_t width, height;
-    if (!bytes || !out) return BAT_ARGUMENT;
-    if (size > BAT_PICTURE_SIZE) return BAT_COUNT;
-    const char *type = bat_picture_head(bytes, size, &width, &height);
-    if (!type) return BAT_UNSUPPORTED;
+    uint32_t sides[2];
+    const char *type;
+    if (!out) return BAT_ARGUMENT;
+    const bat_status status = look(bytes, size, &type, sides, NULL);
+    if (status != BAT_OK) return status;
     bat_picture *picture = malloc(sizeof *picture + size);
     if (!picture) return BAT_MEMORY;
     *picture = (bat_picture){
-        .users = BAT_USERS_ONE, .width = width, .height = height, .type = type, .size = size};
+        .users = BAT_USERS_ONE, .width = sides[0], .height = sides[1], .type = type, .size = size};
     picture->digest = bat_digest_bytes(bat_digest_begin(), bytes, size);
     memcpy(picture->bytes, bytes, size);
     *out = picture;

@@ -1,6 +1,7 @@
 #include "document/style.h"
 
 #include "document/digest.h"
+#include "text/json.h"
 
 bat_style bat_style_defaults(void) {
     return (bat_style){.stroked = true,
@@ -13,10 +14,16 @@ bat_style bat_style_defaults(void) {
                        .miter_limit = 4};
 }
 
-bool bat_style_valid(const bat_style *style) {
-    return style->width >= 0 && style->width <= BAT_COORDINATE_MAX && style->opacity >= 0 &&
-           style->opacity <= 1 && style->miter_limit >= 1 && style->miter_limit <= BAT_COORDINATE_MAX &&
-           (unsigned)style->cap <= BAT_CAP_SQUARE && (unsigned)style->join <= BAT_JOIN_BEVEL;
+bat_status bat_style_check(const bat_style *style, bat_problem *problem) {
+    if (!style) return bat_problem_set(problem, BAT_ARGUMENT, "style", "expected a style, found none");
+    return bat_problem_outside(problem, "width", 0, 0, BAT_COORDINATE_MAX, style->width) ||
+                   bat_problem_outside(problem, "opacity", 0, 0, 1, style->opacity) ||
+                   bat_problem_outside(problem, "miter_limit", 0, 1, BAT_COORDINATE_MAX,
+                                       style->miter_limit) ||
+                   bat_problem_outside(problem, "cap", 0, 0, BAT_CAP_SQUARE, (double)style->cap) ||
+                   bat_problem_outside(problem, "join", 0, 0, BAT_JOIN_BEVEL, (double)style->join)
+               ? BAT_ARGUMENT
+               : BAT_OK;
 }
 
 uint64_t bat_style_digest(uint64_t digest, const bat_style *style) {

@@ -3,7 +3,6 @@
 
 #include <batten/document.h>
 
-bool bat_style_valid(const bat_style *style);
 uint64_t bat_style_digest(uint64_t digest, const bat_style *style);
 
 #endif

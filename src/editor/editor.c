@@ -6,6 +6,7 @@
 #include "editor/edit/pictures.h"
 #include "editor/edit/symmetry.h"
 #include "editor/input/pressure.h"
+#include "editor/refusal.h"
 #include "editor/tables/words.h"
 #include "editor/tools/gazes/correct.h"
 #include "editor/tools/gazes/fade.h"
@@ -154,11 +155,12 @@ static bat_status settled(bat_editor *editor, bat_status status) {
 }
 
 bat_status bat_editor_command(bat_editor *editor, const char *name) {
-    return settled(editor, bat_command_do(&editor->context, name));
+    return bat_refusal_command(editor, settled(editor, bat_command_do(&editor->context, name)), name);
 }
 
 bat_status bat_editor_set(bat_editor *editor, const char *property, double value) {
-    return settled(editor, bat_property_set(&editor->context, property, value));
+    const bat_status status = settled(editor, bat_property_set(&editor->context, property, value));
+    return bat_refusal_property(editor, status, property, value);
 }
 
 bat_status bat_editor_get(const bat_editor *editor, const char *property, double *value) {
@@ -166,7 +168,8 @@ bat_status bat_editor_get(const bat_editor *editor, const char *property, double
 }
 
 bat_status bat_editor_enter(bat_editor *editor, const char *name, const char *text) {
-    return settled(editor, bat_panel_enter(&editor->context, name, text));
+    const bat_status status = settled(editor, bat_panel_enter(&editor->context, name, text));
+    return bat_refusal_text(editor, status, name, text);
 }
 
 const char *bat_editor_number(bat_editor *editor, const char *name) {
@@ -178,13 +181,13 @@ double bat_editor_pressure(const bat_editor *editor, double pressure) {
 }
 
 bat_status bat_editor_bind(bat_editor *editor, const char *command, const char *keys) {
-    return bat_command_bind(&editor->context, command, keys);
+    return bat_refusal_keys(editor, bat_command_bind(&editor->context, command, keys), command, keys);
 }
 
 const char *bat_editor_tables(bat_editor *editor) { return bat_panel_tables(&editor->context); }
 
-bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size) {
-    return bat_words_read(&editor->settings, text, size);
+bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size, bat_problem *problem) {
+    return bat_words_read(&editor->settings, text, size, problem);
 }
 
 const char *bat_editor_layers(bat_editor *editor) { return bat_panel_layers(&editor->context); }
@@ -270,10 +273,10 @@ const char *bat_editor_writing(bat_editor *editor) { return bat_panel_writing(&e
 
 const char *bat_editor_texts(bat_editor *editor) { return bat_panel_texts(&editor->context); }
 
-bat_status bat_editor_write(bat_editor *editor, const char *json, size_t size) {
+bat_status bat_editor_write(bat_editor *editor, const char *json, size_t size, bat_problem *problem) {
     if (!editor || !json) return BAT_ARGUMENT;
     if (!face_on(&editor->context)) return BAT_STATE;
-    return settled(editor, bat_panel_write(&editor->context, json, size));
+    return settled(editor, bat_panel_write(&editor->context, json, size, problem));
 }
 
 const bat_picture *bat_editor_picture(const bat_editor *editor, uint32_t picture) {

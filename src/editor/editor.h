@@ -26,6 +26,7 @@ enum { BAT_HINT_ROOM = 512 };
 
 struct bat_editor {
     bat_context context; /* points to all the members that follow */
+    bat_problem problem; /* why the last call by name was refused */
     bat_settings settings;
     bat_session session;
     bat_notices notices;

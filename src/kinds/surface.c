@@ -235,7 +235,7 @@ static bat_status make_from(const bat_object *object, bat_id id, const char *nam
                             bat_object **out) {
     bat_id ids[BAT_RECIPE_CURVES];
     bat_surface *surface = NULL;
-    bat_status status = bat_recipe_check(recipe, count);
+    bat_status status = bat_recipe_check(recipe, count, NULL);
     if (status == BAT_OK) status = sources && out ? BAT_OK : BAT_ARGUMENT;
     if (status == BAT_OK) status = take_ids(object ? bat_object_id(object) : id, count, sources, ids);
     if (status != BAT_OK) return status;

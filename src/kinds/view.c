@@ -17,7 +17,7 @@ static void plain(double *numbers, int count) {
 }
 
 static bat_status set(const bat_viewpoint *view, bat_viewpoint *out) {
-    const bat_status status = bat_viewpoint_check(view);
+    const bat_status status = bat_viewpoint_check(view, NULL);
     if (status != BAT_OK) return status;
     *out = *view;
     plain(out->eye, 3);
@@ -51,7 +51,7 @@ static uint64_t digest_view(uint64_t digest, const void *own) {
 }
 
 static const char *check(const bat_object *object) {
-    return bat_viewpoint_check(bat_object_view(object)) == BAT_OK ? NULL : "a view is not valid";
+    return bat_viewpoint_check(bat_object_view(object), NULL) == BAT_OK ? NULL : "a view is not valid";
 }
 
 /* Eye and target go where the drawing goes; a parallel view shows as much of it as before. A view from straight above stays

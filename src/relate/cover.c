@@ -234,7 +234,7 @@ static bat_status check(const bat_curve *curve, const bat_nib *nib, const bat_wi
                         double tolerance, double corner) {
     if (!profile) return BAT_ARGUMENT;
     const bat_status status = bat_outline_check(curve, nib, tolerance, corner);
-    return status == BAT_OK ? bat_width_check(profile) : status;
+    return status == BAT_OK ? bat_width_check(profile, NULL) : status;
 }
 
 static bat_status cover(const bat_curve *curve, const bat_nib *nib, const bat_width_profile *profile,

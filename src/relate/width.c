@@ -1,5 +1,7 @@
 /* Width profiles: monotone cubics between stops (F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, 1980;
  * slopes of Fritsch and Butland, 1984). */
+#include "text/json.h"
+
 #include <batten/width.h>
 
 #include <math.h>
@@ -7,16 +9,18 @@
 
 static const double LEAST_GAP = 1e-9; /* between two stops */
 
-static bool is_between(double value, double low, double high) { return value >= low && value <= high; }
-
-bat_status bat_width_check(const bat_width_profile *profile) {
-    if (!profile || (profile->count && !profile->stops)) return BAT_ARGUMENT;
-    if (profile->count > BAT_WIDTHS_MAX) return BAT_COUNT;
+bat_status bat_width_check(const bat_width_profile *profile, bat_problem *problem) {
+    if (!profile || (profile->count && !profile->stops))
+        return bat_problem_set(problem, BAT_ARGUMENT, "stops", "expected stops, found none");
+    if (bat_problem_outside(problem, "count", 0, 0, BAT_WIDTHS_MAX, (double)profile->count)) return BAT_COUNT;
     for (size_t i = 0; i < profile->count; i++) {
         const bat_width_stop *stop = &profile->stops[i];
-        if (!is_between(stop->at, 0, 1) || !is_between(stop->share, 0, BAT_WIDTH_SHARE_MAX) ||
-            (i > 0 && !(stop->at > stop[-1].at)))
+        if (bat_problem_outside(problem, "stops[%zu].at", i, 0, 1, stop->at) ||
+            bat_problem_outside(problem, "stops[%zu].share", i, 0, BAT_WIDTH_SHARE_MAX, stop->share))
             return BAT_NUMBER;
+        if (i > 0 && !(stop->at > stop[-1].at))
+            return bat_problem_found(problem, BAT_NUMBER, "stops[%zu].at", i, "more than at the stop before",
+                                     stop->at);
     }
     return BAT_OK;
 }

@@ -63,5 +63,13 @@ bat_status bat_json_say(const bat_json *json, uint32_t node, bat_status status, 
                         bat_problem *problem);
 /* Fills problem (may be NULL) with the given texts. Returns status. */
 bat_status bat_problem_set(bat_problem *problem, bat_status status, const char *place, const char *message);
+/* The same for a number that is not what was expected; place may have a "%zu" for the index. */
+bat_status bat_problem_found(bat_problem *problem, bat_status status, const char *place, size_t index,
+                             const char *expected, double found);
+/* Whether a number is not from low to high (NaN is not); if so, that is said as above. */
+bool bat_problem_outside(bat_problem *problem, const char *place, size_t index, double low, double high,
+                         double found);
+/* Puts what a place is in before it: "fill" makes "stops[1].at" "fill.stops[1].at". Returns status. */
+bat_status bat_problem_inside(bat_problem *problem, bat_status status, const char *name);
 
 #endif

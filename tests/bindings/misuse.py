@@ -123,6 +123,7 @@ def strokes(b, line):
 
 MANY = ("flatten.tolerance", "keys.place", "keys.angle", "section.tolerance", "cover_width.tolerance")  # refused after a million pieces
 TEXTS = ("text", "name", "up", "down", "glyph", "bytes")
+UNNAMED = ("Curve.calm(limit", "Curve.calm(pixel", "Curve.reparametrise(end", "Surface.sketch(at")  # refused for what they do to the rest
 NEEDED = {"Curve.camera": {"mode": "along"}}  # options without which there is nothing to do
 SPACE = ("sweep", "revolve", "camera", "stands")
 
@@ -221,6 +222,9 @@ def table(batten):
                 count += 1
                 what = f"{kind}.{name}({argument}={type(wrong).__name__} {str(wrong)[:40]!r})"
                 error = tried(lambda: run({argument: wrong}), allowed, faults, what)  # noqa: B023: called at once
+                beyond = isinstance(wrong, (int, float, np.int8)) and not isinstance(wrong, bool) and (wrong < 0 or wrong == 1e300)
+                if beyond and isinstance(error, batten.BattenError) and argument not in str(error).split(" (")[0] and f"{kind}.{name}({argument}" not in UNNAMED:
+                    faults.append(f"{what}: does not name it: {error}")
                 if any(wrong is one for one in never) and not (argument in TEXTS and isinstance(wrong, (str, bytes))) and (error is None or argument not in str(error)):
                     faults.append(f"{what}: {'taken in silence' if error is None else error}")
     for name, thing in things(batten).items():

@@ -98,6 +98,13 @@ test('refusals name the argument, what was expected and what was found', () => {
   says(/^points\[0\]\[1\]: expected a finite number, found NaN$/, () => b.bind([{ reference: line, radius: 1 }], [[0, NaN, 0]]));
   says(/^details: expected \d+ numbers for \d+ control points, found 1$/, () => vase.relief().addLevel({ uKnots: vase.knots('u'), vKnots: vase.knots('v'), details: [1] }));
   says(/^faces\[0\]: expected 3 vertices or more, found an Array of 2$/, () => b.mesh([[0, 0, 0]], { faces: [[0, 0]] }));
+  says(/^faces\[0\]: expected numbers of vertices, found 7 /, () => b.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], { faces: [[0, 1, 7]] }));
+  says(/^style\.opacity: expected 0 to 1, found 2 /, () => b.pathObject([line.toDimension(2)], { style: { opacity: 2 } }));
+  says(/^view\.fov: expected 0 to less than 180, found 200 /, () => b.viewRay({ eye: [0, 0, 9], fov: 200 }, [0, 0]));
+  says(/^profile\.stops\[1\]\.at: expected more than at the stop before, found 0 /, () => b.widthAt([{ at: 0, share: 1 }, { at: 0, share: 1 }], 0.5));
+  says(/^tolerance: expected more than 0, found 0 /, () => line.toDimension(2).offset(1, 0));
+  says(/^u: expected 0 to 1, found 7 /, () => line.split(7));
+  says(/^index: expected none, found 5 /, () => b.document().remove(5));
   says(/line 2, column 9: expected <\/g>, found <\/svg>/, () => b.readSvg('<svg>\n<g> &lt;</svg>'));
   says(/in another file/, () => b.readSvg('<!DOCTYPE svg [<!ENTITY x SYSTEM "file:///etc/passwd">]><svg>&x;</svg>'));
   says(/out of proportion/, () => b.readSvg(`<!DOCTYPE svg [<!ENTITY a0 "aaaaaaaaaaaaaaaa">${Array.from({ length: 9 }, (_, i) => `<!ENTITY a${i + 1} "${`&a${i};`.repeat(16)}">`).join('')}]><svg>&a9;</svg>`));

@@ -367,6 +367,15 @@ class Whole(unittest.TestCase):
             batten.bind([{"reference": self.sections[0], "radius": np.nan}], [[0, 0, 0]])
         with self.assertRaisesRegex(batten.BattenError, r"^knots\[1\]: expected at least 1, found 0"):
             batten.curve([[0, 0], [1, 1]], [1, 0, 0, 1], degree=1)
+        view, square = {"eye": [0, 0, 9], "fov": 200}, batten.clamped([[0, 0], [1, 0], [1, 1]], degree=1)
+        for message, call in ((r"faces\[0\]: expected numbers of vertices, found 7", lambda: batten.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 7]])),
+                              (r"style.opacity: expected 0 to 1, found 2", lambda: batten.path_object([square], style={"opacity": 2})),
+                              (r"view.fov: expected 0 to less than 180, found 200", lambda: batten.view_ray(view, [0, 0])),
+                              (r"tolerance: expected more than 0, found 0", lambda: square.offset(1, tolerance=0)),
+                              (r"u: expected 0 to 2, found 7", lambda: square.split(7)), (r"index: expected none, found 5", lambda: batten.document().remove(5)),
+                              (r"count: expected 4 to 16777216, found 2", lambda: batten.clamped([[0, 0], [1, 1]]))):
+            with self.assertRaisesRegex(batten.BattenError, "^" + message):
+                call()
         with self.assertRaisesRegex(batten.BattenError, "sources: expected an Object, found a Curve"):
             batten.made_object({"kind": "loft"}, self.sections)
 

@@ -51,7 +51,8 @@ static bat_status as_glif(const file *from, bat_problem *said) {
     assert_true((status == BAT_OK) == (document != NULL));
     if (status == BAT_OK) status = bat_glif_write(document, true, &text, &size);
     if (status == BAT_OK)
-        bat_free(text), status = bat_glif_replace(from->text, from->size, document, false, &text, &size);
+        bat_free(text),
+            status = bat_glif_replace(from->text, from->size, document, false, &text, &size, NULL);
     if (status == BAT_OK) bat_free(text);
     bat_document_free(document);
     return status;

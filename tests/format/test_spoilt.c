@@ -75,7 +75,7 @@ static bool read_shape(const char *text, bat_problem *problem) {
 static bool read_view(const char *text, bat_problem *problem) {
     bat_viewpoint made;
     bat_status status = bat_viewpoint_read(text, strlen(text), &made, problem);
-    if (status == BAT_OK) assert_int_equal(bat_viewpoint_check(&made), BAT_OK);
+    if (status == BAT_OK) assert_int_equal(bat_viewpoint_check(&made, NULL), BAT_OK);
     return status == BAT_OK;
 }
 
@@ -106,8 +106,8 @@ static bool read_sweep(const char *text, bat_problem *problem) {
     assert_true((made.path != NULL) == (status == BAT_OK) && (made.profile != NULL) == (status == BAT_OK));
     if (status == BAT_OK) {
         bat_sweep *sweep = NULL;
-        assert_int_equal(bat_function_check(&made.options.twist), BAT_OK);
-        assert_int_equal(bat_function_check(&made.options.scale), BAT_OK);
+        assert_int_equal(bat_function_check(&made.options.twist, NULL), BAT_OK);
+        assert_int_equal(bat_function_check(&made.options.scale, NULL), BAT_OK);
         if (bat_sweep_create(made.path, made.profile, &made.options, &sweep) == BAT_OK) {
             bat_sweep_point at;
             bat_sweep_at(sweep, 0.3, 0.3, &at);

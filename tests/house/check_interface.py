@@ -10,7 +10,7 @@ import sys
 # Counts of things indexed by an int: objects, curves of an object, losses of a file, joints of a skeleton and their channels.
 INT_COUNTS = {"bat_object_create_path", "bat_object_with_curves", "bat_object_curve_count", "bat_document_count",
               "bat_editor_outline", "bat_loss_words", "bat_losses", "bat_curve_knot_count", "bat_curve_segment_count",
-              "bat_surface_knot_count", "bat_bone", "bat_take_create", "bat_take_joints"}
+              "bat_surface_knot_count", "bat_bone", "bat_take_create", "bat_take_check", "bat_take_joints"}
 # Not a query but an event: returns whether it was used.
 NO_PREDICATES = {"bat_editor_key"}
 # The order of a call's arguments, from the first on.

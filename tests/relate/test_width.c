@@ -41,7 +41,7 @@ static void values_between_stops(void **state) {
         bat_width_stop stops[BAT_WIDTHS_MAX];
         const size_t count = random_profile(&r, stops);
         const bat_width_profile p = profile_of(count, stops);
-        assert_int_equal(bat_width_check(&p), BAT_OK);
+        assert_int_equal(bat_width_check(&p, NULL), BAT_OK);
         for (int closed = 0; closed < 2; closed++)
             for (size_t i = 0; i < count; i++) {
                 double value[2], last = stops[i].share, other[2], back[2];
@@ -93,13 +93,13 @@ static void edits_of_stops(void **state) {
     assert_int_equal(bat_width_remove(&count, stops, 2), BAT_ARGUMENT);
     for (int i = 0; i < BAT_WIDTHS_MAX + 10; i++) bat_width_put(&count, stops, i / 300.0, 1, 0);
     assert_true(count == BAT_WIDTHS_MAX);
-    assert_int_equal(bat_width_check(&(bat_width_profile){count, stops}), BAT_OK);
+    assert_int_equal(bat_width_check(&(bat_width_profile){count, stops}, NULL), BAT_OK);
     const bat_width_stop bad[][2] = {{{0.5, 1}, {0.5, 2}}, {{0.5, 1}, {0.2, 2}}, {{-0.1, 1}, {0.5, 1}},
                                      {{0, 1}, {1.5, 1}},   {{0, -1}, {1, 1}},    {{0, 1}, {1, (double)NAN}}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-        assert_int_equal(bat_width_check(&(bat_width_profile){2, bad[i]}), BAT_NUMBER);
-    assert_int_equal(bat_width_check(&(bat_width_profile){1, NULL}), BAT_ARGUMENT);
-    assert_int_equal(bat_width_check(&(bat_width_profile){BAT_WIDTHS_MAX + 1, stops}), BAT_COUNT);
+        assert_int_equal(bat_width_check(&(bat_width_profile){2, bad[i]}, NULL), BAT_NUMBER);
+    assert_int_equal(bat_width_check(&(bat_width_profile){1, NULL}, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_width_check(&(bat_width_profile){BAT_WIDTHS_MAX + 1, stops}, NULL), BAT_COUNT);
 }
 
 static void stretches_and_reversal(void **state) {
@@ -109,7 +109,7 @@ static void stretches_and_reversal(void **state) {
     bat_width_stop out[BAT_WIDTHS_MAX], again[BAT_WIDTHS_MAX];
     double a[2], b[2];
     const bat_width_profile back = profile_of(bat_width_stretch(&p, 1, 0, out), out);
-    assert_int_equal(bat_width_check(&back), BAT_OK);
+    assert_int_equal(bat_width_check(&back, NULL), BAT_OK);
     const bat_width_profile twice = profile_of(bat_width_stretch(&back, 1, 0, again), again);
     for (int k = 0; k <= 10; k++) {
         bat_width_eval(&p, false, k / 10.0, a);

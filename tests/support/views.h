@@ -23,7 +23,7 @@ static inline bat_viewpoint some_view(random_source *r, int number, const double
         view.fov = random_between(r, 10, 90);
     else
         view.height = distance * random_between(r, 0.5, 1.5);
-    if (bat_viewpoint_check(&view) != BAT_OK) abort();
+    if (bat_viewpoint_check(&view, NULL) != BAT_OK) abort();
     return view;
 }
 

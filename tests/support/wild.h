@@ -82,7 +82,7 @@ static inline void wild_text(bat_editor *editor, unsigned more) {
         "{\"text\":\"e\",\"box\":[0,-9,9,9],\"size\":7,\"align\":\"end\",\"fill\":\"#11223344\"}",
         "{"};
     const char *text = texts[more % 6];
-    bat_editor_write(editor, text, strlen(text));
+    bat_editor_write(editor, text, strlen(text), NULL);
     bat_editor_writing(editor);
     bat_editor_texts(editor);
     if (more & 32) bat_editor_command(editor, "text-edit");
@@ -105,7 +105,8 @@ static inline void wild_host(bat_editor *editor, session_bytes *bytes) {
     case 2: bat_editor_bind(editor, more & 1 ? "undo" : "zoom-in", keys[more / 2 % 7]); break;
     case 3: bat_editor_tables(editor); break;
     case 4:
-        bat_editor_words(editor, more & 4 ? NULL : words[more % 4], more & 4 ? 0 : strlen(words[more % 4]));
+        bat_editor_words(editor, more & 4 ? NULL : words[more % 4], more & 4 ? 0 : strlen(words[more % 4]),
+                         NULL);
         break;
     case 5: bat_editor_saved(editor); break;
     case 6:

@@ -258,8 +258,8 @@ static uint64_t look_at_document(const void *shared, int seed) {
     digest = add_text(digest, bat_dxf_write(document, 0, &text, &size), &text, &size);
     digest = add_text(digest, bat_gcode_write(document, NULL, &text, &size), &text, &size);
     digest = add_text(digest, bat_glif_write(document, true, &text, &size), &text, &size);
-    digest = add_text(digest, bat_glif_replace(GLYPH, sizeof GLYPH - 1, document, false, &text, &size), &text,
-                      &size);
+    digest = add_text(digest, bat_glif_replace(GLYPH, sizeof GLYPH - 1, document, false, &text, &size, NULL),
+                      &text, &size);
     digest = add(digest, bat_svg_is_kept(document));
     bat_status status = bat_document_copy(document, &copy);
     bat_document_free(copy);
@@ -373,6 +373,7 @@ static uint64_t look_at_editor(const void *shared, int seed) {
     digest = bat_digest_bytes(digest, journal, size);
     digest = add(digest, bat_editor_picture(editor, 1) != NULL);
     digest = add(digest, (uint64_t)bat_losses_total(bat_editor_losses(editor)));
+    digest = add(digest, (uint64_t)*bat_editor_problem(editor)->message);
     bat_document *made = NULL;
     digest = add(digest, (uint64_t)bat_editor_excerpt(editor, (bat_excerpt)(seed % 2), &made));
     digest = add(digest, bat_document_digest(made));

@@ -160,7 +160,8 @@ static uint64_t look_at_sweep(const void *shared, int seed) {
     bat_sweep_at(w->sweep, domain[0] + 0.1 * seed, 0.5, &at);
     bat_function_eval(&w->function, 0.2 * seed, value);
     uint64_t d = add_doubles(add_doubles(bat_digest_begin(), at.point, 3), value, 3);
-    d = add(bat_digest_double(d, bat_sweep_holonomy(w->sweep)), (uint64_t)bat_function_check(&w->function));
+    d = add(bat_digest_double(d, bat_sweep_holonomy(w->sweep)),
+            (uint64_t)bat_function_check(&w->function, NULL));
     d = add(add(d, (uint64_t)bat_sweep_folds(w->sweep, 4, folds[0], &count)), count);
     return add_surface(d, bat_sweep_surface(w->sweep, 0.1, &made, NULL), &made);
 }

@@ -327,7 +327,7 @@ const char *editor_tables(bat_editor *editor) {
 
 int editor_words(bat_editor *editor, const char *text, size_t size) {
     MODULE_CHECK(editor);
-    return (int)bat_editor_words(editor, text, size);
+    return (int)bat_editor_words(editor, text, size, NULL);
 }
 
 /* keys: NULL for the default. */
@@ -468,7 +468,7 @@ const char *editor_texts(bat_editor *editor) {
 
 int editor_write(bat_editor *editor, const char *json) {
     MODULE_CHECK(editor && json);
-    return (int)bat_editor_write(editor, json, strlen(json));
+    return (int)bat_editor_write(editor, json, strlen(json), NULL);
 }
 
 /* The bytes of a picture, not copied; NULL when there is none. */

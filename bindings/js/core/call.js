@@ -1,6 +1,6 @@
 // Calls of C as calls.txt describes them: arguments are placed in memory, the function is called, results are read.
 import { BattenError, shown, STATUSES, wrong } from './error.js';
-import { bytesOf, converted, dimensionOf, evaluate, isNumbers, numbersOf, rowOf } from './given.js';
+import { bytesOf, converted, dimensionOf, evaluate, isNumbers, numbersOf, rowOf, snake } from './given.js';
 import { bareOf, camel, Numbers, wordOf } from './memory.js';
 import { FLAT } from './structs.js';
 
@@ -274,7 +274,11 @@ export class Call {
       [...plan.parsed].sort((a, b) => last(a) - last(b)).forEach((arg) => args.set(arg, this.#argument(arg)));
       const guard = library.tables.rules.checked[plan.c];
       if (guard) {
-        library.check_(memory.exports[guard](args.get(plan.parsed[0])));
+        this.told = memory.borrow(memory.sizeOf('bat_problem'));
+        const refused = memory.exports[guard](args.get(plan.parsed[0]), this.told);
+        if (refused) {
+          throw new BattenError(STATUSES[refused], `${camel(plan.parsed[0].name)}.${this.#said('')} (${this.name})`);
+        }
       }
     } catch (error) {
       this.copies.forEach((one) => one.free());
@@ -303,12 +307,53 @@ export class Call {
     const best = status === 'tolerance' && this.results.some(({ isHandle, at }) => isHandle && memory.view.getUint32(at, true)) ? this.#assemble() : undefined;
     const given = [...this.values, ...Object.entries(this.options)].filter(([name, value]) => name !== 'room' && value !== undefined);
     const written = [...new Map(given.map(([name, value]) => [camel(name), shown(value)]))].map((one) => one.join(': ')).join(', ');
-    const explains = memory.exports[library.tables.rules.explained[plan.c]];
-    if (explains) {
-      this.told = memory.borrow(memory.sizeOf('bat_problem'));
-      explains(...plan.parsed.slice(0, -1).map((arg) => args.get(arg)), this.told);
+    const why = this.#explained(args) || (this.told ? '' : this.#outside(status)) || this.#said(memory.text(memory.exports.bat_status_message(returned)));
+    const within = Object.values(library.tables.rules.explained_struct).includes(plan.c) ? `${camel(plan.parsed[0].name)}.` : '';
+    throw new BattenError(status, `${within}${why} (${this.name}(${written}))`, best);
+  }
+
+  /** What another call says of the arguments that were refused: of all, or of a struct among them. @param {Map<Argument, number | bigint>} args @returns {string} */
+  #explained(args) {
+    const { plan, memory, library: { tables: { rules } } } = this;
+    const asked = [{ name: '', explains: rules.explained[plan.c], given: plan.parsed.filter(({ kind }) => kind !== 'result' && kind !== 'told') }];
+    for (const arg of this.told ? [] : plan.parsed.filter(({ kind, many }) => kind === 'struct' && !many)) {
+      asked.push({ name: `${camel(arg.name)}.`, explains: rules.explained_struct[arg.bare], given: [arg] });
     }
-    throw new BattenError(status, `${this.#said(memory.text(memory.exports.bat_status_message(returned)))} (${this.name}(${written}))`, best);
+    for (const { name, explains, given } of asked) {
+      const call = memory.exports[explains];
+      if (call && (name === '' || args.get(given[0]))) {
+        const told = memory.borrow(memory.sizeOf('bat_problem'));
+        if (call(...given.map((arg) => args.get(arg)), told)) {
+          const { place, message } = this.structs.read('bat_problem', told);
+          return name + [place, message].filter(Boolean).join(': ');
+        }
+      }
+    }
+    return '';
+  }
+
+  /** A bound of the ranges of the table: a number, or what the object has. @param {number | string} of @returns {number} */
+  #bound(of) {
+    return typeof of === 'number' ? of : of === 'start' || of === 'end' ? this.self.domain[Number(of === 'end')]
+      : of === 'level_total' ? this.self.levels_ : this.#look(of.replace(/-$/, '')) - Number(of.endsWith('-'));
+  }
+
+  /** Which number is not in its range, when that is what the status can mean. @param {string} status @returns {string} */
+  #outside(status) {
+    const { ranges } = this.library.tables.rules;
+    const numbers = [...this.values, ...Object.entries(this.options).map(([name, value]) => [snake(name), value])].filter(([name, value]) => name !== 'room' && typeof value === 'number');
+    for (const [name, value] of ['argument', 'number', 'parameter', 'count', 'degree', 'knots'].includes(status) ? numbers : []) {
+      const [from, to, above] = ranges[`${this.plan.c}.${name}`] ?? ranges[name] ?? [-1e75, 1e75];
+      try {
+        const [low, high] = [this.#bound(from), this.#bound(to)];
+        if (value < low || value > high || (above && value === low)) {
+          return `${camel(name)}: expected ${high < low ? 'none' : above && value <= low ? `more than ${low}` : `${low} to ${high}`}, found ${value}`;
+        }
+      } catch {
+        // the object has no such thing
+      }
+    }
+    return '';
   }
 
   /** What the call told of its failure: by a problem, or by the index of what is wrong. @param {string} message @returns {string} */

@@ -103,7 +103,7 @@ export function converted({ enums, rules: { within } }, type, value, name, key) 
 }
 
 /** maxError as C has it: max_error. @param {string} name @returns {string} */
-const snake = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+export const snake = (name) => name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 
 /** The value of a formula of calls.txt, such as (order+1)*dim. @param {(name: string) => number} look */
 export function evaluate(formula, look) {

@@ -360,7 +360,8 @@ class Call:
         try:
             arguments = {id(w): self.argument(w) for w in order}
             if guard := TABLE["rules"]["checked"].get(plan.c):
-                check(getattr(lib, guard)(arguments[id(plan.words[0])]), None, f" ({plan.words[0].name})")
+                problem = STRUCTS["bat_problem"]()
+                check(getattr(lib, guard)(arguments[id(plan.words[0])], ctypes.byref(problem)), None, f" ({plan.name})", f"{plan.words[0].name}.{said([problem], '')}")
             called, returned = True, plan.function(*[arguments[id(w)] for w in plan.words])
         finally:
             for free, copied_ in [] if called else self.given:  # a call that fails frees them, too
@@ -381,13 +382,63 @@ class Call:
             best = self.assemble()
         if returned:
             given = ", ".join(f"{name}={shown(value)}" for name, value in {**self.values, **self.options}.items() if value is not None and name != "room")
-            if explained := TABLE["rules"]["explained"].get(plan.c):
-                self.told.append(STRUCTS["bat_problem"]())
-                function = getattr(lib, explained)
-                function.argtypes = plan.function.argtypes
-                function(*[arguments[id(w)] for w in plan.words[:-1]], ctypes.byref(self.told[-1]))
-            check(returned, best, f" ({plan.name.lstrip('_')}({given}))", said(self.told, lib.bat_status_message(returned).decode()))
+            told = self.explained(arguments) or said(self.told, lib.bat_status_message(returned).decode()) or self.outside(returned)
+            if plan.c in TABLE["rules"]["explained_struct"].values():
+                told = f"{plan.words[0].name}.{told}"
+            check(returned, best, f" ({plan.name.lstrip('_')}({given}))", told)
         return self.assemble()
+
+    def explained(self, arguments):
+        """What another call says of the arguments that were refused: of all, or of a struct among them."""
+        rules, words = TABLE["rules"], self.plan.words
+        asked = [("", rules["explained"].get(self.plan.c), [w for w in words if w.kind not in ("result", "told")])]
+        asked += [(w.name, rules["explained_struct"].get(w.bare), [w]) for w in words if w.kind == "struct" and w.name not in self.plan.counted and not self.told]
+        for name, explains, given in asked:
+            if explains and all(arguments[id(w)] is not None or not name for w in given):
+                function, problem = getattr(lib, explains), STRUCTS["bat_problem"]()
+                function.argtypes = [*(self.plan.c_type(w) for w in given), ctypes.c_void_p]
+                if function(*[arguments[id(w)] for w in given], ctypes.byref(problem)):
+                    return (name + "." if name else "") + said([problem], "")
+        return ""
+
+    def bound(self, of):
+        """A bound of the ranges of the table: a number, or what the object has."""
+        if isinstance(of, (int, float)):
+            return of
+        if of in ("start", "end"):
+            return float(self.self.domain[int(of == "end")])
+        if of == "level_total":
+            return self.self._level_total()
+        return self.look(of.rstrip("-")) - of.endswith("-")
+
+    def outside(self, status):
+        """Which number is not in its range, when that is what the status can mean."""
+        if word_of("bat_status", status) not in ("argument", "number", "parameter", "count", "degree", "knots"):
+            return ""
+        ranges = TABLE["rules"]["ranges"]
+        for name, value in {**self.values, **self.options}.items():
+            low, high, *above = ranges.get(f"{self.plan.c}.{name}", ranges.get(name, (-1e75, 1e75)))
+            if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)) or name == "room":
+                continue
+            try:
+                low, high = self.bound(low), self.bound(high)
+            except Exception:  # noqa: BLE001: the object has no such thing
+                continue
+            if not (low < value if above else low <= value) or value > high:
+                least, most = (f"{one:.10g}" for one in (low, high))
+                expected = "none" if high < low else f"more than {least}" if above and value <= low else f"{least} to {most}"
+                return f"{name}: expected {expected}, found {shown(value)}"
+        return self.array_outside(status)
+
+    def array_outside(self, status):
+        """The same of an array: a number of it, or the array that the status is about."""
+        status, given = word_of("bat_status", status), [name for name in self.plan.required if name in self.values]
+        for name, array in self.arrays.items():
+            if status in ("number", "argument") and (far := np.argwhere(np.abs(array) > 1e75)).size:
+                place = "".join(f"[{one}]" for one in far[0])
+                return f"{name}{place}: expected -1e75 to 1e75, found {array[tuple(far[0])]}"
+        meant = [name for name in given if status in name] or [name for name in given if name in self.arrays and status in ("count", "parameter")]
+        return f"{meant[0]}: {lib.bat_status_message(TABLE['enums']['bat_status'][status]).decode()}, found {shown(self.values[meant[0]])}" if meant else ""
 
     def returned(self, value):
         kind = bare(self.plan.returns)

@@ -28,7 +28,7 @@ const char *bat_panel_points(bat_context *c, bat_id id);
 bat_status bat_panel_choose(bat_context *c, bat_id id, int point);
 const char *bat_panel_writing(bat_context *c);
 const char *bat_panel_texts(bat_context *c);
-bat_status bat_panel_write(bat_context *c, const char *json, size_t size);
+bat_status bat_panel_write(bat_context *c, const char *json, size_t size, bat_problem *problem);
 const char *bat_panel_said(bat_context *c);
 bat_status bat_panel_enter(bat_context *c, const char *name, const char *text);
 const char *bat_panel_number(bat_context *c, const char *name);

@@ -117,7 +117,8 @@ static bat_status read_wish(const bat_context *c, const bat_fields *f, uint32_t 
                   .place = {1, 0, 0, 1, c->choice->writing.at[0], c->choice->writing.at[1]},
                   .colour = colour_of_new(c)};
     const bat_object *object = bat_writing_text(c, out->id);
-    if (out->id && !object) return BAT_ARGUMENT;
+    if (out->id && !object)
+        return bat_json_complain(f->json, named, BAT_ARGUMENT, "id", "that of a text", f->problem);
     bat_status status = BAT_OK;
     if (object && bat_object_lettering(object)) {
         memcpy(out->place, bat_object_place(object), sizeof out->place);
@@ -218,13 +219,13 @@ static void choose(bat_context *c, bat_id id) {
     bat_selection_add(&c->choice->selection, id); /* out of memory: not selected */
 }
 
-bat_status bat_panel_write(bat_context *c, const char *text, size_t size) {
+bat_status bat_panel_write(bat_context *c, const char *text, size_t size, bat_problem *problem) {
     bat_json json;
     bat_id id = 0;
     if (c->session->busy) return BAT_STATE;
-    bat_status status = bat_json_parse(text, size, &json, NULL);
+    bat_status status = bat_json_parse(text, size, &json, problem);
     if (status != BAT_OK) return status;
-    status = carry_out_all(c, &(bat_fields){&json, NULL, NULL}, &id);
+    status = carry_out_all(c, &(bat_fields){&json, NULL, problem}, &id);
     bat_json_free(&json);
     if (status == BAT_OK && id) choose(c, id);
     if (status != BAT_OK) bat_notice_failure(c, status);

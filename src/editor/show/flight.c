@@ -41,7 +41,7 @@ bool bat_flight_sees(const bat_context *c, const double size[2], bat_viewpoint *
     if (!camera) return false;
     bat_camera_at_time(camera, c->moves->at, &pose);
     return bat_camera_view(&pose, 5 * bat_pyramid_depth(camera), size, out) == BAT_OK &&
-           bat_viewpoint_check(out) == BAT_OK;
+           bat_viewpoint_check(out, NULL) == BAT_OK;
 }
 
 static void line(const bat_context *c, bat_overlay *overlay, int count, const double *points) {

@@ -10,13 +10,14 @@ static int holes(const char *text) {
     return count;
 }
 
-bat_status bat_words_read(bat_settings *settings, const char *text, size_t size) {
+bat_status bat_words_read(bat_settings *settings, const char *text, size_t size, bat_problem *problem) {
     const char **words = NULL;
     if (text) {
         bat_json json;
-        bat_status status = bat_json_parse(text, size, &json, NULL);
+        bat_status status = bat_json_parse(text, size, &json, problem);
         if (status != BAT_OK) return status == BAT_MEMORY ? status : BAT_SYNTAX;
-        if (bat_json_type_of(&json, 1) != BAT_JSON_OBJECT) status = BAT_SYNTAX;
+        if (bat_json_type_of(&json, 1) != BAT_JSON_OBJECT)
+            status = bat_json_complain(&json, 1, BAT_SYNTAX, "words", "an object of texts", problem);
         /* The texts are never longer than the JSON that contains them. */
         if (status == BAT_OK && !(words = calloc(1, BAT_STRING_COUNT * sizeof *words + size)))
             status = BAT_MEMORY;

@@ -5,6 +5,6 @@
 #include "editor/tables/settings.h"
 
 /* See bat_editor_words. */
-bat_status bat_words_read(bat_settings *settings, const char *text, size_t size);
+bat_status bat_words_read(bat_settings *settings, const char *text, size_t size, bat_problem *problem);
 
 #endif

@@ -36,7 +36,7 @@ void bat_camera_free(bat_camera *camera) {
 }
 
 static bat_status own_function(const bat_function *from, bat_function *to) {
-    const bat_status status = bat_function_check(from);
+    const bat_status status = bat_function_check(from, NULL);
     *to = bat_function_of(from->constant);
     return status == BAT_OK && from->curve ? bat_curve_copy(from->curve, &to->curve) : status;
 }
@@ -235,7 +235,7 @@ bat_status bat_camera_view(const bat_camera_pose *pose, double distance, const d
     vec_store(eye, view.eye);
     vec_store(vec_add(eye, vec_scale(ahead, distance)), view.target);
     vec_store(quat_turn(q, (vec){0, 1, 0}), view.up);
-    const bat_status status = bat_viewpoint_check(&view);
+    const bat_status status = bat_viewpoint_check(&view, NULL);
     if (status == BAT_OK) *out = view;
     return status;
 }

@@ -2,6 +2,7 @@
 #include "form/mesh/mesh.h"
 #include "base/real.h"
 #include "curve/curve.h"
+#include "text/json.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,39 +21,68 @@ static void place_arrays(bat_polymesh *m) {
     m->corners = m->first + m->face_count + 1;
 }
 
-static bat_status fault(bat_status status, size_t at, size_t *wrong) {
-    if (wrong) *wrong = at;
-    return status;
-}
+/* What is wrong with a mesh, and with which vertex or face. */
+typedef struct fault {
+    size_t at;
+    bat_problem *problem;
+} fault;
 
-static bat_status check_vertices(size_t count, const double *vertices, size_t *wrong) {
-    for (size_t i = 0; i < 3 * count; i++)
-        if (!(fabs(vertices[i]) <= BAT_COORDINATE_MAX)) return fault(BAT_NUMBER, i / 3, wrong);
+static bat_status check_vertices(size_t count, const double *vertices, fault *f) {
+    static const char *const places[] = {"vertices[%zu][0]", "vertices[%zu][1]", "vertices[%zu][2]"};
+    for (size_t i = 0; i < 3 * count; i++) {
+        if (fabs(vertices[i]) <= BAT_COORDINATE_MAX) continue;
+        f->at = i / 3;
+        bat_problem_outside(f->problem, places[i % 3], f->at, -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX,
+                            vertices[i]);
+        return BAT_NUMBER;
+    }
     return BAT_OK;
 }
 
 static bat_status check_faces(size_t vertex_count, size_t face_count, const int *sizes, const int *corners,
-                              size_t *corner_count, size_t *wrong) {
+                              size_t *corner_count, fault *f) {
     size_t total = 0;
     for (size_t i = 0; i < face_count; i++) {
-        if (sizes[i] < 3 || (size_t)sizes[i] > BAT_CORNERS_MAX - total) return fault(BAT_COUNT, i, wrong);
+        f->at = i;
+        if (bat_problem_outside(f->problem, "faces[%zu]", i, 3, (double)(BAT_CORNERS_MAX - total), sizes[i]))
+            return BAT_COUNT;
         for (int k = 0; k < sizes[i]; k++, total++)
             if (corners[total] < 0 || (size_t)corners[total] >= vertex_count)
-                return fault(BAT_PARAMETER, i, wrong);
+                return bat_problem_found(f->problem, BAT_PARAMETER, "faces[%zu]", i, "numbers of vertices",
+                                         corners[total]);
     }
     *corner_count = total;
     return BAT_OK;
 }
 
+/* Also counts the corners. */
+static bat_status check_arrays(const bat_polymesh *m, const double *vertices, const int *sizes,
+                               const int *corners, size_t *corner_count, fault *f) {
+    if (!vertices || (m->face_count > 0 && (!sizes || !corners)))
+        return bat_problem_set(f->problem, BAT_ARGUMENT, vertices ? "faces" : "vertices",
+                               "expected an array, found none");
+    if (bat_problem_outside(f->problem, "vertices", 0, 1, BAT_VERTICES_MAX, (double)m->vertex_count) ||
+        bat_problem_outside(f->problem, "faces", 0, 0, BAT_VERTICES_MAX, (double)m->face_count))
+        return BAT_COUNT;
+    const bat_status status = check_vertices(m->vertex_count, vertices, f);
+    return status == BAT_OK ? check_faces(m->vertex_count, m->face_count, sizes, corners, corner_count, f)
+                            : status;
+}
+
+bat_status bat_polymesh_check(size_t vertex_count, const double *vertices, size_t face_count,
+                              const int *sizes, const int *corners, bat_problem *problem) {
+    const bat_polymesh head = {.vertex_count = vertex_count, .face_count = face_count};
+    size_t corner_count;
+    return check_arrays(&head, vertices, sizes, corners, &corner_count, &(fault){.problem = problem});
+}
+
 bat_status bat_polymesh_create(size_t vertex_count, const double *vertices, size_t face_count,
                                const int *sizes, const int *corners, bat_polymesh **out, size_t *wrong) {
-    if (!vertices || !out || (face_count > 0 && (!sizes || !corners))) return BAT_ARGUMENT;
-    if (vertex_count < 1 || vertex_count > BAT_VERTICES_MAX || face_count > BAT_VERTICES_MAX)
-        return fault(BAT_COUNT, 0, wrong);
+    fault f = {0};
     bat_polymesh head = {.vertex_count = vertex_count, .face_count = face_count};
-    bat_status status = check_vertices(vertex_count, vertices, wrong);
-    if (status == BAT_OK)
-        status = check_faces(vertex_count, face_count, sizes, corners, &head.corner_count, wrong);
+    if (!out) return BAT_ARGUMENT;
+    const bat_status status = check_arrays(&head, vertices, sizes, corners, &head.corner_count, &f);
+    if (status != BAT_OK && status != BAT_ARGUMENT && wrong) *wrong = f.at;
     if (status != BAT_OK) return status;
     double *block = malloc(size_of(&head));
     if (!block) return BAT_MEMORY;
@@ -82,7 +112,9 @@ bat_status bat_polymesh_with(const bat_polymesh *mesh, const double *vertices, b
                              size_t *wrong) {
     if (!mesh || !vertices || !out) return BAT_ARGUMENT;
     bat_polymesh *copy;
-    bat_status status = check_vertices(mesh->vertex_count, vertices, wrong);
+    fault f = {0};
+    bat_status status = check_vertices(mesh->vertex_count, vertices, &f);
+    if (status != BAT_OK && wrong) *wrong = f.at;
     if (status == BAT_OK) status = bat_polymesh_copy(mesh, &copy);
     if (status != BAT_OK) return status;
     memcpy(copy->vertices, vertices, 3 * mesh->vertex_count * sizeof *vertices);

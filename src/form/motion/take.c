@@ -1,5 +1,6 @@
 /* Takes: what was recorded of a skeleton (docs/math/motion.md). */
 #include "form/motion/take.h"
+#include "text/json.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,20 +18,71 @@ int bat_bone_places(const bat_bone *joint) { return joint->channel_count - bat_b
 
 /* ---- making one ---- */
 
-static bat_status check_joint(const bat_bone *joints, int i) {
-    const bat_bone *j = &joints[i];
+static bat_status check_channels(const bat_bone *j, size_t at, bat_problem *problem) {
     unsigned seen = 0;
-    if (!j->name || j->parent >= i || j->parent < (i == 0 ? -1 : 0)) return BAT_ARGUMENT;
-    if (i > 0 && joints[j->parent].end) return BAT_ARGUMENT;
-    if (j->channel_count < 0 || j->channel_count > BAT_CHANNELS_MAX || (j->end && j->channel_count > 0))
+    if (bat_problem_outside(problem, "joints[%zu].channel_count", at, 0, j->end ? 0 : BAT_CHANNELS_MAX,
+                            j->channel_count))
         return BAT_ARGUMENT;
     for (int k = 0; k < j->channel_count; k++) {
-        if ((unsigned)j->channels[k] > BAT_Z_ROTATION || (seen & 1u << j->channels[k])) return BAT_ARGUMENT;
+        if ((unsigned)j->channels[k] > BAT_Z_ROTATION || (seen & 1u << j->channels[k]))
+            return bat_problem_found(problem, BAT_ARGUMENT, "joints[%zu].channels", at, "each channel once",
+                                     (double)j->channels[k]);
         seen |= 1u << j->channels[k];
     }
-    for (int k = 0; k < 3; k++)
-        if (!(fabs(j->offset[k]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
     return BAT_OK;
+}
+
+static bat_status check_joint(const bat_bone *joints, int i, bat_problem *problem) {
+    const bat_bone *j = &joints[i];
+    const size_t at = (size_t)i;
+    if (!j->name)
+        return bat_problem_set(problem, BAT_ARGUMENT, "joints", "expected a name of each, found none");
+    if (bat_problem_outside(problem, "joints[%zu].parent", at, i == 0 ? -1 : 0, i - 1, j->parent))
+        return BAT_ARGUMENT;
+    if (i > 0 && joints[j->parent].end)
+        return bat_problem_found(problem, BAT_ARGUMENT, "joints[%zu].parent", at, "one that is no end",
+                                 j->parent);
+    const bat_status status = check_channels(j, at, problem);
+    for (int k = 0; k < 3 && status == BAT_OK; k++)
+        if (bat_problem_outside(problem, "joints[%zu].offset", at, -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX,
+                                j->offset[k]))
+            return BAT_NUMBER;
+    return status;
+}
+
+static bat_status check_frames(size_t channels, size_t frames, double frame_time, const double *values,
+                               bat_problem *problem) {
+    const size_t room = BAT_TAKE_NUMBERS_MAX / (channels + 1),
+                 most = room < BAT_POINTS_MAX ? room : BAT_POINTS_MAX;
+    if (bat_problem_outside(problem, "frames", 0, 1, (double)most, (double)frames)) return BAT_COUNT;
+    if (!(frame_time > 0))
+        return bat_problem_found(problem, BAT_ARGUMENT, "frame_time", 0, "more than 0", frame_time);
+    if (channels > 0 && !values)
+        return bat_problem_set(problem, BAT_ARGUMENT, "values", "expected numbers, found none");
+    if (bat_problem_outside(problem, "frame_time", 0, 0, 1e9, frame_time)) return BAT_NUMBER;
+    for (size_t i = 0; i < frames * channels; i++)
+        if (!(fabs(values[i]) <= BAT_COORDINATE_MAX))
+            return bat_problem_found(problem, BAT_NUMBER, "values[%zu]", i, "-1e75 to 1e75", values[i]);
+    return BAT_OK;
+}
+
+static bat_status check_take(int joint_count, const bat_bone *joints, size_t frames, double frame_time,
+                             const double *values, size_t *channels, bat_problem *problem) {
+    if (!joints) return bat_problem_set(problem, BAT_ARGUMENT, "joints", "expected joints, found none");
+    if (bat_problem_outside(problem, "joints", 0, 1, BAT_JOINTS_MAX, joint_count)) return BAT_COUNT;
+    *channels = 0;
+    for (int i = 0; i < joint_count; i++) {
+        const bat_status status = check_joint(joints, i, problem);
+        if (status != BAT_OK) return status;
+        *channels += (size_t)joints[i].channel_count;
+    }
+    return check_frames(*channels, frames, frame_time, values, problem);
+}
+
+bat_status bat_take_check(int joint_count, const bat_bone *joints, size_t frames, double frame_time,
+                          const double *values, bat_problem *problem) {
+    size_t channels;
+    return check_take(joint_count, joints, frames, frame_time, values, &channels, problem);
 }
 
 void bat_take_free(bat_take *take) {
@@ -66,25 +118,16 @@ static bat_status fill(bat_take *take, const bat_bone *joints, const double *val
 
 bat_status bat_take_create(int joint_count, const bat_bone *joints, size_t frames, double frame_time,
                            const double *values, bat_take **out) {
-    size_t channels = 0;
-    if (!joints || !out) return BAT_ARGUMENT;
-    if (joint_count < 1 || joint_count > BAT_JOINTS_MAX || frames < 1) return BAT_COUNT;
-    for (int i = 0; i < joint_count; i++) {
-        const bat_status status = check_joint(joints, i);
-        if (status != BAT_OK) return status;
-        channels += (size_t)joints[i].channel_count;
-    }
-    if (frames > BAT_TAKE_NUMBERS_MAX / (channels + 1) || frames > BAT_POINTS_MAX) return BAT_COUNT;
-    if (!(frame_time > 0) || (channels > 0 && !values)) return BAT_ARGUMENT;
-    if (!(frame_time <= 1e9)) return BAT_NUMBER;
-    for (size_t i = 0; i < frames * channels; i++)
-        if (!(fabs(values[i]) <= BAT_COORDINATE_MAX)) return BAT_NUMBER;
+    size_t channels;
+    if (!out) return BAT_ARGUMENT;
+    bat_status status = check_take(joint_count, joints, frames, frame_time, values, &channels, NULL);
+    if (status != BAT_OK) return status;
     bat_take *take = calloc(1, sizeof *take);
     if (!take) return BAT_MEMORY;
     take->users = BAT_USERS_ONE;
     take->joint_count = joint_count, take->frames = frames, take->channels = channels,
     take->frame_time = frame_time;
-    const bat_status status = fill(take, joints, values);
+    status = fill(take, joints, values);
     if (status == BAT_OK)
         *out = take;
     else

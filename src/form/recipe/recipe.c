@@ -2,6 +2,7 @@
 #include "base/vec.h"
 #include "curve/curve.h"
 #include "form/recipe/corners.h"
+#include "text/json.h"
 
 #include <batten/refine.h>
 #include <math.h>
@@ -11,16 +12,23 @@ static const double fineness = 1e-4; /* of the curves' size: how far a revolutio
 static const double far_fineness =
     1e-7; /* and of how far they are from each other, so that distance alone makes no knots */
 
-bat_status bat_recipe_check(const bat_recipe *recipe, size_t count) {
-    if (!recipe || recipe->kind < BAT_RECIPE_SWEEP || recipe->kind > BAT_RECIPE_LOFT) return BAT_ARGUMENT;
-    if ((unsigned)recipe->stand >= BAT_STAND_COUNT) return BAT_ARGUMENT;
-    const bool fits = recipe->kind == BAT_RECIPE_COONS  ? count == 4
-                      : recipe->kind == BAT_RECIPE_LOFT ? count >= 2 && count <= BAT_RECIPE_CURVES
-                                                        : count == 2;
-    if (!fits) return BAT_COUNT;
-    if (!(fabs(recipe->twist) <= BAT_RECIPE_TWIST)) return BAT_NUMBER;
-    if (!(recipe->scale >= 0 && recipe->scale <= BAT_RECIPE_SCALE)) return BAT_NUMBER;
-    return fabs(recipe->angle) <= 360 && recipe->angle != 0 ? BAT_OK : BAT_NUMBER;
+bat_status bat_recipe_check(const bat_recipe *recipe, size_t count, bat_problem *problem) {
+    if (!recipe) return bat_problem_set(problem, BAT_ARGUMENT, "recipe", "expected a recipe, found none");
+    const bat_recipe_kind kind = recipe->kind;
+    if (bat_problem_outside(problem, "kind", 0, BAT_RECIPE_SWEEP, BAT_RECIPE_LOFT, kind) ||
+        bat_problem_outside(problem, "stand", 0, 0, BAT_STAND_COUNT - 1, recipe->stand))
+        return BAT_ARGUMENT;
+    const int least = kind == BAT_RECIPE_COONS ? 4 : 2;
+    if (bat_problem_outside(problem, "count", 0, least, kind == BAT_RECIPE_LOFT ? BAT_RECIPE_CURVES : least,
+                            (double)count))
+        return BAT_COUNT;
+    if (bat_problem_outside(problem, "twist", 0, -BAT_RECIPE_TWIST, BAT_RECIPE_TWIST, recipe->twist) ||
+        bat_problem_outside(problem, "scale", 0, 0, BAT_RECIPE_SCALE, recipe->scale) ||
+        bat_problem_outside(problem, "angle", 0, -360, 360, recipe->angle))
+        return BAT_NUMBER;
+    return recipe->angle != 0
+               ? BAT_OK
+               : bat_problem_found(problem, BAT_NUMBER, "angle", 0, "an angle other than 0", recipe->angle);
 }
 
 static void start_of(const bat_curve *curve, double out[3]) {
@@ -92,7 +100,7 @@ bat_status bat_recipe_surface(const bat_recipe *recipe, size_t count, const bat_
                               bat_surface **out, bat_recipe_report *report) {
     bat_recipe_report told = {.folds = 0};
     bat_surface *made = NULL;
-    bat_status status = bat_recipe_check(recipe, count);
+    bat_status status = bat_recipe_check(recipe, count, NULL);
     if (status != BAT_OK) return status;
     if (!curves || !out) return BAT_ARGUMENT;
     for (size_t i = 0; i < count; i++) {

@@ -11,27 +11,11 @@
 
 enum { PLACE = 96, ROOM = 160 };
 
-/* Fills the problem in: true. */
-static bool say(bat_problem *problem, const char *place, const char *expected, double found) {
-    char message[2 * ROOM], number[BAT_NUMBER_ROOM] = "no number";
-    if (!isnan(found)) bat_number_print(found, number);
-    snprintf(message, sizeof message, "expected %s, found %s", expected, number);
-    bat_problem_set(problem, BAT_OK, place, message);
-    return true;
-}
-
-static bool say_number(bat_problem *problem, const char *name, int index, const char *expected,
-                       double found) {
-    char place[PLACE + 16];
+static bool say_knot(bat_problem *problem, const char *name, int index, const char *expected, double found) {
+    char place[PLACE];
     snprintf(place, sizeof place, "%s[%d]", name, index);
-    return say(problem, place, expected, found);
-}
-
-static bool is_outside(bat_problem *problem, const char *place, int least, int most, int found) {
-    char expected[ROOM];
-    if (found >= least && found <= most) return false;
-    snprintf(expected, sizeof expected, least == most ? "%d" : "%d to %d", least, most);
-    return say(problem, place, expected, found);
+    bat_problem_found(problem, BAT_OK, place, 0, expected, found);
+    return true;
 }
 
 /* Says which knot is wrong, of those that bat_knots_check refuses. */
@@ -40,17 +24,17 @@ static bool is_wrong_knot(bat_problem *problem, const char *name, int degree, bo
     char expected[ROOM], before[BAT_NUMBER_ROOM];
     for (int i = 0; i < total; i++)
         if (!(fabs(knots[i]) <= BAT_KNOT_MAX))
-            return say_number(problem, name, i, "a number up to 1e30", knots[i]);
+            return say_knot(problem, name, i, "a number up to 1e30", knots[i]);
     for (int i = 1, run = 1; i < total; i++) {
         run = knots[i] == knots[i - 1] ? run + 1 : 1;
         const int most = degree + (!closed && (knots[i] == knots[0] || knots[i] == knots[total - 1]));
         bat_number_print(knots[i - 1], before);
         snprintf(expected, sizeof expected, "at least %s", before);
-        if (knots[i] < knots[i - 1]) return say_number(problem, name, i, expected, knots[i]);
+        if (knots[i] < knots[i - 1]) return say_knot(problem, name, i, expected, knots[i]);
         snprintf(expected, sizeof expected, "at most %d equal knots", most);
-        if (run > most) return say_number(problem, name, i, expected, knots[i]);
+        if (run > most) return say_knot(problem, name, i, expected, knots[i]);
         if (knots[i] > knots[i - 1] && knots[i] - knots[i - 1] < BAT_SPAN_MIN)
-            return say_number(problem, name, i, "the knot before, or 1e-30 more", knots[i]);
+            return say_knot(problem, name, i, "the knot before, or 1e-30 more", knots[i]);
     }
     bat_problem_set(problem, BAT_OK, name,
                     closed
@@ -63,8 +47,9 @@ static bool is_wrong_knot(bat_problem *problem, const char *name, int degree, bo
 static bool is_wrong_axis(bat_problem *problem, const char *name, const char *count_name, int degree,
                           bool closed, size_t count, int knot_count, const double *knots) {
     const int inside = bat_count_inside(count), total = closed ? inside + 1 : inside + degree + 1;
-    if (is_outside(problem, count_name, closed ? 2 : degree + 1, BAT_POINTS_MAX, inside)) return true;
-    if (is_outside(problem, name, total, total, knot_count)) return true;
+    if (bat_problem_outside(problem, count_name, 0, closed ? 2 : degree + 1, BAT_POINTS_MAX, inside))
+        return true;
+    if (bat_problem_outside(problem, name, 0, total, total, knot_count)) return true;
     return bat_knots_check(degree, closed, inside, knots) != BAT_OK &&
            is_wrong_knot(problem, name, degree, closed, total, knots);
 }
@@ -76,10 +61,11 @@ static bool is_wrong_point(bat_problem *problem, size_t rows, size_t columns, in
         if (fabs(points[i]) <= BAT_COORDINATE_MAX) continue;
         char place[PLACE];
         if (rows > 1)
-            snprintf(place, sizeof place, "points[%zu][%zu]", i / each / columns, i / each % columns);
+            snprintf(place, sizeof place, "points[%zu][%zu][%%zu]", i / each / columns, i / each % columns);
         else
-            snprintf(place, sizeof place, "points[%zu]", i / each);
-        return say_number(problem, place, (int)(i % each), "a number up to 1e75", points[i]);
+            snprintf(place, sizeof place, "points[%zu][%%zu]", i / each);
+        bat_problem_found(problem, BAT_OK, place, i % each, "a number up to 1e75", points[i]);
+        return true;
     }
     return false;
 }
@@ -102,9 +88,22 @@ bat_status bat_curve_check(int dimension, int degree, bool closed, size_t count,
                                                &made);
     bat_curve_free(made);
     const bool said = is_of_numbers(status) &&
-                      (is_outside(problem, "degree", 1, BAT_DEGREE_MAX, degree) ||
-                       is_outside(problem, "dimension", 2, BAT_DIMENSION_MAX, dimension) ||
+                      (bat_problem_outside(problem, "degree", 0, 1, BAT_DEGREE_MAX, degree) ||
+                       bat_problem_outside(problem, "dimension", 0, 2, BAT_DIMENSION_MAX, dimension) ||
                        is_wrong_axis(problem, "knots", "count", degree, closed, count, knot_count, knots) ||
+                       is_wrong_point(problem, 1, count, dimension, points));
+    return finish(problem, status, said);
+}
+
+bat_status bat_curve_clamped_check(int dimension, int degree, size_t count, const double *points,
+                                   bat_problem *problem) {
+    bat_curve *made = NULL;
+    const bat_status status = bat_curve_create_clamped(dimension, degree, count, points, &made);
+    bat_curve_free(made);
+    const bool said = is_of_numbers(status) &&
+                      (bat_problem_outside(problem, "degree", 0, 1, BAT_DEGREE_MAX, degree) ||
+                       bat_problem_outside(problem, "dimension", 0, 2, BAT_DIMENSION_MAX, dimension) ||
+                       bat_problem_outside(problem, "count", 0, degree + 1, BAT_POINTS_MAX, (double)count) ||
                        is_wrong_point(problem, 1, count, dimension, points));
     return finish(problem, status, said);
 }
@@ -117,8 +116,8 @@ bat_status bat_surface_check(const int degree[2], const bool closed[2], const si
                                                  &made);
     bat_surface_free(made);
     const bool said = is_of_numbers(status) &&
-                      (is_outside(problem, "degree[0]", 1, BAT_DEGREE_MAX, degree[0]) ||
-                       is_outside(problem, "degree[1]", 1, BAT_DEGREE_MAX, degree[1]) ||
+                      (bat_problem_outside(problem, "degree[0]", 0, 1, BAT_DEGREE_MAX, degree[0]) ||
+                       bat_problem_outside(problem, "degree[1]", 0, 1, BAT_DEGREE_MAX, degree[1]) ||
                        is_wrong_axis(problem, "u_knots", "count[0]", degree[0], closed[0], count[0],
                                      knot_count[0], u_knots) ||
                        is_wrong_axis(problem, "v_knots", "count[1]", degree[1], closed[1], count[1],

@@ -28,7 +28,7 @@ void bat_sweep_free(bat_sweep *sweep) {
 }
 
 static bool own_function(const bat_function *from, bat_function *to, bat_status *status) {
-    *status = bat_function_check(from);
+    *status = bat_function_check(from, NULL);
     to->constant = from->constant;
     if (*status == BAT_OK && from->curve) *status = bat_curve_copy(from->curve, &to->curve);
     return *status == BAT_OK;

@@ -1,22 +1,56 @@
 /* Views: their checks, the rays of pixels, and the pixels of points. */
 #include "form/view/view.h"
 #include "curve/curve.h"
+#include "text/json.h"
 
 static const double parallel = 1e-9; /* sine of the least angle between up and the gaze */
 
-bat_status bat_gaze_of(const bat_viewpoint *view, bat_gaze *out) {
-    if (!view || !out) return BAT_ARGUMENT;
-    if (!bat_are_coordinates(view->eye, 3) || !bat_are_coordinates(view->target, 3) ||
-        !bat_are_coordinates(view->up, 3) || !bat_are_coordinates(view->size, 2) ||
-        !bat_are_coordinates(&view->fov, 1) || !bat_are_coordinates(&view->height, 1))
-        return BAT_NUMBER;
-    if (!(view->size[0] > 0 && view->size[1] > 0)) return BAT_ARGUMENT;
-    if (!(view->fov >= 0 && view->fov < 180 && view->height >= 0)) return BAT_ARGUMENT;
-    if ((view->fov > 0) == (view->height > 0)) return BAT_ARGUMENT;
+/* BAT_NUMBER: one of them is no coordinate. */
+static bat_status check_numbers(bat_problem *problem, const char *place, size_t count,
+                                const double *numbers) {
+    for (size_t i = 0; i < count; i++)
+        if (bat_problem_outside(problem, place, i, -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX, numbers[i]))
+            return BAT_NUMBER;
+    return BAT_OK;
+}
+
+static bat_status check_window(const bat_viewpoint *view, bat_problem *problem) {
+    for (size_t i = 0; i < 2; i++)
+        if (!(view->size[i] > 0))
+            return bat_problem_found(problem, BAT_ARGUMENT, "size[%zu]", i, "more than 0", view->size[i]);
+    if (!(view->fov >= 0 && view->fov < 180))
+        return bat_problem_found(problem, BAT_ARGUMENT, "fov", 0, "0 to less than 180", view->fov);
+    if (!(view->height >= 0))
+        return bat_problem_found(problem, BAT_ARGUMENT, "height", 0, "0 or more", view->height);
+    if (view->fov > 0 && view->height > 0)
+        return bat_problem_found(problem, BAT_ARGUMENT, "height", 0, "0 beside a fov", view->height);
+    return view->fov > 0 || view->height > 0
+               ? BAT_OK
+               : bat_problem_set(problem, BAT_ARGUMENT, "fov",
+                                 "expected a fov or a height above 0, found none");
+}
+
+static bat_status work_out(const bat_viewpoint *view, bat_gaze *out, bat_problem *problem) {
+    if (!view || !out) return bat_problem_set(problem, BAT_ARGUMENT, "view", "expected a view, found none");
+    const struct {
+        const char *place;
+        size_t count;
+        const double *numbers;
+    } members[] = {{"eye[%zu]", 3, view->eye}, {"target[%zu]", 3, view->target},
+                   {"up[%zu]", 3, view->up},   {"size[%zu]", 2, view->size},
+                   {"fov", 1, &view->fov},     {"height", 1, &view->height}};
+    for (size_t i = 0; i < sizeof members / sizeof *members; i++)
+        if (check_numbers(problem, members[i].place, members[i].count, members[i].numbers) != BAT_OK)
+            return BAT_NUMBER;
+    const bat_status status = check_window(view, problem);
+    if (status != BAT_OK) return status;
     bat_gaze gaze = {.eye = vec_load(view->eye, 3)};
     gaze.ahead = vec_unit(vec_sub(vec_load(view->target, 3), gaze.eye));
     const vec across = vec_cross(gaze.ahead, vec_unit(vec_load(view->up, 3)));
-    if (!(vec_norm(across) > parallel)) return BAT_SINGULAR;
+    if (!(vec_norm(across) > parallel))
+        return bat_problem_set(
+            problem, BAT_SINGULAR, "up",
+            "expected a target other than the eye, and up beside the gaze, found them in line");
     gaze.right = vec_unit(across);
     gaze.above = vec_cross(gaze.right, gaze.ahead);
     for (int d = 0; d < 2; d++) gaze.middle[d] = 0.5 * view->size[d];
@@ -25,10 +59,14 @@ bat_status bat_gaze_of(const bat_viewpoint *view, bat_gaze *out) {
     else
         gaze.pixel = view->height / view->size[1];
     const double scale = fmax(gaze.focus, gaze.pixel);
-    if (!(scale >= 1 / BAT_COORDINATE_MAX && scale <= BAT_COORDINATE_MAX)) return BAT_ARGUMENT;
+    if (bat_problem_outside(problem, view->fov > 0 ? "fov" : "height", 0, 1 / BAT_COORDINATE_MAX,
+                            BAT_COORDINATE_MAX, scale))
+        return BAT_ARGUMENT;
     *out = gaze;
     return BAT_OK;
 }
+
+bat_status bat_gaze_of(const bat_viewpoint *view, bat_gaze *out) { return work_out(view, out, NULL); }
 
 bat_status bat_gaze_through(const bat_viewpoint *view, const bat_stroke *stroke, bat_gaze *out) {
     if (!stroke || (stroke->count > 0 && !stroke->points)) return BAT_ARGUMENT;
@@ -39,9 +77,9 @@ bat_status bat_gaze_through(const bat_viewpoint *view, const bat_stroke *stroke,
     return bat_are_coordinates(stroke->points, 2 * stroke->count) ? BAT_OK : BAT_NUMBER;
 }
 
-bat_status bat_viewpoint_check(const bat_viewpoint *view) {
+bat_status bat_viewpoint_check(const bat_viewpoint *view, bat_problem *problem) {
     bat_gaze gaze;
-    return bat_gaze_of(view, &gaze);
+    return work_out(view, &gaze, problem);
 }
 
 bat_sight bat_gaze_ray(const bat_gaze *gaze, const double pixel[2]) {

@@ -47,8 +47,8 @@ static void range_of(const bat_function *f, double range[2]) {
 static bat_status check_wire(const bat_wire *wire) {
     double range[2];
     if (!wire->reference || (unsigned)wire->turn > BAT_TURN_FRAMES) return BAT_ARGUMENT;
-    bat_status status = bat_function_check(&wire->radius);
-    if (status == BAT_OK) status = bat_function_check(&wire->scale);
+    bat_status status = bat_function_check(&wire->radius, NULL);
+    if (status == BAT_OK) status = bat_function_check(&wire->scale, NULL);
     if (status != BAT_OK) return status;
     range_of(&wire->radius, range);
     return range[0] > 0 ? BAT_OK : BAT_PARAMETER;

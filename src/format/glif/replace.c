@@ -1,6 +1,7 @@
 /* The contours of a glyph's file change; nothing else does. */
 #include "format/glif/contours.h"
 #include "format/svg/tags.h"
+#include "text/json.h"
 
 #include <batten/format.h>
 #include <string.h>
@@ -68,14 +69,17 @@ static void put_outline(const file *f, size_t size, const bat_text *contours, ba
 }
 
 bat_status bat_glif_replace(const char *glyph, size_t glyph_size, const bat_document *document, bool extremes,
-                            char **text, size_t *size) {
+                            char **text, size_t *size, bat_problem *problem) {
     file f = {.text = glyph};
     bat_text contours = {0}, out = {0};
     if (!glyph || !document || !text || !size) return BAT_ARGUMENT;
     bat_status status = bat_svg_tags_scan(glyph, glyph_size, &f.tags);
+    if (status == BAT_SYNTAX)
+        bat_problem_set(problem, status, "glyph", "expected tags that match, found others");
     if (status != BAT_OK) return status;
     if (f.tags.count < 2 || !is_called(&f, 1, 0, "glyph") || f.tags.list[1].last + 1 != f.tags.count)
-        status = BAT_SYNTAX;
+        status = bat_problem_set(problem, BAT_SYNTAX, "glyph",
+                                 "expected one element called glyph, found others");
     if (status == BAT_OK) status = bat_glif_contours(document, extremes, &contours);
     if (status == BAT_OK) {
         put_outline(&f, glyph_size, &contours, &out);

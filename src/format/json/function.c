@@ -56,7 +56,7 @@ bat_status bat_fields_function(const bat_fields *f, uint32_t object, const char 
         return bat_fields_complain(f, node, name,
                                    "a number, or an object with \"degree\", \"knots\" and \"values\"");
     if (status != BAT_OK) return status;
-    status = bat_function_check(&read);
+    status = bat_function_check(&read, NULL);
     if (status == BAT_OK) {
         *out = read;
         return BAT_OK;

@@ -64,7 +64,7 @@ bat_status bat_recipe_from_json(const bat_fields *f, uint32_t node, bat_recipe *
         return bat_fields_complain(f, bat_json_member(f->json, node, "angle"), "angle",
                                    "degrees from -360 to 360, not 0");
     if (status == BAT_OK) status = read_ids(f, node, ids, count);
-    if (status == BAT_OK && bat_recipe_check(recipe, (size_t)*count) != BAT_OK)
+    if (status == BAT_OK && bat_recipe_check(recipe, (size_t)*count, NULL) != BAT_OK)
         return bat_fields_complain(f, bat_json_member(f->json, node, "from"), "from",
                                    "2 objects, 4 for coons, 2 to 64 for loft");
     return status;

@@ -32,7 +32,7 @@ bat_status bat_viewpoint_from_json(const bat_json *json, uint32_t node, bat_view
         status = bat_fields_numbers(f, node, "size", 2, "width and height, in pixels", view.size);
     if (status == BAT_OK) status = read_lens(f, node, &view);
     if (status != BAT_OK) return status;
-    status = bat_viewpoint_check(&view);
+    status = bat_viewpoint_check(&view, NULL);
     if (status == BAT_SINGULAR)
         return bat_json_say(
             json, bat_json_member(json, node, "up"), status,
@@ -78,7 +78,7 @@ void bat_viewpoint_to_json(const bat_viewpoint *view, bat_text *text) {
 
 bat_status bat_viewpoint_write(const bat_viewpoint *view, char **text, size_t *size) {
     if (!view || !text || !size) return BAT_ARGUMENT;
-    bat_status status = bat_viewpoint_check(view);
+    bat_status status = bat_viewpoint_check(view, NULL);
     if (status != BAT_OK) return status;
     bat_text buffer = {0};
     bat_viewpoint_to_json(view, &buffer);

@@ -103,7 +103,7 @@ bat_status bat_curve_outline_width(const bat_curve *curve, const bat_nib *nib,
                                    const bat_width_profile *profile, double tolerance, double corner,
                                    size_t *count, bat_curve ***out, double *max_error) {
     if (!count || !out) return BAT_ARGUMENT;
-    const bat_status status = bat_width_check(profile);
+    const bat_status status = bat_width_check(profile, NULL);
     if (status != BAT_OK) return status;
     if (!curve || !nib) return BAT_ARGUMENT;
     return bat_width_is_even(profile)

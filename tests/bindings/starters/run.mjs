@@ -75,11 +75,12 @@ async function begin(project, words) {
 async function told(page, word, names, reloads) {
   let found = {};
   const begun = Date.now();
+  let patience = 1500; // a busy machine needs longer from a reload to the editor
   for (let next = begun + (reloads ? 0 : WAIT / 2); Date.now() < begun + WAIT; await later(250)) {
     if (Date.now() >= next) {
       await page.reload();
-      await later(1500);
-      next = reloads ? 0 : Infinity;
+      next = reloads ? Date.now() + patience : Infinity;
+      patience *= 2;
     }
     found = await page.evaluate(() => globalThis.told ?? {}).catch(() => ({}));
     if (Object.values(found).some((text) => text.startsWith('failed'))) {
@@ -146,7 +147,8 @@ async function develop(starter, project, browser, names) {
     if (starter.dev) {
       await tool.there();
     } else {
-      await later(3000);
+      const made = path.join(project, starter.out, path.basename(starter.main));
+      for (const end = Date.now() + WAIT; !fs.existsSync(made) && Date.now() < end; await later(100));
     }
     await page.goto((files ?? tool).address);
     if (!starter.begun) {

@@ -202,7 +202,7 @@ static void crowded(void **state) {
         for (size_t i = 0; i < b.count; i++) assert_true(fabs(sum[i] - b.stops[i].share) < 1e-8);
         bat_breadths_pull(&b, 30, 7, 0);
         assert_true(b.stops[30].share == 7);
-        assert_int_equal(bat_width_check(&(bat_width_profile){b.count, b.stops}), BAT_OK);
+        assert_int_equal(bat_width_check(&(bat_width_profile){b.count, b.stops}, NULL), BAT_OK);
     }
 }
 
@@ -220,16 +220,16 @@ static void limits(void **state) {
     }
     static const double loud[] = {1, 1e6, -1e6, 1e6, 1};
     const bat_breadths far = scaled(&b, loud);
-    assert_int_equal(bat_width_check(&(bat_width_profile){far.count, far.stops}), BAT_OK);
+    assert_int_equal(bat_width_check(&(bat_width_profile){far.count, far.stops}, NULL), BAT_OK);
     bat_breadths_pull(&out, -1, 3, 0);
     bat_breadths_pull(&out, 29, 3, 0);
     same_bits(&out, &b);
     bat_breadths_pull(&out, 10, -5, 0); /* never below nothing, and never above the most */
     assert_true(out.stops[10].share == 0);
-    assert_int_equal(bat_width_check(&(bat_width_profile){out.count, out.stops}), BAT_OK);
+    assert_int_equal(bat_width_check(&(bat_width_profile){out.count, out.stops}, NULL), BAT_OK);
     bat_breadths_pull(&out, 10, 1e9, 0);
     assert_true(out.stops[10].share == BAT_WIDTH_SHARE_MAX);
-    assert_int_equal(bat_width_check(&(bat_width_profile){out.count, out.stops}), BAT_OK);
+    assert_int_equal(bat_width_check(&(bat_width_profile){out.count, out.stops}, NULL), BAT_OK);
     bat_breadths few = {.count = 3, .stops = {{0, 1}, {0.5, 2}, {1, 1}}};
     bat_breadths_pull(&few, 1, 4, 0); /* no levels: it alone */
     assert_true(few.stops[0].share == 1 && few.stops[1].share == 4 && few.stops[2].share == 1);

@@ -102,7 +102,7 @@ static void closed_figures(double scale) {
         assert_true(bat_pressing_curve(&pressing, curve));
         bat_pressing_add(&pressing, &samples);
         const bat_width_profile profile = {bat_pressing_stops(&pressing, 3 * scale, stops), stops};
-        assert_int_equal(bat_width_check(&profile), BAT_OK);
+        assert_int_equal(bat_width_check(&profile, NULL), BAT_OK);
         double most = 0;
         for (int i = 0; i < LOOKS; i++) {
             double p[2];
@@ -155,7 +155,7 @@ static void ends_run_out(void **state) {
     samples = straight(0, 100, 0.3, 0.4);
     bat_pressing_add(&pressing, &samples);
     const bat_width_profile profile = {bat_pressing_stops(&pressing, width, stops), stops};
-    assert_int_equal(bat_width_check(&profile), BAT_OK);
+    assert_int_equal(bat_width_check(&profile, NULL), BAT_OK);
     for (int i = 0; i <= 100; i++) {
         bat_width_eval(&profile, false, i / 100.0, value);
         const double wanted = 0.6 + 0.8 * i / 100, feather = 1.5 * width * (i < 50 ? 0.6 : 1.4);

@@ -12,7 +12,7 @@
 #include <batten/editor.h>
 
 static bat_status put(bat_editor *editor, const char *json) {
-    const bat_status status = bat_editor_write(editor, json, strlen(json));
+    const bat_status status = bat_editor_write(editor, json, strlen(json), NULL);
     assert_null(bat_editor_check(editor));
     return status;
 }

@@ -113,7 +113,7 @@ static void an_editor_speaks_korean(void **state) {
     uint64_t digest = bat_document_digest(bat_editor_document(editor));
     char *words = korean_words();
     assert_string_equal(hint(editor), bat_string_english(BAT_STRING_HINT_NEW));
-    assert_int_equal(bat_editor_words(editor, words, strlen(words)), BAT_OK);
+    assert_int_equal(bat_editor_words(editor, words, strlen(words), NULL), BAT_OK);
     free(words); /* copied */
     for (int i = 0; i < COUNT; i++)
         assert_string_equal(bat_word(&editor->context, (bat_string)i), table[i].korean);
@@ -123,7 +123,7 @@ static void an_editor_speaks_korean(void **state) {
     assert_non_null(strstr(bat_editor_frame(editor)->notice, "1.5"));
     assert_true(has_hangul(bat_editor_frame(editor)->notice));
     assert_non_null(strstr(bat_editor_tables(editor), table[BAT_STRING_COMMAND_UNDO_HELP].korean));
-    assert_int_equal(bat_editor_words(editor, NULL, 0), BAT_OK);
+    assert_int_equal(bat_editor_words(editor, NULL, 0, NULL), BAT_OK);
     assert_string_equal(hint(editor), bat_string_english(BAT_STRING_HINT_NEW));
     assert_true(digest == bat_document_digest(bat_editor_document(editor)));
     bat_editor_free(editor);
@@ -134,14 +134,16 @@ static void odd_words_change_nothing(void **state) {
     bat_editor *editor = pen_editor();
     static const char *const bad[] = {"", "{", "[]", "7", "{\"hint.new\":}", "{\"hint.new\":\"\xff\"}"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        assert_int_equal(bat_editor_words(editor, bad[i], strlen(bad[i])), BAT_SYNTAX);
+        bat_problem problem = {"", ""};
+        assert_int_equal(bat_editor_words(editor, bad[i], strlen(bad[i]), &problem), BAT_SYNTAX);
+        assert_memory_equal(problem.place, "line 1, column ", 15);
         assert_string_equal(hint(editor), bat_string_english(BAT_STRING_HINT_NEW));
     }
     /* unknown keys, values that are no text, a place for a value too many or too few: English stays */
     static const char odd[] =
         "{\"nonsense\":\"x\",\"hint.pan\":7,\"notice.saved\":\"%s%n\","
         "\"notice.calmed\":\"gone\",\"hint.new\":\"\",\"step.new\":\"a\",\"step.new\":\"b\"}";
-    assert_int_equal(bat_editor_words(editor, odd, sizeof odd - 1), BAT_OK);
+    assert_int_equal(bat_editor_words(editor, odd, sizeof odd - 1, NULL), BAT_OK);
     static const bat_string kept[] = {BAT_STRING_HINT_PAN, BAT_STRING_NOTICE_SAVED, BAT_STRING_NOTICE_CALMED};
     for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
         assert_string_equal(bat_word(&editor->context, kept[i]), bat_string_english(kept[i]));
@@ -158,7 +160,7 @@ static void without_memory_the_old_words_stay(void **state) {
     for (int n = 1;; n++) {
         long held = alloc_live();
         alloc_fail_at(n);
-        bat_status status = bat_editor_words(editor, words, strlen(words));
+        bat_status status = bat_editor_words(editor, words, strlen(words), NULL);
         if (!alloc_fail_reached()) {
             assert_int_equal(status, BAT_OK);
             break;

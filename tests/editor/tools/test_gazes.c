@@ -398,7 +398,7 @@ static void the_outline_names_keys(void **state) {
     assert_non_null(strstr(words(editor), "\"at\":3"));
     assert_non_null(strstr(bat_editor_move(editor), "\"at\":4,"));
     const char *korean = "{\"key.level\":\"키 %/%, %초, 수평을 봄\"}";
-    assert_int_equal(bat_editor_words(editor, korean, strlen(korean)), BAT_OK);
+    assert_int_equal(bat_editor_words(editor, korean, strlen(korean), NULL), BAT_OK);
     assert_non_null(strstr(words(editor), "키 4/4, 4.00초, 수평을 봄"));
     check(editor);
     bat_editor_free(editor);

@@ -271,7 +271,7 @@ static void stay_profiles(void **state) {
                 assert_true(b.stops[now].share == share);
             } else if (i % 7 == 0 && b.count)
                 bat_width_remove(&b.count, b.stops, index);
-            assert_int_equal(bat_width_check(&(bat_width_profile){b.count, b.stops}), BAT_OK);
+            assert_int_equal(bat_width_check(&(bat_width_profile){b.count, b.stops}, NULL), BAT_OK);
         }
     }
 }

@@ -78,7 +78,7 @@ static void a_viewpoint_sees_the_same_pixels(void **state) {
         bat_viewpoint seen;
         stage.view = turned(10.01 * i);
         assert_int_equal(bat_stage_viewpoint(&stage, &seen), BAT_OK);
-        assert_int_equal(bat_viewpoint_check(&seen), BAT_OK);
+        assert_int_equal(bat_viewpoint_check(&seen, NULL), BAT_OK);
         for (int k = -3; k <= 3; k++) {
             const double at[3] = {100.3 * k, 77.7 + 31 * k * k, 500.5 * k};
             double flat[2], pixel[2], from[3], along[3], depth;

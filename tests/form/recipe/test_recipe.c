@@ -385,12 +385,12 @@ static void refuses(void **state) {
         for (int k = 0; k < 3; k++) {
             bat_recipe recipe = bat_recipe_of(BAT_RECIPE_SWEEP);
             *(k == 0 ? &recipe.twist : k == 1 ? &recipe.scale : &recipe.angle) = wrong[i];
-            assert_int_equal(bat_recipe_check(&recipe, 2), BAT_NUMBER);
+            assert_int_equal(bat_recipe_check(&recipe, 2, NULL), BAT_NUMBER);
         }
     bat_recipe recipe = bat_recipe_of(BAT_RECIPE_SWEEP);
     recipe.stand = (bat_recipe_stand)3;
-    assert_int_equal(bat_recipe_check(&recipe, 2), BAT_ARGUMENT);
-    assert_int_equal(bat_recipe_check(NULL, 2), BAT_ARGUMENT);
+    assert_int_equal(bat_recipe_check(&recipe, 2, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_recipe_check(NULL, 2, NULL), BAT_ARGUMENT);
     assert_int_equal(bat_recipe_stands(NULL, line), BAT_STAND_LYING);
     recipe = bat_recipe_of(BAT_RECIPE_RULED);
     assert_int_equal(bat_recipe_surface(&recipe, 2, NULL, &out, NULL), BAT_ARGUMENT);

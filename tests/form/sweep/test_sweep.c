@@ -297,7 +297,7 @@ static void what_cannot_be_swept(void **state) {
     assert_int_equal(bat_sweep_create(path, profile, &options, &sweep), BAT_PARAMETER);
     bat_function_clear(&options.twist);
     assert_true(!options.twist.curve && options.twist.constant == 0);
-    assert_int_equal(bat_function_check(NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_function_check(NULL, NULL), BAT_ARGUMENT);
     bat_function_clear(NULL);
     bat_sweep_source source;
     assert_int_equal(bat_sweep_read(NULL, 0, &source, NULL), BAT_ARGUMENT);

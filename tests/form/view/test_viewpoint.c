@@ -84,7 +84,7 @@ static void bad_views(void **state) {
     };
     double a[3], b[3], pixel[2] = {7, 7};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        assert_int_equal(bat_viewpoint_check(&cases[i].view), cases[i].status);
+        assert_int_equal(bat_viewpoint_check(&cases[i].view, NULL), cases[i].status);
         assert_int_equal(bat_viewpoint_project(&cases[i].view, origin, pixel, NULL), cases[i].status);
         assert_int_equal(bat_viewpoint_ray(&cases[i].view, pixel, a, b), cases[i].status);
     }
@@ -92,7 +92,7 @@ static void bad_views(void **state) {
     assert_int_equal(bat_viewpoint_ray(&good, (const double[2]){NAN, 0}, a, b), BAT_NUMBER);
     assert_int_equal(bat_viewpoint_project(&good, (const double[3]){0, INFINITY, 0}, pixel, NULL),
                      BAT_NUMBER);
-    assert_int_equal(bat_viewpoint_check(NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_viewpoint_check(NULL, NULL), BAT_ARGUMENT);
     assert_int_equal(bat_viewpoint_ray(&good, NULL, a, b), BAT_ARGUMENT);
     assert_int_equal(bat_viewpoint_ray(&good, pixel, NULL, b), BAT_ARGUMENT);
     assert_int_equal(bat_viewpoint_ray(&good, pixel, a, NULL), BAT_ARGUMENT);
