@@ -44,17 +44,18 @@ static bat_status measure(bat_sums *sums, size_t piece, double x[2], double *dis
 }
 
 static void square(bat_squares *all, double weight, double distance) {
-    if (!(distance > 0)) return;
-    if (distance > all->greatest) {
-        const double share = all->greatest / distance;
-        all->greatest = distance, all->sum *= share * share;
+    const double root = sqrt(weight) * distance;
+    if (!(root > 0)) return;
+    if (root > all->greatest) {
+        const double share = all->greatest / root;
+        all->greatest = root, all->sum *= share * share;
     }
-    const double share = distance / all->greatest;
-    all->sum += weight * (share * share);
+    const double share = root / all->greatest;
+    all->sum += share * share;
 }
 
 static double root_mean(const bat_squares *all, double weight) {
-    return all->greatest * sqrt(all->sum / weight);
+    return all->greatest * sqrt(all->sum) / sqrt(weight);
 }
 
 void bat_sums_weigh(bat_sums *sums, const double x[2], double distance, double weight) {

@@ -16,9 +16,9 @@ typedef struct bat_peak {
 /* A point of the thing at parameters of a piece, which are first moved into what the piece covers. */
 typedef void bat_sums_place(const void *thing, size_t piece, double x[2], double point[3]);
 
-/* A sum of weighted squares, as shares of the greatest one, so that none is lost below what a double holds. */
+/* A sum of weighted squares, as shares of the greatest of them, so that none is lost below what a double holds. */
 typedef struct bat_squares {
-    double greatest, sum;
+    double greatest, sum; /* greatest: the root of the greatest square */
 } bat_squares;
 
 typedef struct bat_sums {
