@@ -119,7 +119,7 @@ def build(preset, targets, first):
     """Whether a tree is built, once the build that it waits for has ended."""
     if first:
         first.result()
-    return step(preset, [["cmake", "--preset", preset, "--log-level=WARNING"],
+    return step(preset, [["cmake", "--preset", preset, "--log-level=WARNING", "-DBATTEN_WERROR=ON"],
                          ["cmake", "--build", "--preset", preset, "--target", *targets]])
 
 
