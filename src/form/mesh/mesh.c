@@ -4,6 +4,7 @@
 #include "curve/curve.h"
 #include "text/json.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -188,6 +189,17 @@ void bat_face_normal(const bat_polymesh *mesh, size_t face, double out[3]) {
     }
 }
 
+/* One of no length becomes (0, 0, 1); what has lost bits at the lower end of what a double holds is first made long. */
+static void normalise(double n[3]) {
+    double length = bat_hypot(bat_hypot(n[0], n[1]), n[2]);
+    if (length < DBL_MIN / DBL_EPSILON) {
+        for (int c = 0; c < 3; c++) n[c] *= 0x1p600;
+        length = bat_hypot(bat_hypot(n[0], n[1]), n[2]);
+    }
+    const bool none = !(length > 0 && length < INFINITY);
+    for (int c = 0; c < 3; c++) n[c] = none ? c == 2 : n[c] / length;
+}
+
 void bat_polymesh_normals(const bat_polymesh *mesh, double *out) {
     for (size_t i = 0; i < 3 * mesh->vertex_count; i++) out[i] = 0;
     for (size_t f = 0; f < mesh->face_count; f++) {
@@ -199,9 +211,6 @@ void bat_polymesh_normals(const bat_polymesh *mesh, double *out) {
             for (int c = 0; c < 3; c++) out[3 * (size_t)corners[k] + (size_t)c] += normal[c];
     }
     for (size_t i = 0; i < mesh->vertex_count; i++) {
-        double *n = out + 3 * i;
-        const double length = bat_hypot(bat_hypot(n[0], n[1]), n[2]);
-        const bool none = !(length > 0 && length < INFINITY);
-        for (int c = 0; c < 3; c++) n[c] = none ? c == 2 : n[c] / length;
+        normalise(out + 3 * i);
     }
 }

@@ -193,19 +193,26 @@ static void any_face_can_be_divided(void **state) {
     }
 }
 
-/* A cube: each normal points out along the diagonal; an isolated vertex has one, too. */
+/* A cube: each normal points out along the diagonal, also where areas are below what a double holds in full; an isolated vertex
+ * has one, too. */
 static void normals(void **state) {
     (void)state;
+    static const double lengths[] = {1, 1e-150, 1e-158, 1e9};
     double at[27], out[27];
     const int sizes[6] = {4, 4, 4, 4, 4, 4},
               corners[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
-    for (int k = 0; k < 8; k++) at[3 * k] = k & 1, at[3 * k + 1] = k / 2 & 1, at[3 * k + 2] = k / 4;
     at[24] = at[25] = at[26] = 7;
-    bat_polymesh *mesh = mesh_of(9, at, 6, sizes, corners);
-    bat_polymesh_normals(mesh, out);
-    for (int k = 0; k < 24; k++) assert_true(fabs(out[k] - (2 * at[k] - 1) / sqrt(3)) < 1e-15);
-    assert_true(out[24] == 0 && out[25] == 0 && out[26] == 1);
-    bat_polymesh_free(mesh);
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        for (int k = 0; k < 24; k++) at[k] = (k / 3 >> k % 3 & 1) * lengths[i];
+        bat_polymesh *mesh = mesh_of(9, at, 6, sizes, corners);
+        bat_polymesh_normals(mesh, out);
+        for (int k = 0; k < 24; k++)
+            assert_true(fabs(out[k] - (at[k] > 0 ? 1 : -1) / sqrt(3)) < (i == 2 ? 1e-6 : 1e-15));
+        for (int k = 0; k < 8; k++)
+            assert_true(fabs(hypot(hypot(out[3 * k], out[3 * k + 1]), out[3 * k + 2]) - 1) < 1e-15);
+        assert_true(out[24] == 0 && out[25] == 0 && out[26] == 1);
+        bat_polymesh_free(mesh);
+    }
 }
 
 /* ---- failing allocations ---- */
