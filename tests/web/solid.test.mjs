@@ -133,6 +133,46 @@ test('from the blank page to the STL of a vase: draw, revolve, export', async ()
   await context.close();
 });
 
+// Two lines, Revolve, Export, STL, the file.
+for (const device of ['pen', 'mouse', 'touch']) {
+  test(`a vase from the blank page to STL in six actions, by ${device}`, async () => {
+    const { page, hand, context } = await open(browser, server.address, { hasTouch: device === 'touch' });
+    let actions = 0;
+    const at = await page.evaluate(() => {
+      const { left, top, width, height } = document.getElementById('still').getBoundingClientRect();
+      return [left, top, width, height];
+    }).then(([left, top, width, height]) => (x, y) => [left + width * x, top + height * y]);
+    const press = async (found) => {
+      actions++;
+      await (device === 'touch' ? found.tap() : found.click());
+    };
+    for (const points of [[at(0.5, 0.75), at(0.5, 0.25)],
+      Array.from({ length: 60 }, (_, i) => at(0.6 + 0.06 * Math.sin(i / 59 * 5), 0.75 - 0.45 * i / 59))]) {
+      actions++;
+      hand.rest(2);
+      await hand.stroke(points, { pointerType: device });
+      await quiet(page);
+    }
+    await page.waitForSelector('#notice button >> text=Revolve');
+    await page.screenshot({ path: path.join(SCREENSHOTS, `solid-offered-${device}.png`) });
+    await press(page.locator('#notice button', { hasText: 'Revolve' }));
+    await quiet(page);
+    await press(page.getByRole('button', { name: 'Export', exact: true }).first());
+    await page.waitForSelector('#export[open]');
+    actions++;
+    await page.selectOption('#export-format', 'stl');
+    await quiet(page);
+    const [download] = await Promise.all([page.waitForEvent('download'), press(page.locator('#export .strong'))]);
+    const solid = triangles(await downloaded(download));
+    const [low, high] = box(solid), tall = high[2] - low[2];
+    const { zoom, check } = await state(page);
+    assert.ok(Math.abs(tall - (at(0, 0.75)[1] - at(0, 0.3)[1]) / zoom * UNIT) < 0.03 * tall, `${tall} ${zoom}`);
+    assert.equal(check, '');
+    assert.equal(actions, 6);
+    await context.close();
+  });
+}
+
 test('a jug in every format, on the wall and on the floor', async () => {
   const { page, context } = await open(browser, server.address);
   await drop(page, 'jug.batten', fs.readFileSync(JUG, 'utf8'));

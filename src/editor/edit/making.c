@@ -3,6 +3,7 @@
 #include "form/recipe/flat.h"
 #include "document/document.h"
 #include "document/kind.h"
+#include "document/nesting.h"
 #include "editor/choice/choice.h"
 #include "editor/edit/style.h"
 #include "editor/session/notice.h"
@@ -18,6 +19,8 @@ static const double CLOSE = 2;     /* px: corners this far apart are closed at t
 static const double MEETS = 1e-6;  /* of the size of the smallest: corners this far apart meet */
 static const double BESIDE = 0.25; /* the same: beyond this the curves do not go round a patch */
 
+static const double ON_AXIS = 0.05; /* of how far a profile reaches: as much may lie beyond its axis */
+
 typedef struct chosen {
     int count;
     const bat_object *objects[BAT_RECIPE_CURVES];
@@ -26,22 +29,40 @@ typedef struct chosen {
     double smallest;   /* size */
 } chosen;
 
+/* False: it is not one curve, or one too many. */
+static bool add(const bat_object *object, chosen *out) {
+    if (out->count == BAT_RECIPE_CURVES) return false;
+    if (!bat_object_is_made_of_curves(object) || bat_object_curve_count(object) != 1) return false;
+    const bat_curve *curve = bat_object_curve(object, 0);
+    out->objects[out->count] = object, out->curves[out->count++] = curve;
+    *(bat_curve_is_closed(curve) ? &out->closed : &out->open) = true;
+    out->smallest = fmin(out->smallest, bat_curve_size(curve));
+    return true;
+}
+
+/* All that are seen and not locked, where nothing is selected: what the drawing has is what is meant. */
+static bool find_all(const bat_document *document, chosen *out) {
+    bat_nesting nesting = {0};
+    for (int i = 0; i < bat_document_count(document); i++) {
+        const bat_object *object = bat_document_at(document, i);
+        bat_nesting_level level = {0};
+        bat_nesting_next(&nesting, object, &level);
+        if (level.hidden || level.locked || !bat_object_is_made_of_curves(object)) continue;
+        if (!add(object, out)) return false;
+    }
+    return out->count > 1;
+}
+
 /* False: something else is selected, too, or not as many as there can be. */
 static bool find(const bat_context *c, chosen *out) {
     const bat_selection *selection = &c->choice->selection;
     const bat_document *document = c->session->document;
     *out = (chosen){.smallest = INFINITY};
-    if (selection->count < 2 || selection->count > BAT_RECIPE_CURVES) return false;
-    for (int i = 0; i < selection->count; i++) {
-        const bat_object *object = bat_document_at(document, bat_document_find(document, selection->ids[i]));
-        if (!bat_object_is_made_of_curves(object) || bat_object_curve_count(object) != 1) return false;
-        const bat_curve *curve = bat_object_curve(object, 0);
-        out->objects[i] = object, out->curves[i] = curve;
-        *(bat_curve_is_closed(curve) ? &out->closed : &out->open) = true;
-        out->smallest = fmin(out->smallest, bat_curve_size(curve));
-    }
-    out->count = selection->count;
-    return true;
+    if (selection->count == 0) return find_all(document, out);
+    for (int i = 0; i < selection->count; i++)
+        if (!add(bat_document_at(document, bat_document_find(document, selection->ids[i])), out))
+            return false;
+    return out->count > 1;
 }
 
 static void swap(chosen *of) {
@@ -75,6 +96,20 @@ static bool order_revolve(chosen *of) {
     if (of->count != 2) return false;
     if (!is_straight(of->curves[1])) swap(of);
     return is_straight(of->curves[1]) && is_planar(of->curves[0]);
+}
+
+/* Whether all of a planar curve's points are on one side of the line from the axis's first point to its last, or on it. */
+static bool is_beside(const bat_curve *curve, const bat_curve *axis) {
+    const double *x = bat_curve_points(curve), *from = bat_curve_points(axis);
+    const double *to = from + 2 * ((int)bat_curve_count(axis) - 1);
+    double least = 0, most = 0;
+    if (bat_curve_dimension(curve) != 2 || bat_curve_dimension(axis) != 2) return false;
+    for (int i = 0; i < (int)bat_curve_count(curve); i++) {
+        const double side = (to[0] - from[0]) * (x[2 * i + 1] - from[1]) -
+                            (to[1] - from[1]) * (x[2 * i] - from[0]);
+        least = fmin(least, side), most = fmax(most, side);
+    }
+    return most - least > 0 && fmin(-least, most) <= ON_AXIS * (most - least);
 }
 
 /* Four open curves that go round a patch; the greatest distance in a corner. */
@@ -141,6 +176,12 @@ static bool order(const bat_context *c, bat_recipe_kind kind, bool closing, chos
 bool bat_making_fits(const bat_context *c, bat_recipe_kind kind, bool closing) {
     chosen of;
     return find(c, &of) && order(c, kind, closing, &of);
+}
+
+bool bat_making_offers_revolving(const bat_context *c) {
+    chosen of;
+    return c->choice->selection.count == 0 && find(c, &of) && of.count == 2 && order_revolve(&of) &&
+           !is_straight(of.curves[0]) && is_beside(of.curves[0], of.curves[1]);
 }
 
 /* ---- making ---- */

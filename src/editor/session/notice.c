@@ -53,6 +53,11 @@ void bat_notice_taken_away(bat_context *c) {
     c->notices->offer = BAT_COMMAND_STROKE_BACK;
 }
 
+void bat_notice_revolves(bat_context *c) {
+    bat_notice(c, BAT_STRING_NOTICE_REVOLVES);
+    c->notices->offer = BAT_COMMAND_SURFACE_REVOLVE;
+}
+
 void bat_notice_taken(bat_context *c) {
     c->notices->notice = BAT_STRING_COUNT;
     c->notices->offer = BAT_COMMAND_COUNT;

@@ -32,6 +32,8 @@ void bat_notice_edge_on(bat_context *c);
 void bat_notice_saved_view(bat_context *c);
 /* Tells that the system took a stroke away, and offers to bring it back. */
 void bat_notice_taken_away(bat_context *c);
+/* Tells that what is drawn can be turned about its line, and offers to. */
+void bat_notice_revolves(bat_context *c);
 /* What the notice offered has been taken up: nothing is said any more. */
 void bat_notice_taken(bat_context *c);
 /* Says why a command did nothing: `why`, or where that is BAT_STRING_COUNT that it failed. Returns the status, BAT_STATE

@@ -1,6 +1,8 @@
 /* Surfaces made from the selected curves: what is offered, what is made, how it follows while curves are edited, and when it
  * is free. Each session replays, and undo leads back. */
 #include "document/document.h"
+#include "editor/edit/making.h"
+#include "editor/editor.h"
 #include "editor/export.h"
 #include "editor/tables/tables.h"
 
@@ -576,8 +578,45 @@ static void corners_in_a_path(void **state) {
     bat_editor_free(editor);
 }
 
+/* Two strokes with nothing selected, of which the other is straight: the notice offers what takes them as they are. */
+static void what_is_drawn_is_offered(void **state) {
+    (void)state;
+    static const struct {
+        double curve[12];
+        bool offered;
+    } rows[] = {{{500, 600, 620, 500, 520, 350, 560, 200}, true},   /* beside the axis */
+                {{300, 600, 200, 500, 280, 350, 240, 200}, true},   /* on its other side */
+                {{300, 600, 200, 500, 620, 350, 560, 200}, false},  /* across it */
+                {{500, 600, 500, 500, 500, 350, 500, 200}, false}}; /* a line, too */
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        scene s = {2, {4, 2}, {{0}, {400, 650, 400, 150}}};
+        memcpy(s.at[0], rows[i].curve, sizeof s.at[0]);
+        bat_editor *editor = open(&s);
+        bat_editor_command(editor, "deselect");
+        assert_int_equal(bat_making_offers_revolving(&editor->context), rows[i].offered);
+        assert_int_equal(bat_editor_command(editor, "select-all"), BAT_OK);
+        assert_false(bat_making_offers_revolving(&editor->context)); /* its bar offers it */
+        bat_editor_command(editor, "deselect");
+        if (rows[i].offered) {
+            assert_int_equal(bat_editor_command(editor, "surface-revolve"), BAT_OK);
+            assert_non_null(surface_in(editor));
+            is_fresh(editor);
+            bat_editor_command(editor, "deselect");
+            assert_int_equal(bat_editor_command(editor, "undo"), BAT_OK);
+            assert_null(surface_in(editor));
+        }
+        bat_editor_free(editor);
+    }
+    bat_editor *editor = open(&FOUR); /* more than two */
+    bat_editor_command(editor, "deselect");
+    assert_int_equal(bat_editor_command(editor, "surface-revolve"), BAT_STATE);
+    assert_int_equal(bat_editor_command(editor, "surface-coons"), BAT_OK);
+    bat_editor_free(editor);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(only_what_fits_is_offered),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(what_is_drawn_is_offered),
+                                       cmocka_unit_test(only_what_fits_is_offered),
                                        cmocka_unit_test(each_is_one_step),
                                        cmocka_unit_test(sections_lie_side_by_side),
                                        cmocka_unit_test(follows_while_a_point_is_dragged),

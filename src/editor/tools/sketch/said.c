@@ -1,4 +1,5 @@
 /* Messages about a stroke that is done, or that failed. */
+#include "editor/edit/making.h"
 #include "editor/session/notice.h"
 #include "editor/tables/tables.h"
 #include "editor/tools/sketch/parts.h"
@@ -22,7 +23,11 @@ static bool too_short(const bat_edit *edit, const bat_sketch_report *report) {
 void bat_sketching_say_done(bat_context *c, const bat_edit *edit, const bat_sketch_report *report,
                             bool strayed, bool closed) {
     if (!too_short(edit, report)) {
-        bat_notice(c, bat_sketching_outcome(edit, strayed, closed));
+        const bat_string outcome = bat_sketching_outcome(edit, strayed, closed);
+        if (edit->kind == BAT_EDIT_NEW && outcome == BAT_STRING_COUNT && bat_making_offers_revolving(c))
+            bat_notice_revolves(c);
+        else
+            bat_notice(c, outcome);
         return;
     }
     char number[32];
