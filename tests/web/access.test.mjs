@@ -66,7 +66,8 @@ const WORDS = [
 const SHAPES = [
   ['field', ['surface']],
   ...['object', 'highlight', 'ink', 'fit', 'knot', 'knot-fill', 'pending', 'selection', 'handle', 'marquee', 'point',
-    'chosen-fill', 'prompt', 'arrow', 'arrow-fill', 'guide', 'polygon', 'comb', 'comb-fill', 'reach', 'erased', 'guideline', 'pivot']
+    'chosen-fill', 'prompt', 'arrow', 'arrow-fill', 'guide', 'polygon', 'comb', 'comb-fill', 'reach', 'erased', 'guideline', 'pivot',
+    'axis-x', 'axis-y', 'axis-z']
     .map((role) => [`role-${role}`, ['role-page-fill', 'ground']]),
 ];
 /** Secondary parts: the line being replaced, areas, the prediction ahead of the pen. */
