@@ -266,10 +266,14 @@ static bat_status keep_paint(bat_object *object, const bat_style *style) {
 static bat_status recolour(bat_object *copy, uint32_t colour, bat_object **out) {
     const bool same = copy->head.style.fill == colour;
     copy->head.style.fill = colour;
-    *out = copy;
-    if (same) return BAT_OK;
-    const bat_status status = copy->type->restyle(copy, out);
+    if (same) {
+        *out = copy;
+        return BAT_OK;
+    }
+    bat_object *made = NULL;
+    const bat_status status = copy->type->restyle(copy, &made);
     bat_object_release(copy);
+    if (status == BAT_OK) *out = made;
     return status;
 }
 
@@ -287,8 +291,9 @@ bat_status bat_object_with_style(const bat_object *object, const bat_style *styl
     else if (bat_object_is(object, BAT_DRAWN) ||
              bat_object_is(object, BAT_HOLDS)) /* what paints nothing has no style, and files store none */
         copy->head.style.opacity = style->opacity;
+    if (copy->type->restyle) return recolour(copy, style->fill, out);
     *out = copy;
-    return copy->type->restyle ? recolour(copy, style->fill, out) : BAT_OK;
+    return BAT_OK;
 }
 
 bat_status bat_object_faded(const bat_object *object, double factor, bat_object **out) {

@@ -191,7 +191,7 @@ static bat_status flatten(outline *o, int axis) {
     int *links = malloc(2 * n * sizeof *links), kept = 0;
     bool *gone = calloc(n, sizeof *gone);
     pair *heap = malloc(3 * n * sizeof *heap);
-    chain c = {links, links + n, gone, heap, 0};
+    chain c = {links, links ? links + n : NULL, gone, heap, 0};
     const bat_status status = links && gone && heap ? BAT_OK : BAT_MEMORY;
     int extremes = status == BAT_OK ? link_nodes(o, &c, axis) : 0;
     while (status == BAT_OK && c.pairs > 0) {

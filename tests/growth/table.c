@@ -862,7 +862,7 @@ static const row rows[] = {
     {"curve: refit", refit, 100, 0, NULL},
     {"curve: refit G1", refit_g1, 100, 0, NULL},
     {"curve: refit on extremes", refit_extremes, 100, 0, NULL},
-    {"curve: refit on extremes, of which few stay", refit_extremes_few, 100, 0, NULL},
+    {"curve: refit on extremes, of which few stay", refit_extremes_few, 800, 0, NULL},
     {"curve: Greville abscissae", greville, 500, 0, NULL},
     {"curve: n places at once", eval_many, 500, 0, NULL},
     {"curve: n places", eval_each, 500, 0, NULL},

@@ -118,7 +118,7 @@ static void edits_in_a_kept_file(void **unused) {
         const bat_object *object = bat_document_at(kept, 0);
         bat_object *after = NULL;
         bat_style style = *bat_object_style(object);
-        const double by[6] = {1, 0, 0, 1, 3, 4};
+        const double by[12] = {1, 0, 0, 3, 0, 1, 0, 4, 0, 0, 1, 0};
         style.fill = 0xff000080, style.opacity = 0.25;
         bat_status status = edit == 0   ? bat_object_with_lettering(object, &other, &after)
                             : edit == 1 ? bat_object_with_style(object, &style, &after)
@@ -151,7 +151,7 @@ static void style_and_place(void **unused) {
     const bat_object *object = bat_document_at(document, 0);
     bat_object *red = NULL, *moved = NULL;
     bat_style style = *bat_object_style(object);
-    const double by[6] = {0, 1, -1, 0, 5, 6};
+    const double by[12] = {0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 0};
     double a[4], b[4];
     size_t size;
     style.fill = 0xff0000ff, style.stroked = true;

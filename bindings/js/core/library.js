@@ -84,8 +84,9 @@ export class Curve extends Handle {
     return own.finder_().keep_(own);
   }
 
-  /** @template {import('./library.js').PathLike} P @param {P} path a Path2D, a canvas' context, or whatever has moveTo, bezierCurveTo and closePath @returns {P} */
-  trace(path, { tolerance = 0.01 } = {}) {
+  /** @template {import('./library.js').PathLike} P @param {P} path a Path2D, a canvas' context, or whatever has moveTo, bezierCurveTo and closePath @param {{ tolerance?: number } | null} [given] @returns {P} */
+  trace(path, given) {
+    const { tolerance = 0.01 } = given ?? {};
     if (typeof path?.moveTo !== 'function' || typeof path.bezierCurveTo !== 'function' || typeof path.closePath !== 'function') {
       throw wrong('path', 'what has moveTo, bezierCurveTo and closePath', shown(path));
     }
@@ -100,8 +101,9 @@ export class Curve extends Handle {
     return this.trace(new globalThis.Path2D(), options);
   }
 
-  /** SVG path data. */
-  toSVG({ tolerance = 0.01, decimals = 3 } = {}) {
+  /** SVG path data. @param {{ tolerance?: number, decimals?: number } | null} [given] */
+  toSVG(given) {
+    const { tolerance = 0.01, decimals = 3 } = given ?? {};
     return String(this.trace(new PathText(decimals), { tolerance }));
   }
 }

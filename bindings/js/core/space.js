@@ -63,7 +63,8 @@ export class Relief extends Handle {
   }
 
   /** A level above: its knots in both directions (left out: those below), and what it adds. */
-  addLevel({ uKnots, vKnots, details, source } = {}) {
+  addLevel(given) {
+    const { uKnots, vKnots, details, source } = given ?? {};
     const below = this.surface(this.levels);
     const knots = { u: uKnots, v: vKnots };
     if ((details ?? source) !== undefined) {
@@ -100,7 +101,8 @@ export class Reference extends Handle {}
 /** Points that follow wires. */
 export class Binding extends Handle {
   /** Where the points are when the wires are these curves. points: what to move instead of what was bound. */
-  apply(curves, { points = this.bound_.points } = {}) {
+  apply(curves, given) {
+    const { points = this.bound_.points } = given ?? {};
     const { wires, count } = this.bound_;
     if (!Array.isArray(curves) || curves.length !== wires) {
       throw wrong('curves', `an array of ${wires} curves`, shown(curves), 'count');
@@ -189,7 +191,8 @@ const pair = (value) => (Array.isArray(value) ? value : [value, value]);
 /** What the library has beside its calls, of these classes. */
 export const made = {
   /** A surface of rows of points, and knots in both directions. */
-  surface(points, uKnots, vKnots, { degree = 3, closed = false } = {}) {
+  surface(points, uKnots, vKnots, given) {
+    const { degree = 3, closed = false } = given ?? {};
     const rows = Array.isArray(points) ? points.length : 0;
     const columns = points?.[0]?.length;
     if (!rows || !Array.isArray(points[0]) || points.some((row) => row?.length !== columns)) {
@@ -199,7 +202,8 @@ export const made = {
   },
 
   /** A mesh of vertices and faces, each an array of at least three of their numbers; a cloud of points without faces. */
-  mesh(vertices, { faces = [] } = {}) {
+  mesh(vertices, given) {
+    const { faces = [] } = given ?? {};
     if (!Array.isArray(faces)) {
       throw wrong('faces', 'an array of faces', shown(faces));
     }

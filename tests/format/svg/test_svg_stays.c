@@ -37,9 +37,9 @@ static char *written(const bat_document *document) {
 
 static void shift(bat_document *document, int index, double dx) {
     const bat_object *object = bat_document_at(document, index);
-    const double m[6] = {1, 0, 0, 1, dx, 0};
+    const double rows[12] = {1, 0, 0, dx, 0, 1, 0, 0, 0, 0, 1, 0};
     bat_object *made = NULL;
-    assert_int_equal(bat_object_type(object)->transform(object, m, &made), BAT_OK);
+    assert_int_equal(bat_object_type(object)->transform(object, rows, &made), BAT_OK);
     assert_int_equal(bat_document_replace(document, index, made), BAT_OK);
     bat_object_release(made);
 }
