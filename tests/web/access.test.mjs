@@ -176,6 +176,7 @@ test('forced colours: what is drawn wears the system\'s, and the focus shows', a
   });
   const own = roles.filter((colour, i) => i > 0 && !system.includes(colour) && !/, 0\)$/.test(colour));
   assert.deepEqual(own, []);
+  await page.waitForFunction(() => [...document.querySelectorAll('#style .swatch')].filter((one) => one.checkVisibility()).length > 2);
   const swatches = await page.locator('#style .swatch:visible').all();
   const pictures = await Promise.all(swatches.map(async (one) => (await one.screenshot()).toString('base64')));
   assert.ok(pictures.length > 2 && new Set(pictures).size === pictures.length, 'colours of the drawing differ');

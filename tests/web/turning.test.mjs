@@ -58,7 +58,14 @@ test('no picture of an orbit is empty, and the overlay goes along', async (t) =>
   await page.waitForFunction(() => batten.loop.space?.counts.painted > 0);
   await quiet(page);
   await page.waitForSelector('.dot', { state: 'attached' });
-  await page.evaluate(() => document.querySelectorAll('.dot').forEach((dot) => dot.replaceChildren())); // red, and no part of the drawing
+  await page.evaluate(() => { // a red dot and coloured arrows with an edge, which are no part of the drawing
+    document.querySelectorAll('.dot').forEach((dot) => dot.replaceChildren());
+    for (const role of ['chosen', 'axis-x', 'axis-x-fill', 'axis-y', 'axis-y-fill', 'axis-z', 'axis-z-fill']) {
+      document.documentElement.style.setProperty(`--role-${role}`, '#0000');
+    }
+    CanvasRenderingContext2D.prototype.fillText = CanvasRenderingContext2D.prototype.strokeText = () => {}; // their names, too
+    batten.painter.theme.choose('light');
+  });
   await settle(page); // what is filmed first has been painted after it
   const pictures = [];
   client.on('Page.screencastFrame', ({ data, sessionId }) => {
