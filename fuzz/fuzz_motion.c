@@ -1,6 +1,7 @@
 /* Any bytes as BVH. What can be read is written and reads back the same, and is fitted, scaled, bent and sampled: with every
  * number finite, and every bone as long as it was. */
 #include <batten/bezier.h>
+#include <batten/camera.h>
 #include <batten/document.h>
 #include <batten/format.h>
 #include <batten/motion.h>

@@ -7,7 +7,7 @@
 #ifndef BATTEN_MOTION_H
 #define BATTEN_MOTION_H
 
-#include <batten/camera.h>
+#include <batten/types.h>
 #include <batten/levels.h>
 
 #ifdef __cplusplus

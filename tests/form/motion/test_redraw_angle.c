@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include <batten/bezier.h>
+#include <batten/camera.h>
 #include "support/alloc_fail.h"
 #include "support/walker.h"
 
