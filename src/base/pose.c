@@ -24,6 +24,13 @@ void bat_pose_apply(const double rows[12], size_t count, const double *points, d
     }
 }
 
+void bat_pose_turn(const double rows[12], size_t count, const double *directions, double *out) {
+    double turn[12];
+    memcpy(turn, rows, sizeof turn);
+    turn[3] = turn[7] = turn[11] = 0;
+    bat_pose_apply(turn, count, directions, out);
+}
+
 bool bat_pose_in_plane(const double r[12], double m[6]) {
     if (r[2] != 0 || r[6] != 0 || r[8] != 0 || r[9] != 0 || r[10] != 1 || r[11] != 0) return false;
     memcpy(m, (double[]){r[0], r[4], r[1], r[5], r[3], r[7]}, 6 * sizeof *m);

@@ -10,6 +10,8 @@ extern const double bat_pose_none[12];
 void bat_pose_multiply(const double a[12], const double b[12], double out[12]);
 /* Points of 3 numbers each; out may be the same points. */
 void bat_pose_apply(const double rows[12], size_t count, const double *points, double *out);
+/* The same of directions, which no translation moves. */
+void bat_pose_turn(const double rows[12], size_t count, const double *directions, double *out);
 /* The map of the page that it is for what lies there, {a, b, c, d, e, f} as in base/matrix.h; false: the page does not stay
  * the page, or heights change. */
 bool bat_pose_in_plane(const double rows[12], double m[6]);

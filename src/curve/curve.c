@@ -1,9 +1,11 @@
 /* The curve as a value: made, checked, read, copied, compared, transformed. */
 #include "curve/curve.h"
 
+#include "base/matrix.h"
 #include "base/pose.h"
 #include "base/lanes.h"
 #include "base/real.h"
+#include "text/json.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,6 +57,14 @@ bool bat_are_coordinates(const double *numbers, size_t count) { return are_coord
 bat_status bat_points_check(const bat_curve *curve) {
     const size_t total = (size_t)curve->count * (size_t)curve->dimension;
     return bat_are_coordinates(bat_curve_points(curve), total) ? BAT_OK : BAT_NUMBER;
+}
+
+bat_status bat_coordinates_check(bat_problem *problem, const char *place, size_t count,
+                                 const double *numbers) {
+    for (size_t i = 0; i < count; i++)
+        if (bat_problem_outside(problem, place, i, -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX, numbers[i]))
+            return BAT_NUMBER;
+    return BAT_OK;
 }
 
 bat_status bat_curve_validate(const bat_curve *curve) {
@@ -198,11 +208,13 @@ bat_status bat_curve_to_dimension(const bat_curve *curve, int dimension, bat_cur
 }
 
 bat_status bat_curve_posed(const bat_curve *curve, const double rows[12], bat_curve **out) {
-    double m[6];
+    double m[6], plane[12];
     bat_curve *space = NULL;
     if (curve->dimension == 3) return bat_curve_transform(curve, rows, out);
-    if (bat_pose_in_plane(rows, m))
-        return bat_curve_transform(curve, (double[]){m[0], m[2], m[4], m[1], m[3], m[5]}, out);
+    if (bat_pose_in_plane(rows, m)) {
+        bat_matrix_rows(m, 2, plane);
+        return bat_curve_transform(curve, plane, out);
+    }
     bat_status status = bat_curve_to_dimension(curve, 3, &space);
     if (status == BAT_OK) status = bat_curve_transform(space, rows, out);
     bat_curve_free(space);

@@ -28,6 +28,9 @@ bat_status bat_curve_validate(const bat_curve *curve);
 /* Open curves of one dimension, at least one, as bat_curve_join joins them with continuity 0, one behind the other: n in the points of
  * all. BAT_ARGUMENT: an end is further than the gap from the next beginning. */
 bat_status bat_curve_chain(size_t count, const bat_curve *const *curves, double gap, bat_curve **out);
+/* BAT_NUMBER when one of the numbers is no coordinate; problem (may be NULL) says which: place may have a "%zu" for its index. */
+bat_status bat_coordinates_check(bat_problem *problem, const char *place, size_t count,
+                                 const double *numbers);
 /* Whether all numbers are finite and within BAT_COORDINATE_MAX. */
 bool bat_are_coordinates(const double *numbers, size_t count);
 /* The half of it that looks at the points. */

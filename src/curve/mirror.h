@@ -53,6 +53,9 @@ bool bat_mirror_twins(const bat_mirror *mirror, const bat_curve *a, const bat_cu
  */
 bool bat_mirror_find(const bat_curve *curve, const double upright[2], double within, bat_mirror *out,
                      int *turn);
+static inline int bat_mirror_image_of(int count, int turn, int i) {
+    return (2 * count - 1 - i + turn) % count;
+}
 /* The same with an axis that is known. */
 bool bat_mirror_turn(const bat_mirror *mirror, const bat_curve *curve, double within, int *turn);
 /* How far control points are from where their images belong, at most. */

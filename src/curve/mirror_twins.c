@@ -50,7 +50,7 @@ static int net_turn(const bat_mirror *m, const bat_curve *curve, double within) 
     for (int turn = 0; turn < turns; turn++) {
         bool all = true;
         for (int i = 0; i < n && all; i++) {
-            const double *q = points + 2 * ((2 * n - 1 - i + turn) % n);
+            const double *q = points + 2 * bat_mirror_image_of(n, turn, i);
             double at[2];
             bat_mirror_point(m, points + 2 * i, at);
             all = bat_hypot(at[0] - q[0], at[1] - q[1]) <= within;
@@ -79,7 +79,7 @@ bat_status bat_mirror_net(const bat_mirror *m, const bat_curve *before, const ba
     if (!points) return BAT_MEMORY;
     memcpy(points, to, 2 * (size_t)n * sizeof *points);
     for (int i = 0; i < n; i++) {
-        const int j = (2 * n - 1 - i + turn) % n;
+        const int j = bat_mirror_image_of(n, turn, i);
         const double own = moved(from, to, i), other = moved(from, to, j);
         if (i == j && own > 0)
             bat_mirror_place(m, bat_mirror_along(m, to + 2 * i), points + 2 * i);
@@ -100,7 +100,7 @@ typedef struct figure {
     double middle[2]; /* of the control points */
 } figure;
 
-static int image_of(const figure *f, int turn, int i) { return (2 * f->count - 1 - i + turn) % f->count; }
+static int image_of(const figure *f, int turn, int i) { return bat_mirror_image_of(f->count, turn, i); }
 
 static const double *point(const figure *f, int i) { return bat_curve_points(f->curve) + 2 * i; }
 

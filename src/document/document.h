@@ -27,6 +27,8 @@ bat_stand bat_stand_of_word(const char *word);
 
 /* NULL, or what is wrong with an object by itself. Objects never change, so checking one once is enough. */
 const char *bat_object_check(const bat_object *object);
+/* Whether it is made of curves, of just one. */
+bool bat_object_is_one_curve(const bat_object *object);
 /* What bat_nesting_next finds, but by the parents' ids, without a walk; the document's groups must be valid.
  * O(depth). */
 bat_nesting_level bat_document_level(const bat_document *document, int index);

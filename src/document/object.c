@@ -437,6 +437,10 @@ bool bat_object_is_made_of_curves(const bat_object *object) {
     return object && bat_object_is(object, BAT_CURVES) && !bat_object_is(object, BAT_FIXED);
 }
 
+bool bat_object_is_one_curve(const bat_object *object) {
+    return bat_object_is_made_of_curves(object) && object->count == 1;
+}
+
 bool bat_object_leads(const bat_object *object) {
     return bat_object_is_made_of_curves(object) && bat_object_sources(object, NULL) == 0;
 }

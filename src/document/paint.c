@@ -37,15 +37,6 @@ static bool is_pattern(const bat_gradient *g) {
     return same;
 }
 
-/* BAT_NUMBER: one of them is beyond what a coordinate may be. */
-static bat_status check_numbers(bat_problem *problem, const char *place, size_t count,
-                                const double *numbers) {
-    for (size_t i = 0; i < count; i++)
-        if (bat_problem_outside(problem, place, i, -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX, numbers[i]))
-            return BAT_NUMBER;
-    return BAT_OK;
-}
-
 /* The circles of a radial gradient, or the ends of a linear one. */
 static bat_status check_ends(const bat_gradient *g, bat_problem *problem) {
     if (g->radial && g->from[2] < 0)
@@ -68,9 +59,9 @@ static bat_status check_gradient(const bat_gradient *g, bat_problem *problem) {
     if (!g->stops) return bat_problem_set(problem, BAT_ARGUMENT, "stops", "expected stops, found none");
     if (bat_problem_outside(problem, "spread", 0, 0, BAT_SPREAD_REPEAT, (double)g->spread))
         return BAT_ARGUMENT;
-    bat_status status = check_numbers(problem, "from[%zu]", 3, g->from);
-    if (status == BAT_OK) status = check_numbers(problem, "to[%zu]", 3, g->to);
-    if (status == BAT_OK) status = check_numbers(problem, "matrix[%zu]", 6, g->matrix);
+    bat_status status = bat_coordinates_check(problem, "from[%zu]", 3, g->from);
+    if (status == BAT_OK) status = bat_coordinates_check(problem, "to[%zu]", 3, g->to);
+    if (status == BAT_OK) status = bat_coordinates_check(problem, "matrix[%zu]", 6, g->matrix);
     if (status == BAT_OK && !bat_matrix_is_regular(g->matrix))
         status = bat_problem_set(problem, BAT_NUMBER, "matrix",
                                  "expected a map of the plane, found one of rank below 2");
@@ -103,7 +94,7 @@ static bat_status check_dashes(const bat_paint *paint, bat_problem *problem) {
         sum += paint->dashes[i];
     }
     if (!(sum > 0)) return bat_problem_found(problem, BAT_NUMBER, "dashes", 0, "one above 0", sum);
-    return check_numbers(problem, "dash_offset", 1, &paint->dash_offset);
+    return bat_coordinates_check(problem, "dash_offset", 1, &paint->dash_offset);
 }
 
 bat_status bat_paint_check(const bat_paint *paint, bat_problem *problem) {
@@ -115,7 +106,7 @@ bat_status bat_paint_check(const bat_paint *paint, bat_problem *problem) {
         const bat_width_profile profile = {paint->width_count, paint->widths};
         status = bat_problem_inside(problem, bat_width_check(&profile, problem), "widths");
     }
-    if (status == BAT_OK) status = check_numbers(problem, "pen[%zu]", 4, paint->pen);
+    if (status == BAT_OK) status = bat_coordinates_check(problem, "pen[%zu]", 4, paint->pen);
     if (status == BAT_OK && !is_round(paint->pen) && !bat_matrix_is_regular(paint->pen))
         status = bat_problem_set(problem, BAT_NUMBER, "pen",
                                  "expected a map of the plane, found one of rank below 2");

@@ -172,10 +172,10 @@ static bat_status take_shape(const bat_object *object, int i, bool flat, bat_sha
 /* Levels are transformed along with their curves; where the map flattens them, the plain curves remain.
  * *path is replaced. */
 static bat_status image_shapes(const bat_object *object, const double *rows, bat_object **path) {
-    double m[6], plane[6];
-    const bool flat = bat_curve_dimension(bat_object_curve(*path, 0)) == 2;
-    const bool similar = flat && bat_pose_in_plane(rows, m) && is_similar(m);
-    if (flat) memcpy(plane, (double[]){rows[0], rows[1], rows[3], rows[4], rows[5], rows[7]}, sizeof plane);
+    double m[6], plane[12];
+    const bool flat = bat_curve_dimension(bat_object_curve(*path, 0)) == 2 && bat_pose_in_plane(rows, m);
+    const bool similar = flat && is_similar(m);
+    if (flat) bat_matrix_rows(m, 2, plane);
     const double *matrix = flat ? plane : rows;
     for (int i = 0; i < bat_object_curve_count(object); i++) {
         bat_shape *shape = NULL;

@@ -69,12 +69,10 @@ static const char *check(const bat_object *object) {
 }
 
 static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
-    double moved[NUMBERS], turn[12];
+    double moved[NUMBERS];
     plane own;
-    memcpy(turn, rows, sizeof turn);
-    turn[3] = turn[7] = turn[11] = 0;
     bat_pose_apply(rows, 1, bat_object_plane(object), moved);
-    bat_pose_apply(turn, 2, bat_object_plane(object) + 3, moved + 3);
+    bat_pose_turn(rows, 2, bat_object_plane(object) + 3, moved + 3);
     bat_status status = set(moved, moved + 3, &own);
     return status == BAT_OK ? bat_object_remake(object, &bat_kind_of_plane, &own, 0, NULL, out) : status;
 }

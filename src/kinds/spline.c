@@ -174,10 +174,8 @@ static bat_status gives_image(const bat_object *object, const bat_object *of, co
 static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     bat_spline spline = *bat_object_spline(object);
     bool gives = false;
-    double m[6], turn[12];
+    double m[6];
     *out = NULL;
-    memcpy(turn, rows, sizeof turn);
-    turn[3] = turn[7] = turn[11] = 0;
     const size_t n = spline.count, was = (size_t)spline.dimension;
     const size_t size = bat_pose_in_plane(rows, m) ? was : 3;
     double *numbers = malloc(2 * size * n * sizeof *numbers);
@@ -186,7 +184,7 @@ static bat_status transform(const bat_object *object, const double rows[12], bat
         const double *from = i < n ? spline.points : spline.tangents;
         double place[3] = {0, 0, 0};
         if (from) memcpy(place, from + was * (i % n), was * sizeof *place);
-        bat_pose_apply(i < n ? rows : turn, 1, place, place);
+        (i < n ? bat_pose_apply : bat_pose_turn)(rows, 1, place, place);
         memcpy(numbers + size * i, place, size * sizeof *place);
     }
     spline.dimension = (int)size;

@@ -58,12 +58,10 @@ static const char *check(const bat_object *object) {
  * one, with its upward direction carried along. */
 static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
     bat_viewpoint view = *bat_object_view(object), own;
-    double turn[12], m[6];
-    memcpy(turn, rows, sizeof turn);
-    turn[3] = turn[7] = turn[11] = 0;
+    double m[6];
     bat_pose_apply(rows, 1, view.eye, view.eye);
     bat_pose_apply(rows, 1, view.target, view.target);
-    bat_pose_apply(turn, 1, view.up, view.up);
+    bat_pose_turn(rows, 1, view.up, view.up);
     if (bat_pose_in_plane(rows, m)) view.height *= sqrt(bat_matrix_area(m));
     const bat_status status = set(&view, &own);
     return status == BAT_OK ? bat_object_remake(object, &bat_kind_of_view, &own, 0, NULL, out) : status;

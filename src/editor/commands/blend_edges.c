@@ -1,18 +1,14 @@
 #include "editor/commands/blend_edges.h"
-#include "base/real.h"
 #include "curve/curve.h"
 #include "document/document.h"
 #include "editor/choice/choice.h"
 #include "editor/session/session.h"
+#include "form/sweep/sections.h"
 #include <math.h>
 
 enum { SIDES = 4, MEASURED = 16, LINES = 5 };
 
 static const bat_surface *surface_of(const bat_object *object) { return bat_object_surface(object); }
-
-static bool is_one_curve(const bat_object *object) {
-    return bat_object_is_made_of_curves(object) && bat_object_curve_count(object) == 1;
-}
 
 /* The line of an edge; of a curve, in space. BAT_STATE: the surface has no such edge. */
 static bat_status line_of(const bat_object *object, bat_side side, bat_curve **out) {
@@ -25,26 +21,17 @@ static bat_status line_of(const bat_object *object, bat_side side, bat_curve **o
     return bat_surface_isocurve(s, across, domain[side == BAT_SIDE_U1 || side == BAT_SIDE_V1], out);
 }
 
-/* The mean distance of two lines, one of them turned round where that is less; infinite: one is closed, the other open. */
+/* Infinite: one is closed, the other open. */
 static double gap(const bat_curve *a, const bat_curve *b) {
-    double sum[2] = {0, 0}, from[2], to[2], p[3], q[3];
     if (bat_curve_is_closed(a) != bat_curve_is_closed(b)) return INFINITY;
-    bat_curve_domain(a, from), bat_curve_domain(b, to);
-    for (int i = 0; i < MEASURED; i++)
-        for (int turned = 0; turned < 2; turned++) {
-            const double share = (i + 0.5) / MEASURED, other = turned ? 1 - share : share;
-            bat_curve_eval(a, from[0] + share * (from[1] - from[0]), 0, p);
-            bat_curve_eval(b, to[0] + other * (to[1] - to[0]), 0, q);
-            sum[turned] += bat_distance(p, q, 3) / MEASURED;
-        }
-    return fmin(sum[0], sum[1]);
+    return fmin(bat_sections_apart(a, b, MEASURED, false), bat_sections_apart(a, b, MEASURED, true));
 }
 
 bool bat_edge_pair_find(int count, bat_object *const *objects, bat_edge_pair *out) {
     if (count != 2 || !(surface_of(objects[0]) || surface_of(objects[1]))) return false;
     const int first = surface_of(objects[0]) ? 0 : 1;
     const bat_object *const both[2] = {objects[first], objects[1 - first]};
-    if (!surface_of(both[1]) && !is_one_curve(both[1])) return false;
+    if (!surface_of(both[1]) && !bat_object_is_one_curve(both[1])) return false;
     bat_curve *line[2][SIDES] = {{NULL}};
     for (int k = 0; k < 2; k++)
         for (int side = 0; side < (surface_of(both[k]) ? SIDES : 1); side++)
@@ -101,7 +88,7 @@ bool bat_edge_pair_fits(const bat_context *c) {
         const int at = bat_document_find(document, selection->ids[i]);
         const bat_object *object = at < 0 ? NULL : bat_document_at(document, at);
         surfaces += object && surface_of(object),
-            curves += object && !surface_of(object) && is_one_curve(object);
+            curves += object && !surface_of(object) && bat_object_is_one_curve(object);
     }
     return surfaces > 0 && surfaces + curves == 2;
 }

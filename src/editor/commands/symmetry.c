@@ -1,5 +1,6 @@
 /* The commands that choose the axis of symmetry, or mirror about a line. */
 #include "document/kind.h"
+#include "document/document.h"
 #include "editor/choice/choice.h"
 #include "curve/mirror.h"
 #include "editor/choice/selection.h"
@@ -47,7 +48,7 @@ static bat_id line_among(const bat_context *c, bat_mirror *axis) {
     for (int i = bat_document_count(document) - 1; i >= 0; i--) {
         const bat_object *object = bat_document_at(document, i);
         if (bat_selection_has(&c->choice->selection, bat_object_id(object)) &&
-            bat_object_is_made_of_curves(object) && bat_object_curve_count(object) == 1 &&
+            bat_object_is_one_curve(object) &&
             bat_symmetry_line(bat_object_curve(object, 0), STRAIGHT * bat_stage_pixel(c->stage), axis))
             return bat_object_id(object);
     }

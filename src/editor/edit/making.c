@@ -32,7 +32,7 @@ typedef struct chosen {
 /* False: it is not one curve, or one too many. */
 static bool add(const bat_object *object, chosen *out) {
     if (out->count == BAT_RECIPE_CURVES) return false;
-    if (!bat_object_is_made_of_curves(object) || bat_object_curve_count(object) != 1) return false;
+    if (!bat_object_is_one_curve(object)) return false;
     const bat_curve *curve = bat_object_curve(object, 0);
     out->objects[out->count] = object, out->curves[out->count++] = curve;
     *(bat_curve_is_closed(curve) ? &out->closed : &out->open) = true;

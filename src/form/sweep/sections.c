@@ -1,5 +1,6 @@
 #include "form/sweep/sections.h"
 #include "base/order.h"
+#include "base/real.h"
 
 #include <batten/refine.h>
 #include <stdlib.h>
@@ -132,4 +133,20 @@ bat_status bat_sections_match(int count, const bat_curve *const *curves, const d
     if (status != BAT_OK) bat_sections_free(count, out);
     if (status == BAT_OK && most) *most = largest;
     return status;
+}
+
+static void at_share(const bat_curve *line, double share, double out[3]) {
+    double domain[2];
+    bat_curve_domain(line, domain);
+    bat_curve_eval(line, domain[0] + share * (domain[1] - domain[0]), 0, out);
+}
+
+double bat_sections_apart(const bat_curve *a, const bat_curve *b, int shares, bool turned) {
+    double sum = 0, p[3], q[3];
+    for (int i = 0; i < shares; i++) {
+        const double share = (i + 0.5) / shares;
+        at_share(a, share, p), at_share(b, turned ? 1 - share : share, q);
+        sum += bat_distance(p, q, 3) / shares;
+    }
+    return sum;
 }

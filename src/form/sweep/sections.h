@@ -9,6 +9,8 @@
  * nothing is left in out. */
 bat_status bat_sections_match(int count, const bat_curve *const *curves, const double domain[2],
                               bat_curve **out, int *most);
+/* The mean distance of two lines in space at so many even shares of their domains, the second run through backwards or not. */
+double bat_sections_apart(const bat_curve *a, const bat_curve *b, int shares, bool turned);
 void bat_sections_free(int count, bat_curve **curves);
 
 #endif

@@ -86,23 +86,6 @@ static bat_status read_curve(const bat_curve *curve, border *out) {
     return BAT_OK;
 }
 
-static void at_share(const bat_curve *line, double share, double out[3]) {
-    double domain[2];
-    bat_curve_domain(line, domain);
-    bat_curve_eval(line, domain[0] + share * (domain[1] - domain[0]), 0, out);
-}
-
-/* The mean distance of the two lines, the second turned round or not. */
-static double gap(const border b[2], bool turned) {
-    double sum = 0, p[3], q[3];
-    for (int i = 0; i < MEASURED; i++) {
-        const double share = (i + 0.5) / MEASURED;
-        at_share(b[0].line, share, p), at_share(b[1].line, turned ? 1 - share : share, q);
-        sum += bat_distance(p, q, 3) / MEASURED;
-    }
-    return sum;
-}
-
 /* How fast a border's surface runs across, in the mean over its control points. */
 static double speed(const border *b) {
     const size_t count = bat_curve_count(b->line);
@@ -162,7 +145,8 @@ static bat_status assemble(int count, bat_curve *const *rows, bat_surface **out)
 
 static bat_status blend(const border b[2], const double tension[2], bat_surface **out) {
     const int degree = b[0].order + b[1].order + 1, count = degree + 1;
-    const double far[2] = {gap(b, false), gap(b, true)};
+    const double far[2] = {bat_sections_apart(b[0].line, b[1].line, MEASURED, false),
+                           bat_sections_apart(b[0].line, b[1].line, MEASURED, true)};
     const bool turned = far[1] < far[0];
     bat_curve *rows[ROWS] = {NULL}, *matched[ROWS] = {NULL};
     bat_status status = far[turned] > 0 ? BAT_OK : BAT_SINGULAR;

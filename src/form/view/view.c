@@ -5,15 +5,6 @@
 
 static const double parallel = 1e-9; /* sine of the least angle between up and the gaze */
 
-/* BAT_NUMBER: one of them is no coordinate. */
-static bat_status check_numbers(bat_problem *problem, const char *place, size_t count,
-                                const double *numbers) {
-    for (size_t i = 0; i < count; i++)
-        if (bat_problem_outside(problem, place, i, -BAT_COORDINATE_MAX, BAT_COORDINATE_MAX, numbers[i]))
-            return BAT_NUMBER;
-    return BAT_OK;
-}
-
 static bat_status check_window(const bat_viewpoint *view, bat_problem *problem) {
     for (size_t i = 0; i < 2; i++)
         if (!(view->size[i] > 0))
@@ -40,7 +31,7 @@ static bat_status work_out(const bat_viewpoint *view, bat_gaze *out, bat_problem
                    {"up[%zu]", 3, view->up},   {"size[%zu]", 2, view->size},
                    {"fov", 1, &view->fov},     {"height", 1, &view->height}};
     for (size_t i = 0; i < sizeof members / sizeof *members; i++)
-        if (check_numbers(problem, members[i].place, members[i].count, members[i].numbers) != BAT_OK)
+        if (bat_coordinates_check(problem, members[i].place, members[i].count, members[i].numbers) != BAT_OK)
             return BAT_NUMBER;
     const bat_status status = check_window(view, problem);
     if (status != BAT_OK) return status;

@@ -127,7 +127,7 @@ static double worst(const holding *h) {
 static void make_even(const holding *h, double *row) {
     const bat_mirror about = {true, {0, 0}, {h->mirror.along[0], h->mirror.along[1]}};
     for (int i = 0; i < h->count; i++) {
-        const int j = (2 * h->count - 1 - i + h->level_turn) % h->count;
+        const int j = bat_mirror_image_of(h->count, h->level_turn, i);
         double image[2];
         if (j < i) continue;
         bat_mirror_point(&about, row + 2 * j, image);
