@@ -19,7 +19,8 @@ cmake -G Ninja -S "$copy" -B "$build" --log-level=WARNING -DCMAKE_BUILD_TYPE=Non
 grep -q stack-protector-strong "$build/build.ninja" || { echo "The flags did not arrive"; exit 1; }
 "$build/batten" info "$copy/examples/car.svg" > "$copy.info"
 
-(cd "$copy" && cmake --preset wasm --log-level=WARNING) > "$copy.log" || { tail -40 "$copy.log"; exit 1; }
+werror=$(grep '^BATTEN_WERROR:' "$root/build/wasm/CMakeCache.txt")
+(cd "$copy" && cmake --preset wasm --log-level=WARNING "-D$werror") > "$copy.log" || { tail -40 "$copy.log"; exit 1; }
 commands() { ninja -C "$1/build/wasm" -t commands batten.wasm | grep -v 'ccache.*--version' | sed "s|$1|.|g"; }
 commands "$root" > "$copy.here"
 commands "$copy" > "$copy.there"

@@ -188,7 +188,7 @@ static void small_things_are_alike(void **state) {
 static void large_things_are_alike(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        bat_intent_reading first;
+        bat_intent_reading first = {0};
         for (double share = 4; share <= 32; share *= 2) {
             const double map[6] = {share, 0, 0, 0, share, 0};
             bat_intent_reading best;
