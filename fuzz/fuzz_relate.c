@@ -80,7 +80,7 @@ typedef struct input {
     size_t size;
 } input;
 
-static unsigned byte(input *in) { return in->size ? (in->size--, *in->data++) : 0; }
+static unsigned byte(input *in) { return in->size ? (in->size--, (unsigned)*in->data++) : 0; }
 
 static bat_curve *read_curve(input *in, int m) {
     double knots[MOST + 8], points[MOST * 3], t = 0;
