@@ -21,6 +21,7 @@ CORES = os.cpu_count() or 2
 TERMINAL = sys.stdout.isatty()
 EVERY = 1 if TERMINAL else 30  # seconds between words on progress
 SLOWEST = 10
+JOBS = CORES + 3  # tests at a time: sessions in the browser wait for frames a third of their time
 AGAIN = 5  # sessions in the browser at most that are run once more
 
 # What is built, as {preset: targets}: two at a time in this order, those of WITH_PAGE when the page's module is there. Which tests
@@ -144,7 +145,7 @@ STARTS = re.compile(r"^\s*Start\s+\d+: (\S+)")
 ENDS = re.compile(r"^\s*(\d+)/(\d+) Test\s+#\d+: (\S+) [ .]*(\*\*\*)?")
 
 
-def test(trees, choice, jobs=CORES + 1):
+def test(trees, choice, jobs=JOBS):
     """Runs the tests. (name, whether it passed, seconds) of each."""
     folder, running, progress = one_list(trees), [], Progress()
     report = folder / "report.xml"

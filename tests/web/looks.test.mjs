@@ -18,7 +18,7 @@ const SMALL = { viewport: { width: 640, height: 480 } }; // painted in software 
 
 let browser;
 before(async () => {
-  browser = await launch();
+  browser = await launch({ smooth: true });
 });
 after(() => browser.close());
 

@@ -27,7 +27,7 @@ function sheet() {
 const sum = (list) => list.reduce((a, b) => a + b, 0);
 const middle = (list) => list.slice().sort((a, b) => a - b)[Math.floor(list.length / 2)] ?? NaN;
 
-const browser = await launch();
+const browser = await launch({ smooth: true });
 const server = await serve({ name: 'sheet.batten', bytes: sheet() });
 const { page, hand } = await open(browser, server.address, { viewport: { width: 1000, height: 640 } });
 await page.locator('#first button').click().catch(() => {});

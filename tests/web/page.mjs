@@ -115,6 +115,17 @@ function watchNames() {
   }).observe(document, { childList: true, subtree: true });
 }
 
+/**
+ * Runs in pages whose pictures are not compared: edges in space are not smoothed, which without a graphics card is half of the
+ * processor's time of a session in space.
+ */
+function drawPlainly() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, options) {
+    return getContext.call(this, kind, kind === 'webgl2' ? { ...options, antialias: false } : options);
+  };
+}
+
 /** Runs in every page: changes kept files as soon as the page that was closed before has let go of them. */
 function waitForFiles() {
   globalThis.freed = (change) => change().catch(async (error) => {
@@ -126,8 +137,8 @@ function waitForFiles() {
   });
 }
 
-/** @param {import('playwright-core').BrowserContext} context */
-async function watch(context) {
+/** @param {import('playwright-core').BrowserContext} context @param {boolean} smooth */
+async function watch(context, smooth = false) {
   contexts.push(context);
   context.setDefaultTimeout(HANG);
   await context.addInitScript(countTimers, HANG);
@@ -146,6 +157,9 @@ async function watch(context) {
       faults.push(`${message.text()} ${message.location().url}`);
     }
   });
+  if (!smooth) {
+    await context.addInitScript(drawPlainly);
+  }
   await context.addInitScript(watchNames);
   await context.addInitScript(() => document.addEventListener('securitypolicyviolation', (event) =>
     console.error(`refused by ${event.violatedDirective}: ${event.blockedURI} ${event.sample}`)));
@@ -161,11 +175,12 @@ async function shared() {
   }
 }
 
-export async function launch() {
+/** @param {{ smooth?: boolean }} [options] smooth: edges in space as users see them */
+export async function launch({ smooth = false } = {}) {
   fs.mkdirSync(SCREENSHOTS, { recursive: true });
   const browser = await shared() ?? await chromium.launch(BROWSER);
   const make = browser.newContext.bind(browser);
-  browser.newContext = async (options) => watch(await make(options));
+  browser.newContext = async (options) => watch(await make(options), smooth);
   return browser;
 }
 
