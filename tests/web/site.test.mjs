@@ -250,6 +250,19 @@ test('a reader of the manual bends the crocodile of a paper, and sees a figure r
   stays();
 });
 
+test('each page of Learn opens its session in the editor', async () => {
+  manual();
+  const { page, stays } = await visit();
+  for (const name of ['draw', 'levels', 'tangents', 'surfaces', 'camera']) {
+    await page.goto(`${site.address}manual/learn/${name}.html`);
+    await page.click('a.button:text-is("Open this in the editor")');
+    await page.waitForURL(/#play=/);
+    await ready(page);
+    assert.match(await page.evaluate(() => batten.files.name), new RegExp(`^${name}`));
+  }
+  stays();
+});
+
 test('the manual answers what people ask: of 40 questions at least 36 by the first page that it finds', async () => {
   manual();
   const { page, stays } = await visit();

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 READER = "gfm+tex_math_dollars"
-POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; base-uri 'none'; form-action 'none'")
+POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'")
 
 
 def pandoc(text, reader=READER):
@@ -26,9 +26,12 @@ class Manual:
         self.root, self.folder = root, folder
         self.pages, self.sources, self.index = {}, {}, []
 
-    def plan(self, address, title, section, source=None, body=None, rows=None):
-        """A page of a Markdown file below the root, or of HTML; rows: what the search knows of it, if not its headings."""
-        self.pages[address] = {"title": title, "section": section, "source": source, "body": body, "rows": rows}
+    def plan(self, address, title, section, source=None, body=None, rows=None, head=""):
+        """
+        A page of a Markdown file below the root, or of HTML; rows: what the search knows of it, if not its headings; head: HTML under
+        its title.
+        """
+        self.pages[address] = {"title": title, "section": section, "source": source, "body": body, "rows": rows, "head": head}
         if source:
             self.sources[source] = address
 
@@ -106,6 +109,7 @@ class Manual:
     def write(self):
         for address, page in self.pages.items():
             body = page["body"] if page["body"] is not None else self._relink(page, address, self.text_of(page))
+            body = body.replace("</h1>", f"</h1>{page['head']}", 1)
             self._note(address, page, body)
             depth = "../" * address.count("/")
             where = self.folder / address
@@ -114,17 +118,20 @@ class Manual:
                 '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
                 f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
                 f'<title>{html.escape(page["title"])}: Batten</title>\n'
+                f'<meta property="og:title" content="{html.escape(page["title"])}: Batten">\n'
+                f'<meta property="og:description" content="{html.escape(first_words(body))}">\n'
                 '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
                 '<meta name="color-scheme" content="light dark">\n'
-                f'<link rel="stylesheet" href="{depth}manual.css">\n<script src="{depth}search.js" defer></script>\n</head>\n'
-                f'<body data-depth="{depth}">\n<header><a href="{depth}../">Editor</a> <a href="{depth}index.html">Manual</a> '
+                f'<link rel="icon" href="{depth}batten.svg">\n<link rel="stylesheet" href="{depth}manual.css">\n<script src="{depth}search.js" defer></script>\n</head>\n'
+                f'<body data-depth="{depth}">\n<header><a class="brand" href="{depth}index.html"><img src="{depth}batten.svg" alt="" width="24" height="24"> Batten</a> '
+                f'<a href="{depth}index.html">Manual</a> <a href="{depth}../">Editor</a> '
                 '<input type="search" id="search" placeholder="Search" aria-label="Search the manual"></header>\n'
                 f'<nav aria-label="Pages">{self._nav(address)}</nav>\n'
                 f'<main><ol id="found" hidden></ol><article>{body}</article></main>\n</body>\n</html>\n', encoding="utf-8")
 
 
 # How soon the search shows a page: what one does in the editor first, then what users read, what developers read, the C interface.
-FIRST, LAST = r"commands\.html|tools/|tour\.html", r"api/"
+FIRST, LAST = r"learn/|commands\.html|tools/|tour\.html", r"api/"
 DEVELOPERS = (r"(math|why|papers)/|(architecture|benchmarks|coverage|design|hand|interface|journal|jobs|npm|npm-editor|packages|python|references|"
               r"reliability|site|testing|user-test|batten|format)\.html")
 
@@ -135,6 +142,12 @@ def rank(address):
 
 def plain(text):
     return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]*>", " ", text))).strip()
+
+
+def first_words(body):
+    """The first paragraph, or as much of it as a preview shows."""
+    text = plain((re.search(r"<p[^>]*>(.*?)</p>", re.sub(r"<figure>.*?</figure>|<p><a class=\"button.*?</p>", "", body, flags=re.S), re.S) or [0, ""])[1])
+    return text if len(text) < 200 else text[:text.rindex(" ", 0, 200)] + " ..."
 
 
 def faults(folder):
