@@ -132,7 +132,7 @@ class Render(ProgramTest):
     def test_pictures_of_the_documents_can_be_made(self):
         shutil.copy(ROOT / "docs/pictures/car.journal", self.folder)
         subprocess.run([ROOT / "docs/pictures/animate", PROGRAM, self.folder], check=True)
-        made, kept = (Image.open(folder / "car.gif") for folder in (self.folder, ROOT / "docs/pictures"))
+        made, kept = (Image.open(folder / "film.gif") for folder in (self.folder, ROOT / "docs/pictures"))
         self.assertEqual((made.n_frames, made.size), (kept.n_frames, kept.size))
         for k in range(0, kept.n_frames, 5):  # shades may differ between versions of cairo
             made.seek(k), kept.seek(k)
