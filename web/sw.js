@@ -1,6 +1,6 @@
-// The service worker: caches exactly the files of one build, so that Batten opens without a network or a server. A
-// newer build waits until the user accepts it; an older one stays cached as long as a page of it lives. The build fills
-// in its folder and its list of files, each with its digest.
+// The service worker: caches the files of one build, so that Batten opens without a network or a server, and beside them what was
+// seen of the manual. A newer build waits until the user accepts it; an older one stays cached as long as a page of it lives.
+// The build fills in its folder and its list of files, each with its digest.
 
 /** The SHA-256 of each file. @type {Map<string, string>} */
 const FILES = new Map('%FILES%'.split(' ').map((row) => /** @type {[string, string]} */ (row.split(':'))));
@@ -86,6 +86,20 @@ async function fileFor(request, file) {
   return await (FILES.has(file) ? cached(file) : caches.match(scope + file)) ?? fetch(request);
 }
 
+/**
+ * A page of the manual, or what it shows: as it is now, and without a network as it was last seen.
+ * @param {Request} request @param {string} file
+ */
+async function manual(request, file) {
+  const response = await fetch(request).catch(() => null);
+  if (!response?.ok) {
+    return await cached(file) ?? response ?? Response.error();
+  }
+  const kept = response.clone();
+  caches.open(CACHE).then((cache) => cache.put(scope + file, kept)).catch(() => {}); // where there is no room it is not kept
+  return response;
+}
+
 /** What a page may ask for. @type {Record<string, () => Promise<unknown>>} */
 const ORDERS = { use: () => worker.skipWaiting(), sweep, forget };
 
@@ -100,6 +114,8 @@ worker.onfetch = (/** @type {any} */ event) => {
   const file = address.slice(scope.length);
   if (file === '') {
     event.respondWith(page());
+  } else if (file.startsWith('manual/')) {
+    event.respondWith(manual(event.request, file));
   } else if (FILES.has(file) || file.includes('/')) {
     event.respondWith(fileFor(event.request, file));
   }

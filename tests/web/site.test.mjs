@@ -7,7 +7,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import zlib from 'node:zlib';
-import { bezier, expectFaults, Hand, launch, place, quiet, ready, SCREENSHOTS, state } from './page.mjs';
+import { bezier, expectFaults, Hand, launch, place, quiet, ready, SCREENSHOTS, state, until } from './page.mjs';
 import { PROGRAM } from './server.mjs';
 import { buildSite, ROOT, serveSite, SITE } from './static.mjs';
 
@@ -250,17 +250,28 @@ test('a reader of the manual bends the crocodile of a paper, and sees a figure r
   stays();
 });
 
-test('each page of Learn opens its session in the editor', async () => {
+test('each page of Learn opens its session in the editor, and once it was seen without a network, too', async (t) => {
   manual();
-  const { page, stays } = await visit();
-  for (const name of ['draw', 'levels', 'tangents', 'surfaces', 'camera']) {
-    await page.goto(`${site.address}manual/learn/${name}.html`);
+  const own = await serveSite();
+  t.after(() => own.close());
+  const { page, stays } = await visit('', {}, own);
+  await page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
+  const learn = async (name, seen = async () => {}) => {
+    await page.goto(`${own.address}manual/learn/${name}.html`);
+    await seen();
     await page.click('a.button:text-is("Open this in the editor")');
     await page.waitForURL(/#play=/);
     await ready(page);
     assert.match(await page.evaluate(() => batten.files.name), new RegExp(`^${name}`));
+  };
+  for (const name of ['draw', 'levels', 'tangents', 'surfaces']) {
+    await learn(name);
   }
+  await learn('camera', () => until(page, async () => Boolean(await caches.match('camera.journal'))));
   stays();
+  expectFaults(/ERR_CONNECTION_REFUSED/, /Failed to fetch/);
+  await own.close();
+  await learn('camera');
 });
 
 test('the manual answers what people ask: of 40 questions at least 36 by the first page that it finds', async () => {

@@ -25,4 +25,5 @@ def journals(program, root):
 def head(name, shown):
     """What stands under a page's title: its film, where it is shown, and the way to open its session in the editor."""
     film = f'<figure><img src="{name}.gif" width="640" alt="{html.escape(PAGES[name][2])}"></figure>' if shown else ""
-    return f'{film}<p><a class="button" href="../../#play=manual/learn/{name}.journal">Open this in the editor</a></p>'
+    fetched = f'<link rel="prefetch" href="{name}.journal">'  # so that it opens without a network, too
+    return f'{fetched}{film}<p><a class="button" href="../../#play=manual/learn/{name}.journal">Open this in the editor</a></p>'
