@@ -77,16 +77,20 @@ export class Foot {
     return buttons;
   }
 
-  /**
-   * @param {Frame} frame
-   * @param {string} reach the tolerance, in the drawing @param {string | null} values null: still changing
-   */
-  show(frame, reach, values) {
-    this.#showName(frame);
-    part('hint').textContent = frame.hint;
+  /** What changes while a stroke is drawn. @param {Frame} frame @param {string | null} values null: still changing */
+  follow(frame, values) {
     if (values !== null) {
       part('values').textContent = values;
     }
+    /** @type {HTMLElement} */ (this.knots.closest('div')).hidden = frame.knotsBefore <= 0 && frame.knotsAfter <= 0;
+    const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
+    this.knots.textContent = `${before}${frame.knotsAfter}`;
+  }
+
+  /** What else it says. @param {Frame} frame @param {string} reach the tolerance, in the drawing */
+  show(frame, reach) {
+    this.#showName(frame);
+    part('hint').textContent = frame.hint;
     part('first').hidden = frame.first === 0;
     part('first').querySelectorAll('p').forEach((hint, i) => {
       hint.hidden = !(frame.first >> i & 1);
@@ -98,9 +102,6 @@ export class Foot {
     const missed = frame.error > 0 ? word('shell.missed-by', this.engine.number('missed')) : word('shell.missed');
     part('pending-text').textContent = frame.pending === 1 ? missed : '';
     part('pending-text').hidden = frame.pending !== 1;
-    /** @type {HTMLElement} */ (this.knots.closest('div')).hidden = frame.knotsBefore <= 0 && frame.knotsAfter <= 0;
-    const before = frame.knotsBefore > 0 ? `${frame.knotsBefore} → ` : '';
-    this.knots.textContent = `${before}${frame.knotsAfter}`;
     this.tolerance.textContent = word('shell.in-drawing', reach);
     const zoom = [`${short(frame.zoom * 100)} %`, ...(frame.tilt || frame.angle === 0 ? [] : [`${frame.angle.toFixed(0)}°`])].join(', ');
     this.zoom.textContent = zoom;

@@ -42,6 +42,7 @@ export class Panel {
     this.buttons = new Buttons(engine, this.controls, wake);
     this.shown = '';
     this.levels = 0;
+    this.told = '';
     this.readings = ''; // what the chips show, and where
     /** The sheets opened so far. @type {Map<string, Promise<Filled>>} */
     this.sheets = new Map();
@@ -185,13 +186,17 @@ export class Panel {
       this.offers ??= this.#showOffers();
     }
     this.shows.forEach((one) => one.show(frame));
-    // Changing the page costs more than comparing a line of text.
+    // Changing the page costs more than comparing a line of text. While a stroke is drawn only what the foot says of it changes.
     const values = Foot.values(frame);
     const reach = this.engine.number('tolerance');
     const meaning = this.engine.get('stroke-meaning');
-    const shown = [values, reach, meaning, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.knotsBefore,
-      frame.knotsAfter, frame.tolerance, frame.zoom, frame.angle, frame.hint, frame.pending, frame.error,
-      frame.first, frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
+    const told = [values, frame.knotsBefore, frame.knotsAfter].join('\n');
+    const shown = [reach, meaning, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.tolerance, frame.zoom,
+      frame.angle, frame.hint, frame.pending && frame.error, frame.pending, frame.first, frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
+    if (told !== this.told) {
+      this.told = told;
+      this.foot.follow(frame, values);
+    }
     if (shown === this.shown) {
       return;
     }
@@ -200,7 +205,7 @@ export class Panel {
     this.buttons.able('redo', frame.canRedo);
     this.rail.show(frame.tool);
     this.#showMeaning(meaning);
-    this.foot.show(frame, reach, values);
+    this.foot.show(frame, reach);
     this.controls.refresh();
   }
 
@@ -209,7 +214,9 @@ export class Panel {
     const button = this.buttons.commands.get('meaning-next');
     const said = button?.querySelector('span') ?? document.createElement('span');
     button?.setAttribute('aria-pressed', String(meaning > 0));
-    button?.append(said);
+    if (said.parentElement !== button) {
+      button?.append(said);
+    }
     said.hidden = meaning === 0;
     tell(said, { text: `meaning.${['drawn', 'redraw', 'new'][meaning]}` });
   }
