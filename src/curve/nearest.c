@@ -578,5 +578,6 @@ double bat_curve_project_near(const bat_curve *curve, const double *point, doubl
         }
         if (step >= steps || !(fabs(move) < end - start) || move == 0) return best_u;
         u = bat_curve_reduce(curve, u + move);
+        if (u == best_u) return best_u; /* from there it would go on as it has */
     }
 }
