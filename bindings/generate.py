@@ -57,11 +57,12 @@ RULES = {
         "bat_curve_reparametrise.start": [-1e30, 1e30], "bat_curve_reparametrise.end": [-1e30, 1e30], "bat_document_insert.index": [0, "count"],
         "bat_object_with_curve.index": [0, "curve_count-"], "bat_object_with_shape.index": [0, "curve_count-"], "bat_object_cover.curve": [0, "curve_count-"],
         "bat_curve_join.continuity": [0, 2], "bat_recipe_surface.scale": [0, 1e75]},
+    "regions": ["regions", "region"],  # arguments whose curves are closed, in the plane
     "each": {"bat_rotation_curve.points": 4},  # numbers of a record of an array with a count
     "defaults": {"bat_nib": {"cap": "round", "join": "round", "miter_limit": 4.0}, "bat_recipe": {"scale": 1.0, "angle": 360.0}, "bat_wire": {"scale": 1.0},
                  "bat_gradient": {"matrix": [1, 0, 0, 1, 0, 0]}, "bat_viewpoint": {"up": [0, 0, 1], "size": [1000, 1000]}},
     # Whole numbers that have no use beyond, by name.
-    "within": {"dimension": [2, 3], "degree": [1, 7], "order": [0, 7], "per_span": [1, 4096], "substeps": [0, 4096], "steps": [0, 4096], "times": [1, 8],
+    "within": {"dimension": [2, 3], "degree": [1, 7], "order": [0, 7], "decimals": [0, 20], "per_span": [1, 4096], "substeps": [0, 4096], "steps": [0, 4096], "times": [1, 8],
                "solves_max": [0, 4096], "pins": [0, 1 << 20], "Surface.order": [0, 2], "id": [0, 0x7fffffff], "uint32_t": [0, 0xffffffff],
                "uint64_t": [0, 1 << 53]}}
 ALSO += [*RULES["explained"].values(), *RULES["explained_struct"].values()]
@@ -148,7 +149,7 @@ class Headers:
             size, align = self.place(type_)
             many = eval(" ".join(room.split()), {}, self.numbers) if room else 0
             at = -(-at // align) * align
-            fields.append({"name": field, "type": type_, "room": many, "at": at})
+            fields.append({"name": field, "type": type_, "room": many, "at": at, **({"each": "dim"} if room == "BAT_DIMENSION_MAX" else {})})
             at += size * (many or 1)
             most = max(most, align)
         return {"size": -(-at // most) * most, "align": most, "fields": fields}
@@ -241,6 +242,11 @@ def table(headers, calls, classes, read):
             "classes": classes, "frees": {name: FREES[name] for name in classes.values()}}
 
 
+def optional(call):
+    """The structs of options that a call takes."""
+    return [re.sub(r"\bconst\b|\*", "", type_).strip() for word, type_ in call["args"] if word.startswith("{")]
+
+
 def main():
     root, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     headers = Headers(root)
@@ -267,6 +273,9 @@ def main():
     for name in structs:
         docs |= members(name, *headers.members[name])
         docs[name] = f"{docs[name]}\nIn C: {name}, <batten/{headers.header[name]}>".strip()
+    for call in calls:  # its options, each with its comment
+        said = [(field["name"], docs[f"{struct}.{field['name']}"]) for struct in optional(call) for field in structs[struct]["fields"] if field["name"] != "size" and not field["counts"]]
+        docs[call["c"] + "()"] = "\n".join(f"{name}: {' '.join(about.split())}" for name, about in said if about)
     write(out / "docs.json", json.dumps(docs, indent=0, ensure_ascii=False) + "\n")
     ends = {name + end for name in structs for end in ("_free", "_clear")} | {name + "_copy" for name in CLASSES}
     exports = sorted({call["c"] for call in calls} | set(ALSO) | set(whole["inits"].values()) | ends & set(headers.calls))
