@@ -57,6 +57,7 @@ RULES = {
         "bat_curve_reparametrise.start": [-1e30, 1e30], "bat_curve_reparametrise.end": [-1e30, 1e30], "bat_document_insert.index": [0, "count"],
         "bat_object_with_curve.index": [0, "curve_count-"], "bat_object_with_shape.index": [0, "curve_count-"], "bat_object_cover.curve": [0, "curve_count-"],
         "bat_curve_join.continuity": [0, 2], "bat_recipe_surface.scale": [0, 1e75]},
+    "of_object": ["argument", "knots", "count", "degree", "dimension", "singular", "unsupported", "state"],  # why an object may be refused
     "regions": ["regions", "region"],  # arguments whose curves are closed, in the plane
     "each": {"bat_rotation_curve.points": 4},  # numbers of a record of an array with a count
     "defaults": {"bat_nib": {"cap": "round", "join": "round", "miter_limit": 4.0}, "bat_recipe": {"scale": 1.0, "angle": 360.0}, "bat_wire": {"scale": 1.0},

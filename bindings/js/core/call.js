@@ -300,7 +300,7 @@ export class Call {
     const given = [...this.values, ...Object.entries(this.options)].filter(([name, value]) => name !== 'room' && value !== undefined && !this.results.some((one) => one.name === name));
     const written = [...new Map(given.map(([name, value]) => [camel(name), shown(value)]))].map((one) => one.join(': ')).join(', ');
     const why = this.#explained(args) || (this.told ? '' : this.#outside(status)) || this.#said('');
-    const of = this.self && !why && !plan.parsed[0]?.ends ? `${this.self}.` : '';
+    const of = this.self && !why && !plan.parsed[0]?.ends && library.tables.rules.of_object.includes(status) ? `${this.self}.` : '';
     const within = Object.values(library.tables.rules.explained_struct).includes(plan.c) ? `${camel(plan.parsed[0].name)}.` : '';
     throw new BattenError(status, `${within}${why || memory.text(memory.exports.bat_status_message(returned))} (${of}${this.name}(${written}))`, best);
   }

@@ -403,7 +403,8 @@ class Call:
             results = {"room", *(w.name for w in plan.words if w.kind == "result")}
             given = ", ".join(f"{name}={shown(value)}" for name, value in {**self.values, **self.options}.items() if value is not None and name not in results)
             told = self.explained(arguments) or said(self.told, lib.bat_status_message(returned).decode()) or self.outside(returned)
-            of = f"{self.self!r}." if self.self is not None and self.self._own and not told else ""
+            about = word_of("bat_status", returned) in TABLE["rules"]["of_object"] and self.self is not None and self.self._own and not told
+            of = f"{self.self!r}." if about else ""
             if plan.c in TABLE["rules"]["explained_struct"].values():
                 told = f"{plan.words[0].name}.{told}"
             check(returned, best, f" ({of}{plan.name.lstrip('_')}({given}))", told)
