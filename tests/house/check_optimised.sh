@@ -9,5 +9,5 @@ python3 "$1/cmake/amalgamate.py" "$1" "$work"
 cd "$work"
 warned() { gcc -std=c17 -Wall -Wextra -Wno-misleading-indentation -Werror "$@" batten.c; } # about indentation: as check_amalgamation.sh
 warned -O3 -c -o whole.o
-warned -O2 -flto=1 -fPIC -shared -o whole.so
+warned -O2 -flto=auto -fPIC -shared -o whole.so
 rm whole.o whole.so

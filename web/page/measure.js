@@ -23,7 +23,7 @@ export class Measure {
   judge(wrong) {
     const { input } = this;
     if (wrong) {
-      tell(input, { help: 'shell.measure.help' });
+      tell(input, { help: 'shell.number-refused.help' });
     } else {
       delete input.dataset.help;
       input.removeAttribute('title');
