@@ -243,6 +243,14 @@ def table(headers, calls, classes, read):
             "classes": classes, "frees": {name: FREES[name] for name in classes.values()}}
 
 
+def reasons(said):
+    """What a comment says of each status: {"argument": "an open curve"}."""
+    found = {}
+    for status, why in re.findall(r"BAT_([A-Z]+):\s*((?:[^;.]|\.(?=\w))+)", said):
+        found.setdefault(status.lower(), " ".join(why.split()))
+    return {status: why for status, why in found.items() if status not in ("memory", "tolerance", "dot", "far", "syntax")}  # whose words are enough
+
+
 def optional(call):
     """The structs of options that a call takes."""
     return [re.sub(r"\bconst\b|\*", "", type_).strip() for word, type_ in call["args"] if word.startswith("{")]
@@ -265,9 +273,10 @@ def main():
         first |= {name} if core else set()
     whole = table(headers, calls, CLASSES, READ) | {"rules": RULES}
     core = table(headers, [call for call in calls if call["c"] in first], CORE, READ[:1]) | {"rules": RULES}
+    why = {call["c"]: found for call in calls if (found := reasons(headers.docs[call["c"]]))}  # what is not in the small npm modules
     more = {part: {name: of for name, of in whole[part].items() if name not in core[part]} for part in ("structs", "inits", "enums", "classes", "frees")}
     out.mkdir(parents=True, exist_ok=True)
-    for name, one in (("calls", whole), ("core", core), ("more", more | {"calls": [call for call in calls if call["c"] not in first]})):
+    for name, one in (("calls", whole | {"why": why}), ("core", core), ("more", more | {"why": why, "calls": [call for call in calls if call["c"] not in first]})):
         write(out / f"{name}.json", json.dumps(one, indent=None, separators=(",", ":")) + "\n")
     structs = whole["structs"]
     docs = {call["c"]: f"{headers.docs[call['c']]}\nIn C: {call['c']}, <batten/{headers.header[call['c']]}>".strip() for call in calls}

@@ -193,6 +193,8 @@ class Errors(unittest.TestCase):
         for call, said in ((lambda: batten.combine("union", [[line]], 0.1), r"^regions\[0\]\[0\]: expected a closed curve in the plane, found an open one"),
                            (lambda: batten.combine("union", [line.to_dimension(3)], 0.1), r"^regions\[0\]: .*found one in space"),
                            (lambda: batten.loft([line]), "^sections: "),
+                           (lambda: line.open_at(0.5), "out of range: an open one \\(<Curve of degree 1"),
+                           (lambda: batten.fit(WAVE, tolerance=0.1).elevate(2), "^degree: expected 3 to 7, found 2"),
                            (lambda: line.levels(2), r"\(<Curve of degree 1, 2 points>\.levels\(levels=2\)\)$")):
             with self.assertRaisesRegex(batten.BattenError, said):
                 call()

@@ -302,7 +302,7 @@ export class Call {
     const why = this.#explained(args) || (this.told ? '' : this.#outside(status)) || this.#said('');
     const of = this.self && !why && !plan.parsed[0]?.ends && library.tables.rules.of_object.includes(status) ? `${this.self}.` : '';
     const within = Object.values(library.tables.rules.explained_struct).includes(plan.c) ? `${camel(plan.parsed[0].name)}.` : '';
-    throw new BattenError(status, `${within}${why || memory.text(memory.exports.bat_status_message(returned))} (${of}${this.name}(${written}))`, best);
+    throw new BattenError(status, `${within}${why || [memory.text(memory.exports.bat_status_message(returned)), library.tables.why[plan.c]?.[status]].filter(Boolean).join(': ')} (${of}${this.name}(${written}))`, best);
   }
 
   /** What another call says of the arguments that were refused: of all, or of a struct among them. @param {Map<Argument, number | bigint>} args @returns {string} */
@@ -328,7 +328,7 @@ export class Call {
   /** A bound of the ranges of the table: a number, or what the object has. @param {number | string} of @returns {number} */
   #bound(of) {
     return typeof of === 'number' ? of : of === 'start' || of === 'end' ? this.self.domain[Number(of === 'end')]
-      : of === 'level_total' ? this.self.levels_ : this.#look(of.replace(/-$/, '')) - Number(of.endsWith('-'));
+      : of === 'level_total' ? this.self.levels_ : of === 'degree' ? this.self.degree : this.#look(of.replace(/-$/, '')) - Number(of.endsWith('-'));
   }
 
   /** Which number is not in its range, when that is what the status can mean. @param {string} status @returns {string} */

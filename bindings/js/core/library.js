@@ -10,8 +10,8 @@ import { Structs } from './structs.js';
 
 export { BattenError, Numbers };
 
-/** What is known of the library: structs, enums, classes; kinds: the classes of JavaScript, by name. */
-export const tables = { structs: {}, inits: {}, enums: {}, classes: {}, frees: {}, kinds: {}, rules: core.rules };
+/** What is known of the library: structs, enums, classes; kinds: the classes of JavaScript, by name; why: what each status means of a call. */
+export const tables = { structs: {}, inits: {}, enums: {}, classes: {}, frees: {}, kinds: {}, why: {}, rules: core.rules };
 
 const inspect = Symbol.for('nodejs.util.inspect.custom');
 const dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
@@ -269,7 +269,7 @@ export class Batten {
 
 /** Puts the calls of a part of the table where their names say; what is written by hand stays, and finds them behind a name with _. */
 export function install(part, kinds) {
-  ['structs', 'inits', 'enums', 'classes', 'frees'].forEach((name) => Object.assign(tables[name], part[name]));
+  ['structs', 'inits', 'enums', 'classes', 'frees', 'why'].forEach((name) => Object.assign(tables[name], part[name]));
   Object.assign(tables.kinds, kinds);
   for (const [name, kind] of Object.entries(kinds)) {
     Object.defineProperty(kind.prototype, 'kind_', { value: name });

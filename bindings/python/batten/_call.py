@@ -405,6 +405,7 @@ class Call:
             told = self.explained(arguments) or said(self.told, lib.bat_status_message(returned).decode()) or self.outside(returned)
             about = word_of("bat_status", returned) in TABLE["rules"]["of_object"] and self.self is not None and self.self._own and not told
             of = f"{self.self!r}." if about else ""
+            told = told or ": ".join(one for one in (lib.bat_status_message(returned).decode(), self.why(returned)) if one)
             if plan.c in TABLE["rules"]["explained_struct"].values():
                 told = f"{plan.words[0].name}.{told}"
             check(returned, best, f" ({of}{plan.name.lstrip('_')}({given}))", told)
@@ -423,6 +424,10 @@ class Call:
                     return (name + "." if name else "") + said([problem], "")
         return ""
 
+    def why(self, status):
+        """What the header says of a status that nothing else explains."""
+        return TABLE["why"].get(self.plan.c, {}).get(word_of("bat_status", status), "")
+
     def bound(self, of):
         """A bound of the ranges of the table: a number, or what the object has."""
         if isinstance(of, (int, float)):
@@ -431,7 +436,8 @@ class Call:
             return float(self.self.domain[int(of == "end")])
         if of == "level_total":
             return self.self._level_total()
-        return self.look(of.rstrip("-")) - of.endswith("-")
+        name = of.rstrip("-")
+        return (getattr(self.self, name) if name == "degree" else self.look(name)) - of.endswith("-")
 
     def outside(self, status):
         """Which number is not in its range, when that is what the status can mean."""
