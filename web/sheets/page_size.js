@@ -152,7 +152,7 @@ export class PageSize {
 
   /** @param {boolean} wrong */
   #mark(wrong) {
-    this.fields.forEach((field) => field.judge(wrong));
+    this.fields.forEach(({ measure }) => measure.judge(wrong));
   }
 
   /** No question any more. @param {boolean} [anew] the fields say what is there */
