@@ -49,7 +49,7 @@ RULES = {
         **{f"bat_{name}.tolerance": [0, 1e75, True] for name in (
             "curve_arcs", "curve_cover_width", "curve_flatten", "curve_intersect", "curve_self_intersect", "curve_offset", "curve_outline",
             "curve_outline_width", "curve_refit_extremes", "surface_revolve", "shape_drag_finest", "shape_live_drag_finest", "relief_drag_finest",
-            "regions_combine", "fit_within", "region_offset", "sweep_surface", "gcode_write", "stl_write", "gltf_write")},
+            "regions_combine", "fit_within", "region_offset", "sweep_surface", "gcode_write")},
         **{f"bat_{name}.level": [1, "level_total"] for name in ("shape_set_gain", "shape_set_muted", "relief_set_gain", "camera_set_gain", "camera_shake_of")},
         "bat_shape_move.index": [0, "level_count-"], "bat_shape_move_many.first": [0, "level_count-"], "bat_shape_live_move.first": [0, 1e9],
         "bat_motion_angle.angle": [0, 2], "bat_motion_redraw.angle": [0, 2], "bat_motion_redraw.level": [0, "levels-"], "bat_motion_set_gain.level": [1, "levels-"],
