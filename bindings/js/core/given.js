@@ -50,7 +50,7 @@ export function numbersOf(value, dimension, name) {
 }
 
 /** The options of a call, which stand behind its arguments. @param {unknown[]} given @param {string[]} names of the arguments
- * @param {Iterable<string>} known the options that there are @param {string} call @returns {Record<string, any>} */
+ * @param {Iterable<string>} known the options that there are @param {string} call @returns {Record<string, unknown>} */
 export function optionsOf(given, names, known, call) {
   const options = given[names.length] ?? {};
   if (given.length > names.length + 1 || typeof options !== 'object' || isNumbers(options)) {
@@ -64,7 +64,7 @@ export function optionsOf(given, names, known, call) {
   return options;
 }
 
-/** All curves that regions are made of, each with its place. @param {any} value @param {string} place @returns {[string, any][]} */
+/** All curves that regions are made of, each with its place. @param {unknown} value @param {string} place @returns {[string, import('./library.js').Curve][]} */
 export function curvesOf(value, place) {
   if (Array.isArray(value)) {
     return value.flatMap((one, i) => curvesOf(one, `${place}[${i}]`));
