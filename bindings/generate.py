@@ -49,7 +49,7 @@ RULES = {
         **{f"bat_{name}.tolerance": [0, 1e75, True] for name in (
             "curve_arcs", "curve_cover_width", "curve_flatten", "curve_intersect", "curve_self_intersect", "curve_offset", "curve_outline",
             "curve_outline_width", "curve_refit_extremes", "surface_revolve", "shape_drag_finest", "shape_live_drag_finest", "relief_drag_finest",
-            "regions_combine", "fit_within", "region_offset", "sweep_surface", "gcode_write", "stl_write", "gltf_write")},
+            "regions_combine", "fit_within", "region_offset", "sweep_surface", "gcode_write")},
         **{f"bat_{name}.level": [1, "level_total"] for name in ("shape_set_gain", "shape_set_muted", "relief_set_gain", "camera_set_gain", "camera_shake_of")},
         "bat_shape_move.index": [0, "level_count-"], "bat_shape_move_many.first": [0, "level_count-"], "bat_shape_live_move.first": [0, 1e9],
         "bat_motion_angle.angle": [0, 2], "bat_motion_redraw.angle": [0, 2], "bat_motion_redraw.level": [0, "levels-"], "bat_motion_set_gain.level": [1, "levels-"],
@@ -57,11 +57,13 @@ RULES = {
         "bat_curve_reparametrise.start": [-1e30, 1e30], "bat_curve_reparametrise.end": [-1e30, 1e30], "bat_document_insert.index": [0, "count"],
         "bat_object_with_curve.index": [0, "curve_count-"], "bat_object_with_shape.index": [0, "curve_count-"], "bat_object_cover.curve": [0, "curve_count-"],
         "bat_curve_join.continuity": [0, 2], "bat_recipe_surface.scale": [0, 1e75]},
+    "of_object": ["argument", "knots", "count", "degree", "dimension", "singular", "unsupported", "state"],  # why an object may be refused
+    "regions": ["regions", "region"],  # arguments whose curves are closed, in the plane
     "each": {"bat_rotation_curve.points": 4},  # numbers of a record of an array with a count
     "defaults": {"bat_nib": {"cap": "round", "join": "round", "miter_limit": 4.0}, "bat_recipe": {"scale": 1.0, "angle": 360.0}, "bat_wire": {"scale": 1.0},
                  "bat_gradient": {"matrix": [1, 0, 0, 1, 0, 0]}, "bat_viewpoint": {"up": [0, 0, 1], "size": [1000, 1000]}},
     # Whole numbers that have no use beyond, by name.
-    "within": {"dimension": [2, 3], "degree": [1, 7], "order": [0, 7], "per_span": [1, 4096], "substeps": [0, 4096], "steps": [0, 4096], "times": [1, 8],
+    "within": {"dimension": [2, 3], "degree": [1, 7], "order": [0, 7], "decimals": [0, 20], "per_span": [1, 4096], "substeps": [0, 4096], "steps": [0, 4096], "times": [1, 8],
                "solves_max": [0, 4096], "pins": [0, 1 << 20], "Surface.order": [0, 2], "id": [0, 0x7fffffff], "uint32_t": [0, 0xffffffff],
                "uint64_t": [0, 1 << 53]}}
 ALSO += [*RULES["explained"].values(), *RULES["explained_struct"].values()]
@@ -148,7 +150,7 @@ class Headers:
             size, align = self.place(type_)
             many = eval(" ".join(room.split()), {}, self.numbers) if room else 0
             at = -(-at // align) * align
-            fields.append({"name": field, "type": type_, "room": many, "at": at})
+            fields.append({"name": field, "type": type_, "room": many, "at": at, **({"each": "dim"} if room == "BAT_DIMENSION_MAX" else {})})
             at += size * (many or 1)
             most = max(most, align)
         return {"size": -(-at // most) * most, "align": most, "fields": fields}
@@ -241,6 +243,19 @@ def table(headers, calls, classes, read):
             "classes": classes, "frees": {name: FREES[name] for name in classes.values()}}
 
 
+def reasons(said):
+    """What a comment says of each status: {"argument": "an open curve"}."""
+    found = {}
+    for status, why in re.findall(r"BAT_([A-Z]+):\s*((?:[^;.]|\.(?=\w))+)", said):
+        found.setdefault(status.lower(), " ".join(why.split()))
+    return {status: why for status, why in found.items() if status not in ("memory", "tolerance", "dot", "far", "syntax")}  # whose words are enough
+
+
+def optional(call):
+    """The structs of options that a call takes."""
+    return [re.sub(r"\bconst\b|\*", "", type_).strip() for word, type_ in call["args"] if word.startswith("{")]
+
+
 def main():
     root, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     headers = Headers(root)
@@ -258,15 +273,19 @@ def main():
         first |= {name} if core else set()
     whole = table(headers, calls, CLASSES, READ) | {"rules": RULES}
     core = table(headers, [call for call in calls if call["c"] in first], CORE, READ[:1]) | {"rules": RULES}
+    why = {call["c"]: found for call in calls if (found := reasons(headers.docs[call["c"]]))}  # what is not in the small npm modules
     more = {part: {name: of for name, of in whole[part].items() if name not in core[part]} for part in ("structs", "inits", "enums", "classes", "frees")}
     out.mkdir(parents=True, exist_ok=True)
-    for name, one in (("calls", whole), ("core", core), ("more", more | {"calls": [call for call in calls if call["c"] not in first]})):
+    for name, one in (("calls", whole | {"why": why}), ("core", core), ("more", more | {"why": why, "calls": [call for call in calls if call["c"] not in first]})):
         write(out / f"{name}.json", json.dumps(one, indent=None, separators=(",", ":")) + "\n")
     structs = whole["structs"]
     docs = {call["c"]: f"{headers.docs[call['c']]}\nIn C: {call['c']}, <batten/{headers.header[call['c']]}>".strip() for call in calls}
     for name in structs:
         docs |= members(name, *headers.members[name])
         docs[name] = f"{docs[name]}\nIn C: {name}, <batten/{headers.header[name]}>".strip()
+    for call in calls:  # its options, each with its comment
+        said = [(field["name"], docs[f"{struct}.{field['name']}"]) for struct in optional(call) for field in structs[struct]["fields"] if field["name"] != "size" and not field["counts"]]
+        docs[call["c"] + "()"] = "\n".join(f"{name}: {' '.join(about.split())}" for name, about in said if about)
     write(out / "docs.json", json.dumps(docs, indent=0, ensure_ascii=False) + "\n")
     ends = {name + end for name in structs for end in ("_free", "_clear")} | {name + "_copy" for name in CLASSES}
     exports = sorted({call["c"] for call in calls} | set(ALSO) | set(whole["inits"].values()) | ends & set(headers.calls))

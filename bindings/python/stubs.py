@@ -288,7 +288,8 @@ class Stubs:
                 given = ", ".join([*first, *required, *(["*", *optional] if optional else [])])
                 if plain and not method and not makes and call["c"] != "bat_shape_commit":
                     lines[kind].append("@property")
-                said = self.docs[call["c"]].replace("\n", "\n\n    ")
+                about, _, place = self.docs[call["c"]].rpartition("\n")
+                said = "\n".join(one for one in (about, self.docs[call["c"] + "()"], place) if one).replace("\n", "\n\n    ")
                 lines[kind].append(f'def {name}({given}) -> {result}:\n    """{said}"""')
         classes = [f"class {kind}(_Handle):\n" + "\n".join(f"    {line}" for one in lines[kind] for line in one.split("\n")) for kind in self.table["classes"].values()]
         classes = [one.replace("    @property\n    def bytes(self) -> bytes", "    @property\n    def bytes(self) -> builtins.bytes") for one in classes]

@@ -48,14 +48,14 @@ BAT_API bat_status bat_curve_split(const bat_curve *curve, double u, bat_curve *
 /* The piece over [start, end], clamped. Closed curves: start in any period, end - start at most one
  * period. BAT_PARAMETER: beyond that, or not start < end. O(count). */
 BAT_API bat_status bat_curve_piece(const bat_curve *curve, double start, double end, bat_curve **out);
-/* Opens a closed curve at u (any period); the domain starts at u reduced into the domain. BAT_ARGUMENT: an open
- * one. O(count). */
+/* Opens a closed curve at u (any period); the domain starts at u reduced into the domain. BAT_ARGUMENT: an
+ * open one. O(count). */
 BAT_API bat_status bat_curve_open_at(const bat_curve *curve, double u, bat_curve **out);
 /* Makes an open curve whose ends meet (within tolerance) periodic, and keeps the continuity 0..p-1 that is
- * measured at the seam; the seam is a knot of multiplicity p (less where removal is exact). BAT_ARGUMENT when the
- * ends do not meet. */
+ * measured at the seam; the seam is a knot of multiplicity p (less where removal is exact). BAT_ARGUMENT: it is
+ * closed, or its ends do not meet. */
 BAT_API bat_status bat_curve_close(const bat_curve *curve, double tolerance, bat_curve **out);
-/* Same shape, start of the period moved to u reduced into the domain, which becomes a knot if it is none. */
+/* Same shape, start of the period moved to u reduced into the domain, a knot from now on. BAT_ARGUMENT: an open one. */
 BAT_API bat_status bat_curve_move_seam(const bat_curve *curve, double u, bat_curve **out);
 /*
  * Appends b to the end of a; degrees are raised to the greater. continuity 0: a's end and b's start are merged into

@@ -175,8 +175,9 @@ bat_status bat_curve_insert_knot(const bat_curve *curve, double u, int times, ba
 
 bat_status bat_curve_refine(const bat_curve *curve, int knot_count, const double *knots, bat_curve **out) {
     if (!curve || !knots || !out) return BAT_ARGUMENT;
-    int own = bat_curve_knot_count(curve), extra = knot_count - own;
-    if (extra < 0) return BAT_KNOTS;
+    const int own = bat_curve_knot_count(curve);
+    if (knot_count < own) return BAT_KNOTS;
+    const int extra = knot_count - own;
     if (extra > BAT_POINTS_MAX - curve->count) return BAT_COUNT;
     for (int i = 0; i < knot_count; i++)
         if (isnan(knots[i])) return BAT_NUMBER;

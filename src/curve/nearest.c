@@ -577,6 +577,8 @@ double bat_curve_project_near(const bat_curve *curve, const double *point, doubl
             move = 0.5 * (best_u - u); /* too far: back half the way */
         }
         if (step >= steps || !(fabs(move) < end - start) || move == 0) return best_u;
-        u = bat_curve_reduce(curve, u + move);
+        const double next = bat_curve_reduce(curve, u + move);
+        if (next == u || next == best_u) return best_u; /* from there it would go on as it has */
+        u = next;
     }
 }

@@ -33,7 +33,7 @@ typedef struct track {
 } track;
 
 static vec point_at(const bat_curve *curve, double u) {
-    double x[BAT_DIMENSION_MAX];
+    double x[BAT_DIMENSION_MAX] = {0};
     bat_curve_eval(curve, u, 0, x);
     return vec_load(x, bat_curve_dimension(curve));
 }
@@ -70,7 +70,7 @@ static double foot_near(const course *c, const double *x, double *v) {
 
 /* How far the point at u is from the other curve near *v, which becomes its foot there. */
 static double away(const track *t, double u, double *v) {
-    double x[BAT_DIMENSION_MAX];
+    double x[BAT_DIMENSION_MAX] = {0};
     bat_curve_eval(t->own.curve, u, 0, x);
     const double distance = foot_near(&t->other, x, v);
     if (!t->other.round || !is_end(&t->other, *v)) return distance;

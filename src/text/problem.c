@@ -20,7 +20,7 @@ bat_status bat_problem_found(bat_problem *problem, bat_status status, const char
     if (!problem) return status;
     if (!isnan(found)) bat_number_print(found, number);
     snprintf(problem->place, sizeof problem->place, place, index);
-    snprintf(problem->message, sizeof problem->message, "expected %s, found %s", expected, number);
+    snprintf(problem->message, sizeof problem->message, "expected %.100s, found %.40s", expected, number);
     return status;
 }
 

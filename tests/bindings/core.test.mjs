@@ -4,6 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { inspect } from 'node:util';
 import v8 from 'node:v8';
 import vm from 'node:vm';
 import { Worker } from 'node:worker_threads';
@@ -244,4 +245,35 @@ test('in a worker', async () => {
   after(() => worker.terminate());
   const told = await new Promise((done, fail) => worker.once('message', done).once('error', fail));
   assert.equal(told, b.fit([0, 0, 1, 1, 2, 0]).count);
+});
+
+test('consoles and JSON show what an object is; a place in the plane has two numbers', () => {
+  const curve = b.clamped([[0, 0], [2, 2]], { degree: 1 });
+  assert.equal(String(curve), '<Curve of degree 1, 2 points>');
+  assert.equal(inspect(curve), String(curve));
+  assert.match(inspect(b), /^<Batten [\d.]+>$/);
+  assert.ok(b.readCurve(JSON.stringify(curve)).isEqual(curve));
+  assert.ok(b.readShape(JSON.stringify(b.fit(sine(200), { tolerance: 0.05 }).levels(1))));
+  assert.throws(() => JSON.stringify(curve.finder()), { status: 'unsupported', message: 'a Finder has no JSON' });
+  assert.deepEqual([...curve.nearest({ x: 1, y: 1 }).point], [1, 1]);
+  const across = b.clamped([[0, 2], [2, 0]], { degree: 1 });
+  assert.equal(curve.intersect(across, 1e-6).crossings[0].point.length, 2);
+  assert.equal(curve.toDimension(3).nearest([1, 1, 0]).point.length, 3);
+  assert.throws(() => new curve.constructor(), /a Curve is made by/);
+  curve.free();
+  assert.equal(String(curve), '<Curve, freed>');
+});
+
+test('what is refused has a name, and options that are none are refused', () => {
+  const line = b.clamped([[0, 0], [1, 1]], { degree: 1 });
+  assert.throws(() => b.combine('union', [[line]], 0.1), /^BattenError: regions\[0\]\[0\]: expected a closed curve in the plane, found an open one/);
+  assert.throws(() => b.offsetRegion({ curves: [line] }, 1, 0.1), /region\.curves\[0\]/);
+  assert.throws(() => line.openAt(0.5), /out of range: an open one \(<Curve of degree 1, 2 points>\.openAt\(u: 0\.5\)\)$/);
+  assert.throws(() => b.fit(sine(200), { tolerance: 0.05 }).elevate(2), /^BattenError: degree: expected 3 to 7, found 2/);
+  assert.throws(() => b.loft([line]), /^BattenError: sections: /);
+  assert.throws(() => line.levels(2), /\(<Curve of degree 1, 2 points>\.levels\(levels: 2\)\)$/);
+  assert.throws(() => line.toSVG(1), /toSVG: expected \(options\), found 1 as options/);
+  assert.throws(() => line.toSVG({ decimals: 1.5 }), /decimals: expected a whole number from 0 to 20/);
+  assert.throws(() => b.fit([[0, 0], [1, 1]], [1]), /expected \(points, options\)/);
+  assert.throws(() => b.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), /mesh: expected \(vertices, options\)/);
 });

@@ -1,12 +1,16 @@
 """Wrong things given to every function of the Python package: each argument of each call is replaced by each wrong value. What cannot
-be right is refused by an error that names the argument; whatever else may happen, nothing else is raised and nothing crashes.
-Usage: misuse.py ROOT LIBRARY.
+be right is refused by an error that names the argument; whatever else may happen, nothing else is raised and nothing crashes. The same
+for the C function below it, past what Python has looked at: each argument becomes NULL, a number of no range, an array or a struct
+with one in it. Usage: misuse.py ROOT LIBRARY.
 """
 import copy
+import ctypes
 import inspect
+import os
 import pathlib
 import pickle
 import shutil
+import signal
 import sys
 import tempfile
 
@@ -121,7 +125,7 @@ def strokes(b, line):
     return [b.view_project(VIEW, place).pixel for place in line.at_many(np.linspace(*line.domain, 40))]
 
 
-MANY = ("flatten.tolerance", "keys.place", "keys.angle", "section.tolerance", "cover_width.tolerance")  # refused after a million pieces
+MANY = ("flatten.tolerance", "section.tolerance", "cover_width.tolerance", *(f"{name}.{what}" for name in ("keys", "to_gltf", "to_gltf_scene") for what in ("place", "angle")))  # refused after a million pieces
 TEXTS = ("text", "name", "up", "down", "glyph", "bytes")
 UNNAMED = ("Curve.calm(limit", "Curve.calm(pixel", "Curve.reparametrise(end", "Surface.sketch(at")  # refused for what they do to the rest
 NEEDED = {"Curve.camera": {"mode": "along"}}  # options without which there is nothing to do
@@ -168,18 +172,12 @@ def tried(call, allowed, faults, what):
     return None
 
 
-def table(batten):
-    """(how many calls, faults)."""
-    faults, count, worked = [], 0, 0
-    allowed = (batten.BattenError, TypeError)
-    names = [(kind, name, hand) for kind, hand in [(kind, getattr(batten, kind)) for kind in CLASSES] for name in dir(hand)]
-    calls = [(kind, name, getattr(hand, name)) for kind, name, hand in names if not name.startswith("_") and inspect.isfunction(getattr(hand, name)) and name not in ("free", "add")]
-    calls += [("b", name, one) for name, one in vars(batten).items() if inspect.isfunction(one) and one.__module__ == "batten" and not name.startswith("_")
-              and name != "read_svg"]
-    never, perhaps = wrong_values(batten)
-    for kind, name, function in calls:
-        made = things(batten)
-        right = samples(made)
+class Case:
+    """A function, what it is called on, and right arguments."""
+
+    def __init__(self, batten, kind, name, function):
+        self.kind, self.name, self.made = kind, name, things(batten)
+        made, right = self.made, samples(self.made)
         if name == "close":
             made["Curve"] = batten.clamped([[0, 0], [1, 0], [1, 1], [0, 0]])
         if name == "join":
@@ -196,32 +194,46 @@ def table(batten):
             made["Object"] = object_for(batten, made, name)
         if name == "to_svg_kept":
             made["Document"] = batten.read_svg(SVG)
-
-        def value(argument, kind=kind, name=name, right=right):
-            return next((right[key] for key in (f"{kind}.{name}.{argument}", f"{name}.{argument}", argument) if key in right), None)
-
         parameters = inspect.signature(function).parameters.values()
-        required = [p.name for p in parameters if p.kind == p.POSITIONAL_OR_KEYWORD and p.name != "self" and p.default is p.empty]
-        others = [p.name for p in parameters if p.kind == p.KEYWORD_ONLY or p.kind == p.POSITIONAL_OR_KEYWORD and p.default is not p.empty]
+        self.required = [p.name for p in parameters if p.kind == p.POSITIONAL_OR_KEYWORD and p.name != "self" and p.default is p.empty]
+        self.others = [p.name for p in parameters if p.kind == p.KEYWORD_ONLY or p.kind == p.POSITIONAL_OR_KEYWORD and p.default is not p.empty]
+        self.given = {one: next((right[key] for key in (f"{kind}.{name}.{one}", f"{name}.{one}", one) if key in right), None) for one in self.required}
+        self.given |= NEEDED.get(f"{kind}.{name}", {}) | ({"curves": [made["Space"]]} if name == "reference" else {})
 
-        def run(options, kind=kind, name=name, required=required):
-            given = {one: value(one) for one in required} | NEEDED.get(f"{kind}.{name}", {}) | ({"curves": [made["Space"]]} if name == "reference" else {}) | options
-            target = made[kind] if kind not in ANEW else ANEW[kind](made) if ANEW[kind] else made[kind].copy()
-            return getattr(target, name)(**given)
+    def run(self, options):
+        made, kind = self.made, self.kind
+        target = made[kind] if kind not in ANEW else ANEW[kind](made) if ANEW[kind] else made[kind].copy()
+        return getattr(target, self.name)(**self.given | options)
 
+
+def functions(batten):
+    """(class or b, name, function) of all that the package has."""
+    names = [(kind, name, hand) for kind, hand in [(kind, getattr(batten, kind)) for kind in CLASSES] for name in dir(hand)]
+    calls = [(kind, name, getattr(hand, name)) for kind, name, hand in names if not name.startswith("_") and inspect.isfunction(getattr(hand, name)) and name not in ("free", "add")]
+    return calls + [("b", name, one) for name, one in vars(batten).items() if inspect.isfunction(one) and one.__module__ == "batten" and not name.startswith("_")
+                    and name != "read_svg"]
+
+
+def table(batten):
+    """(how many calls, faults)."""
+    faults, count, worked = [], 0, 0
+    allowed = (batten.BattenError, TypeError)
+    never, perhaps = wrong_values(batten)
+    for kind, name, function in functions(batten):
+        case = Case(batten, kind, name, function)
         try:
-            run({})
+            case.run({})
             worked += 1
         except Exception as error:  # noqa: BLE001: named below
             faults.append(f"{kind}.{name} does not work at all: {error}")
-        for argument in [*required, *others]:
+        for argument in [*case.required, *case.others]:
             values = [*never, *perhaps]
             for wrong in values if kind in CLASSES[:6] else values[len(name + argument) % 3::3]:
                 if f"{name}.{argument}" in MANY and isinstance(wrong, float) and 0 < wrong < 1e-9:
                     continue
                 count += 1
                 what = f"{kind}.{name}({argument}={type(wrong).__name__} {str(wrong)[:40]!r})"
-                error = tried(lambda: run({argument: wrong}), allowed, faults, what)  # noqa: B023: called at once
+                error = tried(lambda: case.run({argument: wrong}), allowed, faults, what)  # noqa: B023: called at once
                 beyond = isinstance(wrong, (int, float, np.int8)) and not isinstance(wrong, bool) and (wrong < 0 or wrong == 1e300)
                 if beyond and isinstance(error, batten.BattenError) and argument not in str(error).split(" (")[0] and f"{kind}.{name}({argument}" not in UNNAMED:
                     faults.append(f"{what}: does not name it: {error}")
@@ -261,6 +273,125 @@ def ended(batten, name, faults):
     return len(asked)
 
 
+REALS = (np.nan, np.inf, -1e300, -1.0, 0.0, 5e-324, 1e300)
+SECONDS = 60  # that one call may take
+WHOLES = (-2**31, -1, 0, 8, 2**31 - 1)
+
+
+class Below:
+    """Calls of C, one argument of which is another than what the package has made of the right ones."""
+
+    def __init__(self):
+        module = sys.modules["batten._call"]
+        self.call, self.argument, self.ranges = module.Call, module.Call.argument, module.TABLE["rules"]["ranges"]
+        self.seen, self.aim = [], None
+
+    def __enter__(self):
+        def argument(call, word):
+            before = len(call.kept)
+            value = self.argument(call, word)
+            if self.aim is None:
+                self.seen += [(call.plan, word, change) for change in self.changes(call, word, call.kept[before:])]
+            elif self.aim[:2] == (call.plan, word):
+                return self.changed(call, value, call.kept[before:])
+            return value
+        self.call.argument = argument
+        return self
+
+    def __exit__(self, *_):
+        self.call.argument = self.argument
+
+    def changes(self, call, word, kept):
+        """What is to be tried: ("is", value), ("at", place, value) of an array, or ("of", member, value) of a struct. Never a count
+        that is more than there is."""
+        status, sized = call.plan.returns == "bat_status", {n for w in call.plan.words if w.kind == "result" for n in compiled_names(w.formula)}
+        double, pointer = word.bare == "double", call.plan.c_type(word) is ctypes.c_void_p
+        found = [("is", None)] if pointer and status else []
+        if word.kind in ("count", "room", "dim", "follows"):
+            found += [("is", value) for value in WHOLES[:3] if value == 0 or word.bare == "int"]
+        elif word.kind == "scalar" and not pointer:
+            bounded = word.name not in sized or status and f"{call.plan.c}.{word.name}" in self.ranges
+            found += [("is", value) for value in (REALS if double else (False, True) if word.bare == "bool" else (0,) if word.bare == "size_t" else
+                                                  [w for w in WHOLES if w <= 0 or bounded and w > 8])
+                      if not (double and f"{call.plan.name}.{word.name}" in MANY and 0 <= value < 1e-9)]
+        for one in kept:
+            if isinstance(one, np.ndarray) and one.size and one.dtype == float and word.kind == "array":
+                found += [("at", place, value) for place in (0, -1) for value in (np.nan, -np.inf, 1e300, -1.0)]
+            if isinstance(one, ctypes.Structure):
+                found += [("of", name, value) for name, kind in one._fields_ if name != "size" for value in
+                          (REALS if kind is ctypes.c_double else (None,) if kind is ctypes.c_void_p and status else
+                           (-2**31, -1, 0, 2**31 - 1) if kind is ctypes.c_int and "count" not in name and "room" not in name else ())]
+        return found
+
+    def changed(self, call, value, kept):
+        how, *what = self.aim[2]
+        if how == "is":
+            return what[0]
+        for one in kept:
+            if how == "at" and isinstance(one, np.ndarray):
+                call.kept.append(one.copy())
+                call.kept[-1].reshape(-1)[what[0]] = what[1]
+                return call.kept[-1].ctypes.data_as(ctypes.c_void_p)
+            if how == "of" and isinstance(one, ctypes.Structure) and what[0] in dict(one._fields_):
+                setattr(one, *what)
+        return value
+
+
+def compiled_names(formula):
+    return [] if formula is None else [part for part in formula.replace("(", " ").replace(")", " ").replace("*", " ").replace("+", " ").split()]
+
+
+def below(batten):
+    """(how many calls of C, of how many functions, faults). Each function has a process, which another goes on for when it ends."""
+    faults, count, done = [], 0, set()
+    for kind, name, function in functions(batten):
+        case = Case(batten, kind, name, function)
+        with Below() as hook:
+            options = {"order": 1} if "order" in case.others else {}
+            try:
+                case.run(options)
+            except Exception:  # noqa: BLE001: the table above says so
+                continue
+            aims = list({described(aim): aim for aim in hook.seen if aim[0].c not in done}.values())
+            done |= {aim[0].c for aim in aims}
+            first = 0
+            while first < len(aims):
+                reader, writer = os.pipe()
+                child = os.fork()
+                if not child:
+                    judged(batten, case, hook, aims, first, options, writer)
+                os.close(writer)
+                with os.fdopen(reader, "rb") as told:
+                    lines = told.read().decode().splitlines()
+                ended_ = os.waitpid(child, 0)[1]
+                last = int(lines[-1].split(" ", 1)[0]) if lines else first
+                faults += [line.split(" ", 1)[1] for line in lines if " " in line]
+                if ended_:
+                    faults.append(f"{described(aims[last])}: ended by {ended_}")
+                count += last + 1 - first
+                first = last + 1
+    return count, len(done), faults
+
+
+def described(aim):
+    return f"{aim[0].c}({aim[1].kind} {aim[1].name or aim[1].formula}: {aim[2]})"
+
+
+def judged(batten, case, hook, aims, first, options, writer):
+    """In a process of its own: says each time what it begins with."""
+    for i, aim in enumerate(aims[first:], first):
+        os.write(writer, f"{i}\n".encode())
+        hook.aim, error = aim, None
+        signal.alarm(SECONDS)
+        try:
+            case.run(options)
+        except Exception as raised:  # noqa: BLE001: what the package makes of a result that it did not ask for
+            error = raised
+        if aim[1].kind == "self" and not isinstance(error, batten.BattenError):
+            os.write(writer, f"{i} {described(aim)}: {error or 'taken in silence'}\n".encode())
+    os._exit(0)
+
+
 if __name__ == "__main__":
     root, place = pathlib.Path(sys.argv[1]).resolve(), tempfile.TemporaryDirectory()
     sys.path[:0] = [place.name, str(root / "bindings/python")]
@@ -271,6 +402,7 @@ if __name__ == "__main__":
     shutil.copy(sys.argv[2], f"{place.name}/batten/libbatten.so")
     import batten as package
     tries, found = table(package)
-    print(*found, sep="\n")
-    print(f"{tries} wrong things, {len(found)} faults")
-    sys.exit(bool(found) or tries < 20000)
+    deep, functions_of_c, faults_of_c = below(package)
+    print(*found, *faults_of_c, sep="\n")
+    print(f"{tries} wrong things in Python, {len(found)} faults; {deep} in {functions_of_c} functions of C, {len(faults_of_c)} faults")
+    sys.exit(bool(found or faults_of_c) or tries < 20000 or deep < 3500)

@@ -7,6 +7,7 @@ import copy
 import dataclasses
 import doctest
 import gc
+import inspect
 import multiprocessing
 import os
 import pathlib
@@ -186,6 +187,28 @@ class Errors(unittest.TestCase):
         live.commit()
         with self.assertRaisesRegex(batten.BattenError, "committed"):
             live.preview()
+
+    def test_what_is_refused_has_a_name(self):
+        line = batten.clamped([[0, 0], [1, 1]], degree=1)
+        for call, said in ((lambda: batten.combine("union", [[line]], 0.1), r"^regions\[0\]\[0\]: expected a closed curve in the plane, found an open one"),
+                           (lambda: batten.combine("union", [line.to_dimension(3)], 0.1), r"^regions\[0\]: .*found one in space"),
+                           (lambda: batten.loft([line]), "^sections: "),
+                           (lambda: line.open_at(0.5), "out of range: an open one \\(<Curve of degree 1"),
+                           (lambda: batten.fit(WAVE, tolerance=0.1).elevate(2), "^degree: expected 3 to 7, found 2"),
+                           (lambda: line.levels(2), r"\(<Curve of degree 1, 2 points>\.levels\(levels=2\)\)$")):
+            with self.assertRaisesRegex(batten.BattenError, said):
+                call()
+        with self.assertRaisesRegex(TypeError, "by name tolerance, .*found 2 without a name"):
+            batten.fit([[0, 0], [1, 1]], 0.5)
+        with self.assertRaisesRegex(TypeError, "knots is missing"):
+            batten.curve([[0, 0], [1, 1]])
+
+    def test_a_place_in_the_plane_has_two_numbers(self):
+        line, across = batten.clamped([[0, 0], [2, 2]], degree=1), batten.clamped([[0, 2], [2, 0]], degree=1)
+        self.assertEqual(line.nearest([1, 1]).point.tolist(), [1, 1])
+        self.assertEqual(line.finder().nearest([1, 1]).point.shape, (2,))
+        self.assertEqual(line.intersect(across, 1e-6).crossings[0].point.shape, (2,))
+        self.assertEqual(line.to_dimension(3).nearest([1, 1, 0]).point.shape, (3,))
 
 
 @dataclasses.dataclass
@@ -428,6 +451,14 @@ class End(unittest.TestCase):
 
 
 class Types(unittest.TestCase):
+    def test_names_that_are_shown_are_those_of_the_package(self):
+        self.assertLessEqual({"fit", "Curve", "read_svg", "BattenError", "__version__"}, set(dir(batten)))
+        self.assertFalse({"lib", "TABLE", "KINDS", "method", "snake"} & set(dir(batten)))
+
+    def test_help_says_what_each_option_is(self):
+        self.assertIn("tolerance: greatest true distance", batten.fit.__doc__)
+        self.assertEqual(inspect.signature(batten.fit).parameters["tolerance"].default, 1.0)
+
     def test_help_says_what_the_headers_say(self):
         self.assertIn("Global closest point; of equally close ones, the one with the smaller u.", batten.Curve.nearest.__doc__)
         self.assertIn("<batten/fit.h>", batten.fit.__doc__)

@@ -53,7 +53,7 @@ class NumbersSheet {
           return; // unchanged: the text is rounded, so entering it would move things
         }
         const taken = this.engine.enter(name, input.value);
-        input.setAttribute('aria-invalid', String(!taken));
+        measure.judge(!taken);
         if (taken) {
           this.show();
         }
@@ -101,7 +101,7 @@ class NumbersSheet {
       some ||= text !== '';
       if (document.activeElement !== input || input.getAttribute('aria-invalid') === 'false') {
         measure.show(text);
-        input.removeAttribute('aria-invalid');
+        measure.judge(null);
       }
     }
     this.page.box.hidden = some;

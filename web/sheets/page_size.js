@@ -152,9 +152,7 @@ export class PageSize {
 
   /** @param {boolean} wrong */
   #mark(wrong) {
-    for (const { input } of this.fields) {
-      input.setAttribute('aria-invalid', String(wrong));
-    }
+    this.fields.forEach(({ measure }) => measure.judge(wrong));
   }
 
   /** No question any more. @param {boolean} [anew] the fields say what is there */

@@ -80,7 +80,7 @@ export class Chips {
     for (const [name, measure] of this.fields) {
       if (document.activeElement !== measure.input) { // not over what is being typed
         measure.show(this.engine.number(name));
-        measure.input.removeAttribute('aria-invalid');
+        measure.judge(null);
       }
     }
     this.box.querySelectorAll('button').forEach((chip, i) => chosen < 0 || i >= ways || chip.setAttribute('aria-pressed', String(i === chosen || i === also)));
@@ -143,7 +143,7 @@ export class Chips {
     }
     input.addEventListener('focus', () => input.select());
     input.addEventListener('input', () => {
-      input.setAttribute('aria-invalid', String(!this.engine.enter(name, input.value)));
+      measure.judge(!this.engine.enter(name, input.value));
       this.wake();
     });
     input.addEventListener('keydown', (event) => {

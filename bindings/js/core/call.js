@@ -1,6 +1,6 @@
 // Calls of C as calls.txt describes them: arguments are placed in memory, the function is called, results are read.
 import { BattenError, shown, STATUSES, wrong } from './error.js';
-import { bytesOf, converted, dimensionOf, evaluate, isNumbers, numbersOf, rowOf, snake } from './given.js';
+import { bytesOf, converted, curvesOf, dimensionOf, evaluate, isNumbers, numbersOf, optionsOf, rowOf, snake } from './given.js';
 import { bareOf, camel, Numbers, wordOf } from './memory.js';
 import { FLAT } from './structs.js';
 
@@ -23,16 +23,8 @@ export class Call {
     this.copies = []; // which the call keeps
     this.told = 0;
     plan.positional.forEach((arg, i) => this.values.set(arg.name, given[i]));
-    this.options = given[plan.positional.length] ?? {};
     this.name = camel(plan.names[0].split('.')[1].replace(/^_|\(\)$/g, ''));
-    if (given.length > plan.positional.length + 1 || typeof this.options !== 'object') {
-      const names = [...plan.positional.map((arg) => camel(arg.name)), 'options'];
-      throw wrong(this.name, `(${names.join(', ')})`, given.length > names.length ? `${given.length} arguments` : `${shown(this.options)} as options`);
-    }
-    const other = Object.keys(this.options).find((name) => !plan.options.has(name));
-    if (other !== undefined) {
-      throw new BattenError('argument', `${this.name} has no option ${other}, but ${[...plan.options].join(', ')}`);
-    }
+    this.options = optionsOf(given, plan.positional.map((arg) => camel(arg.name)), plan.options, this.name);
     for (const arg of plan.parsed) {
       if ((arg.missing !== undefined || arg.optional) && !this.values.has(arg.name)) {
         this.values.set(arg.name, this.options[camel(arg.name)]);
@@ -305,11 +297,12 @@ export class Call {
       return this.#assemble();
     }
     const best = status === 'tolerance' && this.results.some(({ isHandle, at }) => isHandle && memory.view.getUint32(at, true)) ? this.#assemble() : undefined;
-    const given = [...this.values, ...Object.entries(this.options)].filter(([name, value]) => name !== 'room' && value !== undefined);
+    const given = [...this.values, ...Object.entries(this.options)].filter(([name, value]) => name !== 'room' && value !== undefined && !this.results.some((one) => one.name === name));
     const written = [...new Map(given.map(([name, value]) => [camel(name), shown(value)]))].map((one) => one.join(': ')).join(', ');
-    const why = this.#explained(args) || (this.told ? '' : this.#outside(status)) || this.#said(memory.text(memory.exports.bat_status_message(returned)));
+    const why = this.#explained(args) || (this.told ? '' : this.#outside(status)) || this.#said('');
+    const of = this.self && !why && !plan.parsed[0]?.ends && library.tables.rules.of_object.includes(status) ? `${this.self}.` : '';
     const within = Object.values(library.tables.rules.explained_struct).includes(plan.c) ? `${camel(plan.parsed[0].name)}.` : '';
-    throw new BattenError(status, `${within}${why} (${this.name}(${written}))`, best);
+    throw new BattenError(status, `${within}${why || [memory.text(memory.exports.bat_status_message(returned)), library.tables.why[plan.c]?.[status]].filter(Boolean).join(': ')} (${of}${this.name}(${written}))`, best);
   }
 
   /** What another call says of the arguments that were refused: of all, or of a struct among them. @param {Map<Argument, number | bigint>} args @returns {string} */
@@ -335,7 +328,7 @@ export class Call {
   /** A bound of the ranges of the table: a number, or what the object has. @param {number | string} of @returns {number} */
   #bound(of) {
     return typeof of === 'number' ? of : of === 'start' || of === 'end' ? this.self.domain[Number(of === 'end')]
-      : of === 'level_total' ? this.self.levels_ : this.#look(of.replace(/-$/, '')) - Number(of.endsWith('-'));
+      : of === 'level_total' ? this.self.levels_ : of === 'degree' ? this.self.degree : this.#look(of.replace(/-$/, '')) - Number(of.endsWith('-'));
   }
 
   /** Which number is not in its range, when that is what the status can mean. @param {string} status @returns {string} */
@@ -353,7 +346,21 @@ export class Call {
         // the object has no such thing
       }
     }
-    return '';
+    return this.#listOutside(status);
+  }
+
+  /** The same of a list: a curve of a region, or the list that the status is about. @param {string} status @returns {string} */
+  #listOutside(status) {
+    const isRegion = (name) => this.library.tables.rules.regions.includes(name) && (status === 'argument' || status === 'dimension');
+    for (const [name, value] of this.values) {
+      for (const [place, curve] of isRegion(name) ? curvesOf(value, camel(name)) : []) {
+        if (curve.dimension !== 2 || !curve.closed) {
+          return `${place}: expected a closed curve in the plane, found ${curve.dimension === 2 ? 'an open one' : 'one in space'}`;
+        }
+      }
+    }
+    const meant = ['count', 'parameter', 'singular'].includes(status) ? [...this.values].find(([, value]) => isNumbers(value)) : undefined;
+    return meant ? `${camel(meant[0])}: ${this.memory.text(this.memory.exports.bat_status_message(STATUSES.indexOf(status)))}, found ${shown(meant[1])}` : '';
   }
 
   /** What the call told of its failure: by a problem, or by the index of what is wrong. @param {string} message @returns {string} */
@@ -402,7 +409,7 @@ export class Call {
       const bytes = bare === 'char' && new Uint8Array(memory.buffer, from, many);
       const found = bytes ? (name === 'text' ? new TextDecoder().decode(bytes) : bytes.slice())
         : isHandle ? Array.from({ length: many }, (_, i) => library.make_(classes[bare], memory.view.getUint32(from + 4 * i, true), this.dimension))
-          : from ? this.structs.many(bare, from, many) : [];
+          : from ? this.structs.many(bare, from, many, this.dimension) : [];
       memory.exports.bat_free(from);
       return found;
     }
@@ -410,12 +417,12 @@ export class Call {
       return into.values.subarray(0, count);
     }
     if (formula !== undefined) {
-      return this.structs.many(bare, at, count);
+      return this.structs.many(bare, at, count, this.dimension);
     }
     if (kind !== 'options' && !(bare in structs)) {
       return memory.readOne(bare, at);
     }
-    const found = this.structs.read(bare, at);
+    const found = this.structs.read(bare, at, this.dimension);
     const end = kind === 'result' && (memory.exports[`${bare}_free`] ?? memory.exports[`${bare}_clear`]);
     if (end) {
       end(at); // what the library has put into it

@@ -1,5 +1,5 @@
 // What callers give, as C takes it: numbers in a row from arrays of all kinds, text as bytes, numbers, truths and words.
-import { shown, wrong } from './error.js';
+import { BattenError, shown, wrong } from './error.js';
 import { Numbers } from './memory.js';
 
 const MOST = 0x7fffffff; // of whole numbers
@@ -32,6 +32,9 @@ function coordinates(point, dimension, name) {
 
 /** @returns {ArrayLike<number> | Numbers} */
 export function numbersOf(value, dimension, name) {
+  if (typeof value === 'object' && value !== null && 'x' in value && 'y' in value) {
+    return numbersOf(coordinates(value, dimension, name), dimension, name); // one point
+  }
   if (!isNumbers(value)) {
     throw wrong(name, 'an array of numbers', shown(value));
   }
@@ -44,6 +47,29 @@ export function numbersOf(value, dimension, name) {
     }
   }
   return flat;
+}
+
+/** The options of a call, which stand behind its arguments. @param {unknown[]} given @param {string[]} names of the arguments
+ * @param {Iterable<string>} known the options that there are @param {string} call @returns {Record<string, unknown>} */
+export function optionsOf(given, names, known, call) {
+  const options = given[names.length] ?? {};
+  if (given.length > names.length + 1 || typeof options !== 'object' || isNumbers(options)) {
+    throw wrong(call, `(${[...names, 'options'].join(', ')})`, given.length > names.length + 1 ? `${given.length} arguments` : `${shown(options)} as options`);
+  }
+  const all = [...known];
+  const other = Object.keys(options).find((name) => !all.includes(name));
+  if (other !== undefined) {
+    throw new BattenError('argument', `${call} has no option ${other}, but ${all.join(', ')}`);
+  }
+  return options;
+}
+
+/** All curves that regions are made of, each with its place. @param {unknown} value @param {string} place @returns {[string, import('./library.js').Curve][]} */
+export function curvesOf(value, place) {
+  if (Array.isArray(value)) {
+    return value.flatMap((one, i) => curvesOf(one, `${place}[${i}]`));
+  }
+  return value?.kind_ === 'Curve' ? [[place, value]] : value?.curves ? curvesOf(value.curves, `${place}.curves`) : [];
 }
 
 /** What is in a row, or in rows, one after the other. @param {unknown} value @param {string} name @returns {unknown[]} */

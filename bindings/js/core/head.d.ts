@@ -51,6 +51,10 @@ export class Numbers {
 /** What the module holds. It is freed when nobody holds it any more, or at once by free() or `using`. */
 declare class Handle {
   protected constructor();
+  /** What consoles show: its class, and how large it is. */
+  toString(): string;
+  /** For JSON.stringify: what the function that reads such an object reads; a BattenError where there is none. */
+  toJSON(): object;
   /** Gives the memory back at once. Any use after that throws a BattenError with status 'state'. */
   free(): void;
   /** As free(): for `using`. */

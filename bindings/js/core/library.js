@@ -2,7 +2,7 @@
 import { Call } from './call.js';
 import core from './core.js';
 import { BattenError, shown, wrong } from './error.js';
-import { listOf, numbersOf } from './given.js';
+import { converted, listOf, numbersOf, optionsOf } from './given.js';
 import { Memory, Numbers } from './memory.js';
 import { PathText, trace } from './path.js';
 import { prepare } from './plan.js';
@@ -10,9 +10,10 @@ import { Structs } from './structs.js';
 
 export { BattenError, Numbers };
 
-/** What is known of the library: structs, enums, classes; kinds: the classes of JavaScript, by name. */
-export const tables = { structs: {}, inits: {}, enums: {}, classes: {}, frees: {}, kinds: {}, rules: core.rules };
+/** What is known of the library: structs, enums, classes; kinds: the classes of JavaScript, by name; why: what each status means of a call. */
+export const tables = { structs: {}, inits: {}, enums: {}, classes: {}, frees: {}, kinds: {}, why: {}, rules: core.rules };
 
+const inspect = Symbol.for('nodejs.util.inspect.custom');
 const dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
 /** Frees what nobody holds any more. */
@@ -24,6 +25,9 @@ export class Handle {
   #owned = [];
 
   constructor(library, at, dim) {
+    if (!(library instanceof Batten)) {
+      throw new TypeError(`a ${this.kind_} is made by a function of the library that load() gives`);
+    }
     this.#at = at;
     Object.defineProperty(this, 'library', { value: library });
     Object.defineProperty(this, 'dim', { value: dim });
@@ -36,6 +40,29 @@ export class Handle {
       throw new BattenError('state', `this ${this.kind_} has been freed`);
     }
     return this.#at;
+  }
+
+  /** Whether it has been freed. */
+  get isFree_() {
+    return !this.#at;
+  }
+
+  /** What consoles show. */
+  toString() {
+    return `<${this.kind_}${this.#at ? '' : ', freed'}>`;
+  }
+
+  /** As toString(): for the console of Node. */
+  [inspect]() {
+    return this.toString();
+  }
+
+  /** For JSON.stringify: what the function that reads such an object reads. */
+  toJSON() {
+    if (typeof this.write !== 'function' || this.kind_ === 'Motion') {
+      throw new BattenError('unsupported', `a ${this.kind_} has no JSON`);
+    }
+    return JSON.parse(this.write());
   }
 
   /** The call that has just been made freed it. */
@@ -86,7 +113,7 @@ export class Curve extends Handle {
 
   /** @template {import('./library.js').PathLike} P @param {P} path a Path2D, a canvas' context, or whatever has moveTo, bezierCurveTo and closePath @param {{ tolerance?: number } | null} [given] @returns {P} */
   trace(path, given) {
-    const { tolerance = 0.01 } = given ?? {};
+    const { tolerance = 0.01 } = optionsOf([path, given], ['path'], ['tolerance'], 'trace');
     if (typeof path?.moveTo !== 'function' || typeof path.bezierCurveTo !== 'function' || typeof path.closePath !== 'function') {
       throw wrong('path', 'what has moveTo, bezierCurveTo and closePath', shown(path));
     }
@@ -103,8 +130,19 @@ export class Curve extends Handle {
 
   /** SVG path data. @param {{ tolerance?: number, decimals?: number } | null} [given] */
   toSVG(given) {
-    const { tolerance = 0.01, decimals = 3 } = given ?? {};
-    return String(this.trace(new PathText(decimals), { tolerance }));
+    const { tolerance = 0.01, decimals = 3 } = optionsOf([given], [], ['tolerance', 'decimals'], 'toSVG');
+    return String(this.trace(new PathText(converted(this.library.tables, 'int', decimals, 'decimals')), { tolerance }));
+  }
+
+  /** As toString() of what is not freed. */
+  toString() {
+    return this.isFree_ ? super.toString() : `<Curve of degree ${this.degree}, ${this.count} points${this.closed ? ', closed' : ''}>`;
+  }
+
+  /** For JSON.stringify: what readCurve reads. */
+  toJSON() {
+    const { degree, closed, dimension, points } = this;
+    return { degree, closed, knots: [...this.knots], points: Array.from({ length: this.count }, (_, i) => [...points.subarray(i * dimension, (i + 1) * dimension)]) };
   }
 }
 
@@ -172,6 +210,11 @@ export class Batten {
     exports._initialize?.();
   }
 
+  /** What the console of Node shows. */
+  [inspect]() {
+    return `<Batten ${this.version}>`;
+  }
+
   /** The library's version. @returns {string} */
   get version() {
     return this.memory.text(this.memory.exports.bat_version());
@@ -226,7 +269,7 @@ export class Batten {
 
 /** Puts the calls of a part of the table where their names say; what is written by hand stays, and finds them behind a name with _. */
 export function install(part, kinds) {
-  ['structs', 'inits', 'enums', 'classes', 'frees'].forEach((name) => Object.assign(tables[name], part[name]));
+  ['structs', 'inits', 'enums', 'classes', 'frees', 'why'].forEach((name) => Object.assign(tables[name], part[name]));
   Object.assign(tables.kinds, kinds);
   for (const [name, kind] of Object.entries(kinds)) {
     Object.defineProperty(kind.prototype, 'kind_', { value: name });

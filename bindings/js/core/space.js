@@ -1,6 +1,6 @@
 // Surfaces, meshes, wires, views of them, cameras and motion: what calls.txt cannot describe of them.
 import { shown, wrong } from './error.js';
-import { converted, isNumbers, listOf, numbersOf } from './given.js';
+import { converted, isNumbers, listOf, numbersOf, optionsOf } from './given.js';
 import { Handle } from './library.js';
 
 /** A tensor-product B-spline surface in space. */
@@ -64,7 +64,7 @@ export class Relief extends Handle {
 
   /** A level above: its knots in both directions (left out: those below), and what it adds. */
   addLevel(given) {
-    const { uKnots, vKnots, details, source } = given ?? {};
+    const { uKnots, vKnots, details, source } = optionsOf([given], [], ['uKnots', 'vKnots', 'details', 'source'], 'addLevel');
     const below = this.surface(this.levels);
     const knots = { u: uKnots, v: vKnots };
     if ((details ?? source) !== undefined) {
@@ -102,7 +102,7 @@ export class Reference extends Handle {}
 export class Binding extends Handle {
   /** Where the points are when the wires are these curves. points: what to move instead of what was bound. */
   apply(curves, given) {
-    const { points = this.bound_.points } = given ?? {};
+    const { points = this.bound_.points } = optionsOf([curves, given], ['curves'], ['points'], 'apply');
     const { wires, count } = this.bound_;
     if (!Array.isArray(curves) || curves.length !== wires) {
       throw wrong('curves', `an array of ${wires} curves`, shown(curves), 'count');
@@ -192,7 +192,7 @@ const pair = (value) => (Array.isArray(value) ? value : [value, value]);
 export const made = {
   /** A surface of rows of points, and knots in both directions. */
   surface(points, uKnots, vKnots, given) {
-    const { degree = 3, closed = false } = given ?? {};
+    const { degree = 3, closed = false } = optionsOf([points, uKnots, vKnots, given], ['points', 'uKnots', 'vKnots'], ['degree', 'closed'], 'surface');
     const rows = Array.isArray(points) ? points.length : 0;
     const columns = points?.[0]?.length;
     if (!rows || !Array.isArray(points[0]) || points.some((row) => row?.length !== columns)) {
@@ -203,7 +203,7 @@ export const made = {
 
   /** A mesh of vertices and faces, each an array of at least three of their numbers; a cloud of points without faces. */
   mesh(vertices, given) {
-    const { faces = [] } = given ?? {};
+    const { faces = [] } = optionsOf([vertices, given], ['vertices'], ['faces'], 'mesh');
     if (!Array.isArray(faces)) {
       throw wrong('faces', 'an array of faces', shown(faces));
     }

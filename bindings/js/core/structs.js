@@ -195,8 +195,8 @@ export class Structs {
     }
   }
 
-  /** A struct as an object. Arrays that no field counts are left out. @param {string} type @param {number} from @returns {object} */
-  read(type, from) {
+  /** A struct as an object. Arrays that no field counts are left out. @param {string} type @param {number} from @param {number} [dimension] of what it is about @returns {object} */
+  read(type, from, dimension = 3) {
     const { memory } = this;
     const { structs, enums } = this.tables;
     const { fields } = structs[type];
@@ -211,29 +211,29 @@ export class Structs {
         continue;
       }
       if (field.type.endsWith('*')) {
-        const value = this.#pointed(field.type, memory.view.getUint32(at, true), count);
+        const value = this.#pointed(field.type, memory.view.getUint32(at, true), count, dimension);
         if (value !== undefined) {
           found[name] = value;
         }
       } else if (kind === 'char') {
         found[name] = memory.text(at);
       } else if (field.room) {
-        found[name] = this.many(kind, at, kind in enums ? count : field.room);
+        found[name] = this.many(kind, at, kind in enums ? count : field.each ? dimension : field.room);
       } else {
-        found[name] = kind in structs ? this.read(kind, at) : memory.readOne(kind, at);
+        found[name] = kind in structs ? this.read(kind, at, dimension) : memory.readOne(kind, at);
       }
     }
     return found;
   }
 
   /** Values or structs that follow each other. */
-  many(type, at, count) {
+  many(type, at, count, dimension = 3) {
     const { size } = this.tables.structs[type] ?? {};
-    return size ? Array.from({ length: count }, (_, i) => this.read(type, at + i * size)) : this.memory.readMany(type, at, count);
+    return size ? Array.from({ length: count }, (_, i) => this.read(type, at + i * size, dimension)) : this.memory.readMany(type, at, count);
   }
 
   /** What a pointer in a struct points to; undefined where nothing says how many. */
-  #pointed(type, to, count) {
+  #pointed(type, to, count, dimension) {
     const { library, memory } = this;
     const { structs, classes } = this.tables;
     const kind = bareOf(type);
@@ -244,11 +244,11 @@ export class Structs {
       return type.split('*').length > 2 ? undefined : to ? library.copied_(kind, to) : null;
     }
     if (count === undefined) {
-      return kind in structs ? (to ? this.read(kind, to) : null) : undefined;
+      return kind in structs ? (to ? this.read(kind, to, dimension) : null) : undefined;
     }
     if (kind in classes) {
       return Array.from({ length: to ? count : 0 }, (_, i) => library.copied_(kind, memory.view.getUint32(to + 4 * i, true)));
     }
-    return to || !count ? this.many(kind, to, to ? count : 0) : null;
+    return to || !count ? this.many(kind, to, to ? count : 0, dimension) : null;
   }
 }

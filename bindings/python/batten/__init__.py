@@ -32,9 +32,9 @@ def _attach(call, called):
 
 
 KINDS.update({_name: next(vars(_part)[_name] for _part in (_curves, _space, _documents) if _name in vars(_part)) for _name in TABLE["classes"].values()})
-for _call in TABLE["calls"]:
-    for _called in _call["names"]:
-        _attach(_call, _called)
+for _row in TABLE["calls"]:
+    for _called in _row["names"]:
+        _attach(_row, _called)
 for _one, _c in ((surface, "bat_surface_create"), (mesh, "bat_polymesh_create"), (take, "bat_take_create"), (KINDS["Relief"].add_level, "bat_relief_add_level"),
                  (KINDS["Binding"].apply, "bat_binding_apply")):
     _one.__doc__ = _one.__doc__ or DOCS[_c]
@@ -42,3 +42,7 @@ for _one in (*KINDS.values(), read_spline, read_stroke, read_svg, mesh, surface,
     _one.__module__ = "batten"
 globals().update(KINDS | {_name: _one for _name, _one in LIBRARY.items() if _name[0] != "_"} | {_one.__name__: _one for _one in RECORDS.values()} | RESULTS)
 __all__ = [_name for _name in globals() if _name[0] != "_" and getattr(globals()[_name], "__module__", "") == "batten"]
+
+
+def __dir__():
+    return [*__all__, "__version__"]

@@ -68,7 +68,8 @@ class Plan:
         self.required = [w.name for w in own if not w.optional and w.missing is None]
         self.defaults = {w.name: w.missing for w in own if w.optional or w.missing is not None}
         self.fields = [f["name"] for w in self.words if w.kind == "options" or w in flats
-                       for f in TABLE["structs"][w.bare]["fields"] if f["name"] not in ("size", "count", "points", "dimension")]
+                       for f in TABLE["structs"][w.bare]["fields"] if not f["counts"] and f["name"] not in ("size", "count", "points", "dimension")]
+        self.presets = {name: value for w in self.words if w.kind == "options" for name, value in preset(w.bare).items()}
         flat = ["dimension"] if flats or any(w.kind == "dim" for w in self.words) else []
         self.options = {name: None for name in [*self.defaults, *self.fields, *flat] if name not in self.required}
         self.arrays = [w for w in self.words if w.kind == "array" and "dim" in w.formula or w in flats]
@@ -103,6 +104,24 @@ def compiled(formula):
 @functools.lru_cache(maxsize=None)
 def factors(formula):
     return re.findall(r"\([^)]*\)|[^*]+", formula)
+
+
+def curves_of(value, place):
+    """(place, curve) of all curves that regions are made of."""
+    if isinstance(value, KINDS["Curve"]):
+        yield place, value
+    elif isinstance(value, dict):
+        yield from curves_of(value.get("curves"), f"{place}.curves")
+    elif isinstance(value, (list, tuple)):
+        for i, one in enumerate(value):
+            yield from curves_of(one, f"{place}[{i}]")
+
+
+def preset(struct):
+    """The numbers, truths and words that options have when they are left out."""
+    item = STRUCTS[struct]()
+    getattr(lib, TABLE["inits"][struct])(ctypes.byref(item), ctypes.c_size_t(ctypes.sizeof(item)))
+    return {name: value for name, value in vars(record(struct, item)).items() if isinstance(value, (bool, int, float, str))}
 
 
 def said(told, message):
@@ -381,11 +400,15 @@ class Call:
                 word.bare in CLASSES and not word.handed and item for word, item, _ in self.results):
             best = self.assemble()
         if returned:
-            given = ", ".join(f"{name}={shown(value)}" for name, value in {**self.values, **self.options}.items() if value is not None and name != "room")
+            results = {"room", *(w.name for w in plan.words if w.kind == "result")}
+            given = ", ".join(f"{name}={shown(value)}" for name, value in {**self.values, **self.options}.items() if value is not None and name not in results)
             told = self.explained(arguments) or said(self.told, lib.bat_status_message(returned).decode()) or self.outside(returned)
+            about = word_of("bat_status", returned) in TABLE["rules"]["of_object"] and self.self is not None and self.self._own and not told
+            of = f"{self.self!r}." if about else ""
+            told = told or ": ".join(one for one in (lib.bat_status_message(returned).decode(), self.why(returned)) if one)
             if plan.c in TABLE["rules"]["explained_struct"].values():
                 told = f"{plan.words[0].name}.{told}"
-            check(returned, best, f" ({plan.name.lstrip('_')}({given}))", told)
+            check(returned, best, f" ({of}{plan.name.lstrip('_')}({given}))", told)
         return self.assemble()
 
     def explained(self, arguments):
@@ -401,6 +424,10 @@ class Call:
                     return (name + "." if name else "") + said([problem], "")
         return ""
 
+    def why(self, status):
+        """What the header says of a status that nothing else explains."""
+        return TABLE["why"].get(self.plan.c, {}).get(word_of("bat_status", status), "")
+
     def bound(self, of):
         """A bound of the ranges of the table: a number, or what the object has."""
         if isinstance(of, (int, float)):
@@ -409,11 +436,12 @@ class Call:
             return float(self.self.domain[int(of == "end")])
         if of == "level_total":
             return self.self._level_total()
-        return self.look(of.rstrip("-")) - of.endswith("-")
+        name = of.rstrip("-")
+        return (getattr(self.self, name) if name == "degree" else self.look(name)) - of.endswith("-")
 
     def outside(self, status):
         """Which number is not in its range, when that is what the status can mean."""
-        if word_of("bat_status", status) not in ("argument", "number", "parameter", "count", "degree", "knots"):
+        if word_of("bat_status", status) not in ("argument", "number", "parameter", "count", "degree", "knots", "dimension", "singular"):
             return ""
         ranges = TABLE["rules"]["ranges"]
         for name, value in {**self.values, **self.options}.items():
@@ -437,7 +465,12 @@ class Call:
             if status in ("number", "argument") and (far := np.argwhere(np.abs(array) > 1e75)).size:
                 place = "".join(f"[{one}]" for one in far[0])
                 return f"{name}{place}: expected -1e75 to 1e75, found {array[tuple(far[0])]}"
-        meant = [name for name in given if status in name] or [name for name in given if name in self.arrays and status in ("count", "parameter")]
+        if status in ("argument", "dimension"):
+            for name in TABLE["rules"]["regions"]:
+                for place, curve in curves_of(self.values.get(name), name):
+                    if curve.dim != 2 or not curve.closed:
+                        return f"{place}: expected a closed curve in the plane, found {'one in space' if curve.dim != 2 else 'an open one'}"
+        meant = [name for name in given if status in name] or [name for name in given if status in ("count", "parameter", "singular") and (name in self.arrays or isinstance(self.values[name], (list, tuple)))]
         return f"{meant[0]}: {lib.bat_status_message(TABLE['enums']['bat_status'][status]).decode()}, found {shown(self.values[meant[0]])}" if meant else ""
 
     def returned(self, value):
@@ -463,16 +496,16 @@ class Call:
         if word.handed and word.kind == "result":
             shape = self.shape(word.formula)
             found = ([make._made(address, self.dim) for address in (ctypes.c_void_p * shape[0]).from_address(item.value)] if make and item.value
-                     else copied(word.bare, item.value, shape))
+                     else copied(word.bare, item.value, shape, self.dim))
             lib.bat_free(item)
             return found
         if isinstance(item, np.ndarray):
             return item
         if word.formula is not None:
-            return [record(word.bare, one) for one in item]
+            return [record(word.bare, one, self.dim) for one in item]
         if word.bare not in STRUCTS:
             return item.value
-        found = record(word.bare, item)
+        found = record(word.bare, item, self.dim)
         for end in ("_free", "_clear"):  # of what the library has put into it
             if word.kind == "result" and hasattr(lib, word.bare + end):
                 getattr(lib, word.bare + end)(ctypes.byref(item))
@@ -520,9 +553,11 @@ Report.__module__ = "batten"
 def bound(plan, given, options):
     """The arguments that must be there, in their order; those that have a name are taken out of the options."""
     missing = plan.required[len(given):]
-    if len(given) > len(plan.required) or not all(name in options for name in missing):
-        raise TypeError(f"{plan.name}() takes {', '.join(plan.required) or 'nothing'}, found {len(given)}"
-                        + "".join(f", {name}" for name in options))
+    if len(given) > len(plan.required):
+        raise TypeError(f"{plan.name}() takes {', '.join(plan.required) or 'nothing'}" + (f", and by name {', '.join(plan.options)}" if plan.options else "")
+                        + f"; found {len(given)} without a name")
+    if lacking := [name for name in missing if name not in options]:
+        raise TypeError(f"{plan.name}() takes {', '.join(plan.required)}; {' and '.join(lacking)} {'is' if len(lacking) == 1 else 'are'} missing")
     given = [*given, *(options.pop(name) for name in missing)]
     if twice := set(options) & set(plan.required):
         raise TypeError(f"{plan.name}() has {min(twice)} twice")
@@ -572,6 +607,12 @@ def quick(plan, run):
     return call
 
 
+def helped(c):
+    """What the header says of a call, and of each of its options."""
+    text, _, place = DOCS[c].rpartition("\n")
+    return "\n".join(one for one in (text, DOCS[c + "()"], place) if one)
+
+
 def value_of(missing):
     """The value of a default of calls.txt; start and end stand for those of the curve."""
     if missing in LITERALS:
@@ -604,7 +645,7 @@ def method(call, called):
     found.__signature__ = inspect.Signature(
         ([] if free else [parameter("self", parameter.POSITIONAL_ONLY)])
         + [parameter(word, parameter.POSITIONAL_OR_KEYWORD) for word in plan.required]
-        + [parameter(word, parameter.KEYWORD_ONLY, default=value_of(plan.defaults.get(word))) for word in plan.options])
+        + [parameter(word, parameter.KEYWORD_ONLY, default=value_of(plan.defaults.get(word)) if word in plan.defaults else plan.presets.get(word)) for word in plan.options])
     found.__name__, found.__qualname__, found.__module__ = name, name if free else f"{kind}.{name}", "batten"
-    found.__doc__ = DOCS[call["c"]]
+    found.__doc__ = helped(call["c"])
     return found, is_property

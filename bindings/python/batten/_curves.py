@@ -45,7 +45,7 @@ class Curve(Value):
 
     def __call__(self, u, **options):
         """The place at u, or the places at an array of any shape; with order=n, n derivatives behind each."""
-        if is_one(u):
+        if u.__class__ is float or is_one(u):
             return self.at(u, **options)
         places = doubles(np.ravel(u) if isinstance(u, np.ndarray) and not np.ma.isMaskedArray(u) else u, "u")
         places, order = places.ravel(), slice(None)

@@ -160,8 +160,8 @@ def pointer(array):
     return ctypes.c_void_p(array.ctypes.data)
 
 
-def copied(type_, address, shape):
-    """A copy of what lies at an address: numbers as an array, structs as a list; None where nothing lies."""
+def copied(type_, address, shape, dim=3):
+    """A copy of what lies at an address: numbers as an array, structs as a list, of an object of dim; None where nothing lies."""
     count = int(np.prod(shape))
     if not count:
         return np.empty(shape, dtype=NUMPY[type_]) if type_ in NUMPY else []
@@ -170,7 +170,7 @@ def copied(type_, address, shape):
     items = (value_type(type_) * count).from_address(address)
     if type_ in NUMPY:
         return np.frombuffer(items, dtype=NUMPY[type_]).reshape(shape).copy()
-    return [record(type_, item) for item in items]
+    return [record(type_, item, dim) for item in items]
 
 
 def handle(type_, address):
@@ -189,7 +189,7 @@ def text_at(address):
     return ctypes.string_at(address).decode("utf-8", "replace") if address else None
 
 
-def pointed(type_, value, count):
+def pointed(type_, value, count, dim):
     """What a pointer in a struct points to; without a count before it, one."""
     type_, many = bare(type_), type_.count("*") > 1
     if type_ == "char":
@@ -200,11 +200,11 @@ def pointed(type_, value, count):
         return record(type_, STRUCTS[type_].from_address(value)) if value and type_ in STRUCTS else None
     if type_ in CLASSES:
         return [handle(type_, one) for one in (ctypes.c_void_p * count).from_address(value)] if value else []
-    return copied(type_, value, (count,))
+    return copied(type_, value, (count,), dim)
 
 
-def record(type_, item):
-    """A struct as a namespace. Arrays that no field counts are left out."""
+def record(type_, item, dim=3):
+    """A struct as a namespace, of an object of dim. Arrays that no field counts are left out."""
     found = {}
     for field in TABLE["structs"][type_]["fields"]:
         name, kind = field["name"], field["type"]
@@ -214,9 +214,9 @@ def record(type_, item):
         name += "_" * keyword.iskeyword(name)  # from_
         if kind.endswith("*"):
             if count is not None or bare(kind) not in NUMPY and not kind.endswith("**"):
-                found[name] = pointed(kind, value, count)
+                found[name] = pointed(kind, value, count, dim)
         elif field["room"]:
-            found[name] = np.array(value[:]) if kind == "double" else [word_of(kind, one) for one in value[:count]] if kind in TABLE["enums"] else list(value)
+            found[name] = np.array(value[:dim if "each" in field else None]) if kind == "double" else [word_of(kind, one) for one in value[:count]] if kind in TABLE["enums"] else list(value)
         else:
-            found[name] = record(kind, value) if kind in STRUCTS else word_of(kind, value) if kind in TABLE["enums"] else value
+            found[name] = record(kind, value, dim) if kind in STRUCTS else word_of(kind, value) if kind in TABLE["enums"] else value
     return RECORDS[type_](**found)

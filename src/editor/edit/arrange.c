@@ -75,8 +75,10 @@ bat_status bat_arrange_moving(const bat_context *c, int **members, int *count) {
 bool bat_arrange_box(const bat_document *document, int first, int end, double box[4]) {
     bat_box_nothing(box);
     for (int i = first; i < end; i++) {
+        const bat_object *object = bat_document_at(document, i);
         double own[4];
-        bat_object_bounds(bat_document_at(document, i), own);
+        if (!object) break;
+        bat_object_bounds(object, own);
         bat_box_hold(box, own);
     }
     return box[0] <= box[2];

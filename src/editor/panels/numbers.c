@@ -167,7 +167,7 @@ static bat_status change(bat_context *c, bat_number_id id, double from, double t
     if (id == BAT_NUMBER_POINT_X || id == BAT_NUMBER_POINT_Y)
         return change_point(c, id == BAT_NUMBER_POINT_Y, to - from);
     if (id != BAT_NUMBER_GUIDE) return change_selection(c, id, from, to);
-    double at;
+    double at = 0;
     int axis = bat_object_guide(bat_document_at(c->session->document, bat_guide_chosen(c)), &at);
     return bat_guide_put(c, bat_guiding_of(c)->chosen, axis, at + to - from);
 }

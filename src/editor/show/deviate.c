@@ -84,10 +84,8 @@ static void put_change(leaves *all, const bat_deviation_change *change, bat_obje
     for (int i = 0; i < all->count && !*made; i++) {
         if (bat_object_id(all->at[i]) != change->object) continue;
         if (bat_curve_copy(change->curve, &copy) != BAT_OK) return;
-        if (bat_object_with_curve(all->at[i], change->number, copy, made) != BAT_OK) {
-            bat_curve_free(copy);
-            return;
-        }
+        if (bat_object_with_curve(all->at[i], change->number, copy, made) != BAT_OK)
+            return; /* it has taken it */
         all->at[i] = *made;
     }
 }

@@ -105,7 +105,7 @@ void bat_overlay_label(bat_overlay *overlay, bat_role role, const double point[2
                        const char *text) {
     if (overlay->label_count == BAT_OVERLAY_LABELS) return;
     uint32_t i = overlay->label_count++;
-    snprintf(overlay->texts[i], BAT_LABEL_ROOM, "%s", text);
+    snprintf(overlay->texts[i], BAT_LABEL_ROOM, "%.*s", BAT_LABEL_ROOM - 1, text);
     overlay->labels[i] = (bat_label){.role = (uint32_t)role,
                                      .at = {bat_path_float(point[0] - overlay->path.origin[0]),
                                             bat_path_float(point[1] - overlay->path.origin[1])},

@@ -242,7 +242,7 @@ bat_status bat_surface_sketch(const bat_surface *surface, bat_direction directio
                               const bat_viewpoint *view, const bat_stroke *stroke,
                               const bat_surface_sketch_options *options, bat_surface **out, double *weights,
                               bat_surface_sketch_report *report) {
-    if (!surface || !out) return BAT_ARGUMENT;
+    if (!surface || !out || (unsigned)direction > BAT_V) return BAT_ARGUMENT;
     sketching s = {.view = view, .stroke = stroke};
     bat_status status = start(&s, surface, direction, at, options);
     if (status != BAT_OK) return status;

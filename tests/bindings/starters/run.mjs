@@ -1,5 +1,5 @@
-// Begins projects as a developer begins them, from packed packages: run.mjs [NAME...]. Each is installed from the registry into a
-// fresh folder. The dev server runs before the packages are used; the first edit uses them, the second changes a word of the page;
+// Begins projects as a developer begins them, from packed packages: run.mjs [--here] [NAME...]. Each is installed from the registry into
+// a fresh folder; with --here, its tools are those of tests/web, and the registry is not asked. The dev server runs before the packages are used; the first edit uses them, the second changes a word of the page;
 // then the page is reloaded, built, and the build served. The last line is "N passed, N failed".
 import { execFile, execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
@@ -13,6 +13,7 @@ import { STARTERS } from './table.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
 const PACKED = path.join(process.env.BATTEN_NPM ?? path.join(root, 'build/wasm/npm'));
+const HERE = path.join(root, 'tests/web/node_modules');
 const WAIT = 40000; // milliseconds that a server and a page have
 const TYPES = { html: 'text/html', js: 'text/javascript', css: 'text/css', wasm: 'application/wasm', svg: 'image/svg+xml', json: 'application/json' };
 const playwright = await import(path.join(root, 'tests/web/node_modules/playwright-core/index.mjs'));
@@ -120,11 +121,29 @@ async function look(starter, page, found) {
   }
 }
 
+/** The name of a package without its version. */
+const bare = (name) => name.replace(/(?<=.)@.*/, '');
+
+/** A package of tests/web, and its command, as if it had been installed. */
+function borrow(name, project) {
+  fs.symlinkSync(path.join(HERE, name), path.join(project, 'node_modules', name));
+  const { bin = {} } = JSON.parse(fs.readFileSync(path.join(HERE, name, 'package.json'), 'utf8'));
+  fs.mkdirSync(path.join(project, 'node_modules/.bin'), { recursive: true });
+  Object.entries(bin).forEach(([command, file]) => fs.symlinkSync(path.join(HERE, name, file), path.join(project, 'node_modules/.bin', command)));
+}
+
+/** What it was tried with: "vite 7.3.8, react 19.2.0". */
+function versions(starter, project) {
+  const of = (name) => JSON.parse(fs.readFileSync(path.join(project, 'node_modules', name, 'package.json'), 'utf8')).version;
+  return starter.packages.map(bare).map((name) => `${name} ${of(name)}`).join(', ') || `node ${process.versions.node}`;
+}
+
 async function install(starter, project) {
   fs.writeFileSync(path.join(project, 'package.json'), '{ "name": "begun", "private": true, "type": "module" }\n');
   const packed = ['batten-core', 'batten-editor'].map((name) =>
     path.join(project, execFileSync('npm', ['pack', '--silent', path.join(PACKED, name)], { cwd: project, encoding: 'utf8' }).trim()));
-  await run('npm', ['install', '--no-audit', '--no-fund', ...packed, ...starter.packages], { cwd: project });
+  await run('npm', ['install', '--no-audit', '--no-fund', ...packed, ...(here ? ['--offline'] : starter.packages)], { cwd: project });
+  starter.packages.forEach((name) => here && borrow(bare(name), project));
   for (const [name, text] of Object.entries(starter.files)) {
     fs.mkdirSync(path.dirname(path.join(project, name)), { recursive: true });
     fs.writeFileSync(path.join(project, name), text);
@@ -201,6 +220,7 @@ async function one(name, browser) {
   const project = fs.mkdtempSync(path.join(os.tmpdir(), `batten-${name}-`));
   try {
     await install(starter, project);
+    const tried = versions(starter, project);
     if (starter.script) {
       fs.writeFileSync(path.join(project, starter.main), starter.text('run'));
       const [command, ...words] = starter.script;
@@ -210,13 +230,13 @@ async function one(name, browser) {
       if (!/^run M/.test(found.core) || !/^M/.test(found.worker)) {
         throw new Error(stdout);
       }
-      return [];
+      return [tried];
     }
     const names = starter.component ? ['core'] : ['core', 'worker', 'editor'];
     if (starter.dev || starter.reloads) {
       await develop(starter, project, browser, names);
     }
-    return starter.build ? await build(starter, project, browser, names) : [];
+    return [tried, ...(starter.build ? await build(starter, project, browser, names) : [])];
   } finally {
     if (!process.env.KEEP) {
       fs.rmSync(project, { recursive: true, force: true, maxRetries: 20, retryDelay: 200 });
@@ -224,15 +244,16 @@ async function one(name, browser) {
   }
 }
 
-const asked = process.argv.slice(2);
+const here = process.argv.includes('--here');
+const asked = process.argv.slice(2).filter((word) => word !== '--here');
 const names = asked.length > 0 ? asked : Object.keys(STARTERS);
 const browser = await playwright.chromium.launch(BROWSER);
 let failed = 0;
 for (const name of names) {
   const start = Date.now();
   try {
-    const warned = await one(name, browser);
-    console.log([`ok    ${name} (${Math.round((Date.now() - start) / 1000)} s)`, ...warned].join('\n      '));
+    const [tried, ...warned] = await one(name, browser);
+    console.log([`ok    ${name} (${Math.round((Date.now() - start) / 1000)} s): ${tried}`, ...warned].join('\n      '));
   } catch (error) {
     failed++;
     console.log(`FAIL  ${name} (${Math.round((Date.now() - start) / 1000)} s)\n${error.message.replace(/^/gm, '      ')}`);
