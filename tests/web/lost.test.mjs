@@ -144,9 +144,9 @@ test('one that cannot be read at all is put aside, and new work goes elsewhere',
   await next.page.evaluate(() => batten.engine.command('open-kept') && batten.wake());
   await next.page.waitForSelector('#kept:popover-open');
   await next.page.screenshot({ path: path.join(SCREENSHOTS, 'kept-damaged.png') });
-  assert.match(await next.page.textContent('#kept'), /Without a name.*damaged/);
+  assert.match(await next.page.textContent('#kept'), /Untitled.*damaged/);
   const strokes = await state(next.page);
-  await next.page.click('#kept >> text=Without a name');
+  await next.page.click('#kept >> text=Untitled');
   await next.page.waitForSelector('[data-about=other] >> text=could not be opened');
   assert.equal((await state(next.page)).digest, strokes.digest, 'what is open stays');
   await next.hand.stroke(line(1));
