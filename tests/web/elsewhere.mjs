@@ -79,7 +79,7 @@ export async function session(driver) {
     await until(`batten.painter.list.length === ${first + 2}`, 'another curve');
     await driver.run(`(globalThis.kept = 0, batten.keeper.settled().then(() => batten.keeper.find('car.svg'))
       .then((one) => { globalThis.kept = one?.journal.length || -1; }, () => { globalThis.kept = -1; }), true)`);
-    await until('kept !== 0', 'it is known whether it is kept');
+    await until('kept !== 0', `it is known whether it is kept: ${await driver.run("[batten.keeper.writes, batten.keeper.fault, batten.keeper.asked.length, document.hidden, document.hasFocus()].join()")}`);
     const keeps = await driver.run('kept > 0');
     if (!keeps) {
       await until("/does not keep unsaved work|no room to keep/.test(document.body.textContent)", 'it says that it keeps nothing');

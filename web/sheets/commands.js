@@ -176,7 +176,7 @@ export class CommandSheet {
     const why = this.why[row.name];
     if (why) { // it may be pressed all the same, and says so again
       label.setAttribute('aria-disabled', 'true');
-      label.setAttribute('aria-description', why);
+      label.setAttribute('aria-label', `${row.label} ${why}`);
       label.append(made('small', '', why));
     }
     const editing = row.name === this.editing;
