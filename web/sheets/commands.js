@@ -177,7 +177,7 @@ export class CommandSheet {
     if (why) { // it may be pressed all the same, and says so again
       label.setAttribute('aria-disabled', 'true');
       label.setAttribute('aria-label', `${row.label} ${why}`);
-      label.append(made('small', '', why));
+      label.append(' ', made('small', '', why));
     }
     const editing = row.name === this.editing;
     const names = row.keys.map(keyName);

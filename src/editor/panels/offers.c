@@ -91,7 +91,8 @@ static bat_string why_no_surface(bat_context *c, const facts *f, bat_command_id 
         return unless(plain && bat_surface_command_fits(c, id), BAT_STRING_NOTICE_SELECT_SURFACE);
     case BAT_COMMAND_SURFACE_MEET:
     case BAT_COMMAND_WIRE_MEET:
-        return unless(f->roots == 2 && plain && bat_wire_command_fits(c, id), BAT_STRING_NOTICE_SELECT_SURFACES);
+        return unless(f->roots == 2 && plain && bat_wire_command_fits(c, id),
+                      BAT_STRING_NOTICE_SELECT_SURFACES);
     case BAT_COMMAND_WIRE_BIND:
         return unless(f->roots > 1 && bat_wire_command_fits(c, id), BAT_STRING_NOTICE_SELECT_WIRE);
     case BAT_COMMAND_WIRE_DOMAIN:
@@ -143,7 +144,8 @@ static bat_string why_not(bat_context *c, const facts *f, bat_command_id id, boo
     case BAT_COMMAND_ARC_OPEN:
         return unless(f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_OPEN), BAT_STRING_NOTICE_NO_ARC);
     case BAT_COMMAND_CURVE_BLEND:
-        return unless(f->open == 1 || f->open == 2 || bat_edge_pair_fits(c), BAT_STRING_NOTICE_SELECT_TWO_OPEN);
+        return unless(f->open == 1 || f->open == 2 || bat_edge_pair_fits(c),
+                      BAT_STRING_NOTICE_SELECT_TWO_OPEN);
     case BAT_COMMAND_CURVE_MATCH:
     case BAT_COMMAND_CURVE_JOIN: return unless(f->open == 2, BAT_STRING_NOTICE_SELECT_TWO_OPEN);
     case BAT_COMMAND_CAMERA_ALONG: return unless(f->roots == 1 && curves == 1, BAT_STRING_NOTICE_SELECT_PATH);
@@ -191,7 +193,8 @@ static bat_string why_refused(bat_context *c, const facts *f, bat_command_id id,
     case BAT_COMMAND_SURFACE_LOFT:
         return bat_surface_command_fits(c, id) ? BAT_STRING_COUNT : why_not(c, f, id, point);
     /* One open curve is joined with itself, for which the row has another button. */
-    case BAT_COMMAND_CURVE_JOIN: return unless(f->open == 1 || f->open == 2, BAT_STRING_NOTICE_SELECT_TWO_OPEN);
+    case BAT_COMMAND_CURVE_JOIN:
+        return unless(f->open == 1 || f->open == 2, BAT_STRING_NOTICE_SELECT_TWO_OPEN);
     default: return why_not(c, f, id, point);
     }
 }

@@ -8,7 +8,8 @@
 #include "editor/view/unit.h"
 
 typedef struct bat_panels {
-    char *actions, *refused, *layers, *outline, *readings, *tables, *move, *mixed, *history, *colours, *view, *writing;
+    char *actions, *refused, *layers, *outline, *readings, *tables, *move, *mixed, *history, *colours, *view,
+        *writing;
     char number_text[BAT_UNIT_ROOM]; /* the text returned by bat_panel_number */
     bat_told told;
 } bat_panels;
