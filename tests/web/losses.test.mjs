@@ -90,7 +90,7 @@ test('a kept file is not written anew without asking', async (t) => {
   for (const choice of ['', 'copy']) {
     await page.keyboard.press('Control+S');
     await page.waitForSelector('#anew[open]');
-    assert.match(await page.textContent('#anew-text'), /“flat.svg”.*written anew/);
+    assert.match(await page.textContent('#anew-text'), /“flat.svg”.*rewritten/);
     if (choice) {
       await page.screenshot({ path: path.join(SCREENSHOTS, 'anew.png') });
       const [download] = await Promise.all([page.waitForEvent('download'), page.click('#anew button[value=copy]')]);

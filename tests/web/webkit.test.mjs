@@ -15,7 +15,8 @@ const END = 3000; // milliseconds for the driver to end its browser
 /** A request of WebDriver. @param {string} way @param {unknown} [body] omitted: it is asked for */
 async function ask(way, body, method = body === undefined ? 'GET' : 'POST') {
   const answer = await fetch(`http://127.0.0.1:${PORT}${way}`, { method, body: body === undefined ? undefined : JSON.stringify(body),
-    signal: AbortSignal.timeout(HANG) });
+    signal: AbortSignal.timeout(HANG) })
+    .catch((error) => { throw new Error(`${way} ${JSON.stringify(body)?.slice(0, 200)}: ${error.message}`); });
   const { value } = await answer.json();
   assert.ok(answer.ok, `${way}: ${JSON.stringify(value)}`);
   return value;

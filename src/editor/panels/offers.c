@@ -104,6 +104,16 @@ static bat_string why_no_surface(bat_context *c, const facts *f, bat_command_id 
     }
 }
 
+static bat_string why_no_arc(bat_context *c, const facts *f, bat_command_id id) {
+    const bat_string why = BAT_STRING_NOTICE_NO_ARC;
+    switch (id) {
+    case BAT_COMMAND_ARC_PIE: return unless(f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_PIE), why);
+    case BAT_COMMAND_ARC_CHORD: return unless(f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_CHORD), why);
+    case BAT_COMMAND_ARC_OPEN: return unless(f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_OPEN), why);
+    default: return why_no_surface(c, f, id);
+    }
+}
+
 static bat_string why_not(bat_context *c, const facts *f, bat_command_id id, bool point) {
     const int curves = f->open + f->closed;
     switch (id) {
@@ -137,12 +147,6 @@ static bat_string why_not(bat_context *c, const facts *f, bat_command_id id, boo
                       BAT_STRING_NOTICE_SELECT_REGIONS);
     case BAT_COMMAND_COMBINE: return unless(f->curved > 1, BAT_STRING_NOTICE_SELECT_TWO);
     case BAT_COMMAND_RELEASE: return unless(f->compound > 0, BAT_STRING_NOTICE_SELECT_COMPOUND);
-    case BAT_COMMAND_ARC_PIE:
-        return unless(f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_PIE), BAT_STRING_NOTICE_NO_ARC);
-    case BAT_COMMAND_ARC_CHORD:
-        return unless(f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_CHORD), BAT_STRING_NOTICE_NO_ARC);
-    case BAT_COMMAND_ARC_OPEN:
-        return unless(f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_OPEN), BAT_STRING_NOTICE_NO_ARC);
     case BAT_COMMAND_CURVE_BLEND:
         return unless(f->open == 1 || f->open == 2 || bat_edge_pair_fits(c),
                       BAT_STRING_NOTICE_SELECT_TWO_OPEN);
@@ -165,7 +169,7 @@ static bat_string why_not(bat_context *c, const facts *f, bat_command_id id, boo
     case BAT_COMMAND_CURVE_SIMPLIFY:
     case BAT_COMMAND_CURVE_REVERSE: return unless(curves > 0, BAT_STRING_NOTICE_SELECT_CURVE);
     case BAT_COMMAND_CURVE_SPLIT: return unless(point && curves > 0, BAT_STRING_NOTICE_SPLIT_WHERE);
-    default: return why_no_surface(c, f, id);
+    default: return why_no_arc(c, f, id);
     }
 }
 
