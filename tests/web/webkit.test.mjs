@@ -57,6 +57,5 @@ test('WebKit: drawn, drawn over, saved, kept, tilted, exported, text, both langu
       ...rest.map(([left, top]) => ({ type: 'pointerMove', x: Math.round(left), y: Math.round(top), duration: 10 })), { type: 'pointerUp', button: 0 }]),
     type: keys,
     escape: () => keys('\uE00C'),
-    picture: async () => Buffer.from(await ask(`${at}/screenshot`), 'base64'),
   });
 });

@@ -338,7 +338,7 @@ static void escape_and_pinches_take_back(void **state) {
     /* A tap on an end chooses the key; Esc forgets it, then deselects. */
     tap(&p, at[0], at[1]);
     assert_non_null(strstr(words(editor), "\"at\":1"));
-    assert_non_null(strstr(words(editor), "key 2 of 4, "));
+    assert_non_null(strstr(words(editor), "keyframe 2 of 4, "));
     assert_non_null(strstr(words(editor), ", looks level"));
     bat_editor_command(editor, "cancel");
     assert_non_null(strstr(words(editor), "\"at\":-1"));
@@ -390,7 +390,7 @@ static void the_outline_names_keys(void **state) {
     (void)state;
     bat_editor *editor = with_camera();
     const bat_id id = bat_object_id(last(editor));
-    assert_non_null(strstr(bat_editor_outline(editor, 0, 10), "camera 2, 4 keys"));
+    assert_non_null(strstr(bat_editor_outline(editor, 0, 10), "camera 2, 4 keyframes"));
     bat_editor_command(editor, "tool-sketch");
     bat_editor_command(editor, "deselect");
     assert_int_equal(bat_editor_choose(editor, id, 4), BAT_ARGUMENT);
@@ -422,7 +422,7 @@ static void in_a_tilted_view(void **state) {
             p.time += 1000;
             pen_event(&p, BAT_POINTER_DOWN, x, y);
             pen_event(&p, BAT_POINTER_MOVE, x + 10, y + 10);
-            if (strstr(bat_editor_frame(editor)->hint, "Drag to turn the gaze")) {
+            if (strstr(bat_editor_frame(editor)->hint, "Drag to aim the camera")) {
                 at[0] = x, at[1] = y;
                 pen_event(&p, BAT_POINTER_UP, x + 10, y + 10);
             } else {
