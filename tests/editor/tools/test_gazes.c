@@ -339,7 +339,7 @@ static void escape_and_pinches_take_back(void **state) {
     tap(&p, at[0], at[1]);
     assert_non_null(strstr(words(editor), "\"at\":1"));
     assert_non_null(strstr(words(editor), "keyframe 2 of 4, "));
-    assert_non_null(strstr(words(editor), ", looks level"));
+    assert_non_null(strstr(words(editor), ", aims level"));
     bat_editor_command(editor, "cancel");
     assert_non_null(strstr(words(editor), "\"at\":-1"));
     assert_int_equal(bat_editor_frame(editor)->selected, 1);
