@@ -89,6 +89,10 @@ need_to_test() {
     need nodejs node
     need chromium chromium
     need chromium-headless-shell chromium-headless-shell
+    need firefox-esr firefox-esr
+    need webkit2gtk-driver WebKitWebDriver
+    need xvfb Xvfb
+    need xauth xauth
     need dpkg-dev dpkg-buildflags
     need adwaita-icon-theme /usr/share/icons/Adwaita/scalable
     need tango-icon-theme /usr/share/icons/Tango/scalable

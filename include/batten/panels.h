@@ -20,6 +20,9 @@ BAT_API const char *bat_editor_layers(bat_editor *editor);
  * separated by spaces, with a star behind the name of a switch that is on. Empty unless the select tool is in force, which shows what is selected. Owned by the
  * editor, valid until the next call of it; NULL: out of memory. */
 BAT_API const char *bat_editor_actions(bat_editor *editor);
+/* The commands that cannot be done now, as far as that is known without trying, and why, in words, as JSON: {"group":"Select two
+ * objects or more",...}. Owned by the editor, valid until the next call of it; NULL: out of memory. O(selected). */
+BAT_API const char *bat_editor_refused(bat_editor *editor);
 /* The names of the properties of the style in which the selected objects differ, separated by spaces; "" when they agree, or
  * nothing is selected. Owned by the editor, valid until the next call of it; NULL: out of memory. O(selected). */
 BAT_API const char *bat_editor_mixed(bat_editor *editor);

@@ -193,6 +193,8 @@ bat_status bat_editor_words(bat_editor *editor, const char *text, size_t size, b
 const char *bat_editor_layers(bat_editor *editor) { return bat_panel_layers(&editor->context); }
 
 const char *bat_editor_actions(bat_editor *editor) { return bat_panel_actions(&editor->context); }
+
+const char *bat_editor_refused(bat_editor *editor) { return bat_panel_refused(&editor->context); }
 const char *bat_editor_history(bat_editor *editor) { return bat_panel_history(&editor->context); }
 
 bat_status bat_editor_go(bat_editor *editor, int done) {

@@ -191,6 +191,7 @@ static inline void wild_event(bat_editor *editor, session_bytes *bytes, double *
         bat_editor_activate_layer(editor, wild_id(editor, bytes));
         bat_editor_layers(editor);
         bat_editor_actions(editor);
+        bat_editor_refused(editor);
     } else if (what < 148) {
         wild_paste(editor, bytes);
     } else if (what < 150) {

@@ -196,7 +196,7 @@ test('a quota of 1 MB: what has no room is said, and the page draws on', async (
   await page.evaluate((text) => {
     void batten.files.arrive([{ file: new File([text], 'large.svg'), place: null }]);
   }, `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 900 600">${Array.from({ length: 100 }, (_, i) => path(i)).join('')}</svg>`);
-  await page.click('dialog >> text=Open the other >> nth=-1');
+  await page.click('dialog >> text=Discard changes and open >> nth=-1');
   await page.waitForFunction(() => document.getElementById('name').textContent === 'large.svg');
   assert.equal(await keptOrSaid(first, await draw(first)), 'said');
 });

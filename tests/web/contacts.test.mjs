@@ -87,7 +87,7 @@ test('a stroke that the system takes away is offered back', async () => {
     const [[pointerId]] = batten.input.contacts;
     document.getElementById('stage').dispatchEvent(new PointerEvent('pointercancel', { pointerId, pointerType: 'pen', bubbles: true }));
   });
-  await page.waitForSelector('#notice button >> text=Bring the stroke back');
+  await page.waitForSelector('#notice button >> text=Restore stroke');
   await page.screenshot({ path: `${SCREENSHOTS}/stroke-taken.png` });
   assert.equal(await objects(), count);
   await page.click('#notice button');

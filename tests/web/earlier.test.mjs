@@ -110,7 +110,7 @@ test('a curve is seen as it was, and one shape is kept', async (t) => {
   await page.mouse.move(box.x + 4, box.y + box.height / 2, { steps: 4 });
   await page.mouse.up();
   await settle(page);
-  assert.equal(await page.locator('.chips output').textContent(), 'As it was opened');
+  assert.equal(await page.locator('.chips output').textContent(), 'Opened');
   assert.equal((await state(page)).digest, changed.digest, 'only shown');
   await pictures(page, 'earlier');
   await page.keyboard.press('Escape');

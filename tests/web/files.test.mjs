@@ -169,10 +169,10 @@ test('an edited drawing is not replaced before the user has seen what the file h
     <path d="M0 0C20 0 30 20 40 10" stroke="#000"/><path d="M0 9h9" stroke="#000"/><text y="20">Hi</text></svg>`;
   await drop(page, 'other.svg', other);
   await page.waitForSelector('#holds[open]');
-  assert.match(await page.textContent('#holds-text'), /“car\.svg” is not saved/);
+  assert.match(await page.textContent('#holds-text'), /“car\.svg” has changes that are not saved/);
   assert.deepEqual(await page.$$eval('#holds li', (all) => all.map((one) => one.textContent)),
     ['page 96 px × 48 px', 'curve 2', 'Texts 1']);
-  assert.match(await page.textContent('#holds'), /1 thing of this file cannot be kept/);
+  assert.match(await page.textContent('#holds'), /1 item in this file can't be kept/);
   await page.waitForFunction(() => document.querySelector('#holds img').naturalWidth > 0);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'holds.png') });
   await page.keyboard.press('Escape');

@@ -37,14 +37,14 @@ test('asked once, before the first save that would lose something', async (t) =>
   const server = await art();
   t.after(() => server.close());
   const { page, hand, context } = await open(browser, server.address);
-  assert.equal((await state(page)).notice, '5 things of this file cannot be kept.');
+  assert.equal((await state(page)).notice, "5 items in this file can't be kept.");
   assert.equal(await page.textContent('#unkept'), '5 not kept');
   await draw(page, hand);
 
   await ask(page);
   assert.equal(server.saves, 0);
   assert.deepEqual(await page.$$eval('#lossy button', (all) => all.map((one) => one.textContent)),
-    ['Save a copy', 'Save and lose 5 things', 'Cancel']);
+    ['Save a copy', 'Save without 5 items', 'Cancel']);
   assert.deepEqual(await page.$$eval('#lossy li', (all) => all.map((one) => one.textContent)),
     ['Texts 2', 'Patterns 1', 'Dashed strokes 1', 'Titles or descriptions 1']);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Save a copy');
@@ -90,7 +90,7 @@ test('a kept file is not written anew without asking', async (t) => {
   for (const choice of ['', 'copy']) {
     await page.keyboard.press('Control+S');
     await page.waitForSelector('#anew[open]');
-    assert.match(await page.textContent('#anew-text'), /“flat.svg”.*written anew/);
+    assert.match(await page.textContent('#anew-text'), /“flat.svg”.*rewritten/);
     if (choice) {
       await page.screenshot({ path: path.join(SCREENSHOTS, 'anew.png') });
       const [download] = await Promise.all([page.waitForEvent('download'), page.click('#anew button[value=copy]')]);
@@ -134,7 +134,7 @@ test('each object that does not look as in the file is named, and the first save
   await settle(page);
   const rows = await page.evaluate(() => JSON.parse(batten.engine.ask('editor_outline', 0, 10)).rows);
   assert.deepEqual(rows.map(({ selected }) => selected), [false, false, true], 'the row of an object chooses it');
-  assert.match(rows[2].words, /^fence.*not shown as in its file$/);
+  assert.match(rows[2].words, /^fence.*looks different here$/);
   assert.doesNotMatch(rows[0].words, /not shown/);
   await page.keyboard.press('Escape');
   await draw(page, hand);
@@ -220,7 +220,7 @@ test('never asked when nothing is lost', async (t) => {
   await page.waitForFunction(() => !document.getElementById('notice').hidden); // "Saved": the page knows it too
   await page.evaluate(() => batten.engine.command('losses') && batten.wake());
   await settle(page);
-  assert.equal((await state(page)).notice, 'Saving keeps all of the file');
+  assert.equal((await state(page)).notice, 'Saving keeps everything in the file');
   await context.close();
 });
 
@@ -243,7 +243,7 @@ test('the list is there at any time, in the language in force', async (t) => {
   const { page, context } = await open(browser, server.address, { locale: 'ko-KR' });
   await page.mouse.move(400, 400);
   await page.waitForFunction(() => batten.mirror); // its texts have loaded
-  assert.equal(await page.textContent('#unkept'), '간직 못 함 5개');
+  assert.equal(await page.textContent('#unkept'), '유지 안 됨 5개');
   await page.click('#unkept');
   await page.waitForSelector('#losses:popover-open');
   assert.deepEqual(await page.$$eval('#losses li', (all) => all.map((one) => one.textContent)),

@@ -103,7 +103,7 @@ for (const share of [0.02, 0.5, 0.97]) { // store.test.mjs changes each byte
     }, share);
     const next = await another(context);
     assert.ok(await curves(next.page) >= STROKES - 1, `${await curves(next.page)} of ${STROKES} strokes`);
-    await says(next.page, /Not all that was kept of drawing.svg could be read/);
+    await says(next.page, /Only part of drawing.svg could be read/);
     await next.page.screenshot({ path: path.join(SCREENSHOTS, 'kept-part.png') });
     const [download] = await Promise.all([next.page.waitForEvent('download'), next.page.click('[data-about=other] button')]);
     assert.deepEqual([...await downloaded(download)], bytes);
@@ -126,7 +126,7 @@ for (const share of [0.4, 0.995]) {
     const { context } = await spoilt((all, where) => all.slice(0, Math.floor(where * all.length)), share);
     const next = await another(context);
     assert.ok(await curves(next.page) >= Math.floor(share * STROKES) - 1);
-    await says(next.page, /Not all that was kept/);
+    await says(next.page, /Only part of/);
     const whole = await curves(next.page) > 0; // what could be read is kept as a drawing of its own
     await until(next.page, async (count) => (await batten.keeper.list()).length >= count, whole ? 2 : 1);
     assert.deepEqual(await list(next.page), ['drawing.svg', 'drawing.svg aside'].slice(whole ? 0 : 1));
@@ -144,9 +144,9 @@ test('one that cannot be read at all is put aside, and new work goes elsewhere',
   await next.page.evaluate(() => batten.engine.command('open-kept') && batten.wake());
   await next.page.waitForSelector('#kept:popover-open');
   await next.page.screenshot({ path: path.join(SCREENSHOTS, 'kept-damaged.png') });
-  assert.match(await next.page.textContent('#kept'), /Without a name.*damaged/);
+  assert.match(await next.page.textContent('#kept'), /Untitled.*damaged/);
   const strokes = await state(next.page);
-  await next.page.click('#kept >> text=Without a name');
+  await next.page.click('#kept >> text=Untitled');
   await next.page.waitForSelector('[data-about=other] >> text=could not be opened');
   assert.equal((await state(next.page)).digest, strokes.digest, 'what is open stays');
   await next.hand.stroke(line(1));
@@ -157,7 +157,7 @@ test('one that cannot be read at all is put aside, and new work goes elsewhere',
 
 for (const [what, from, to, told] of [
   ['of a newer version', '"version":1', '"version":2', null],
-  ['with a step that this version does not know', '"do":"sketch-new"', '"do":"of-the-future"', /Not all that was kept/]]) {
+  ['with a step that this version does not know', '"do":"sketch-new"', '"do":"of-the-future"', /Only part of/]]) {
   test(`a journal ${what}: said, kept, offered`, async () => {
     const { page, context } = await drawn();
     // Written by the page's own code, so that its checksums are right.

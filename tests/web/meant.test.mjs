@@ -38,20 +38,20 @@ for (const pointerType of ['pen', 'mouse', 'touch']) {
     const button = page.locator('#tools [data-name=meaning-next]');
     const next = async (said) => {
       await (pointerType === 'pen' ? page.keyboard.press('w') : button.evaluate((one) => one.click())); // a pointer's click may be lost on a machine under load
-      await page.waitForFunction((meaning) => batten.engine.get('stroke-meaning') === meaning, ['', 'Redraw only', 'New only'].indexOf(said));
+      await page.waitForFunction((meaning) => batten.engine.get('stroke-meaning') === meaning, ['', 'Redraw', 'New line'].indexOf(said));
       await quiet(page);
       assert.equal(await button.locator('span').isVisible(), said !== '');
-      assert.equal(await button.locator('span').textContent(), said || 'As drawn');
+      assert.equal(await button.locator('span').textContent(), said || 'Auto');
       assert.equal(await button.getAttribute('aria-pressed'), String(said !== ''));
     };
     await page.locator('#stage').focus();
-    await next('Redraw only');
+    await next('Redraw');
     await page.screenshot({ path: path.join(SCREENSHOTS, `meant-redraw-${pointerType}.png`) });
     assert.equal(await draw(bow([300, 560], [500, 560], 20)), first, 'away from all lines it draws nothing');
     const redrawn = await draw(over);
     assert.notEqual(redrawn, first);
     await page.keyboard.press('Control+z');
-    await next('New only');
+    await next('New line');
     const fresh = await draw(over);
     assert.notEqual(fresh, first);
     await page.screenshot({ path: path.join(SCREENSHOTS, `meant-new-${pointerType}.png`) });

@@ -137,7 +137,7 @@ test('width and height change places, another page is seen whole, and there may 
     assert.ok(name === 'A5' || (fills > 0.5 && fills < 1), `${name}: ${fills}`);
     assert.ok(name === 'A5' || at.every((place) => Math.abs(place - 0.5) < 0.01), `${name}: ${at}`);
   }
-  await page.selectOption('#page-sizes', { label: 'No page' });
+  await page.selectOption('#page-sizes', { label: 'Infinite canvas' });
   await settle(page);
   assert.ok(await page.$eval('[data-name=page-turn]', (button) => button.disabled));
   assert.equal(await page.$eval('#page-sizes', (select) => select.value), 'none');
@@ -173,7 +173,7 @@ test('a unit asks nothing; nor does an empty page, nor what is no size', async (
     await page.press('#page-width', 'Enter');
     await settle(page);
     assert.equal(await page.getAttribute('#page-width', 'aria-invalid'), 'true', text);
-    assert.match((await state(page)).notice, /That is no size for a page/);
+    assert.match((await state(page)).notice, /That is not a valid page size/);
     assert.equal((await state(page)).digest, first.digest);
     await page.focus('#stage');
     await settle(page);

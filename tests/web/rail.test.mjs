@@ -23,7 +23,7 @@ test('tools in groups; a name and a key beside what is pointed at', async () => 
   await quiet(page);
   const groups = await page.evaluate(() => [...document.querySelectorAll('.rail [role=group]')].map((group) =>
     [group.ariaLabel, ...[...group.querySelectorAll('button')].map((button) => button.dataset.name.slice(5))]));
-  assert.deepEqual(groups.map(([name]) => name), ['Select', 'Draw', 'Shape and change', 'View']);
+  assert.deepEqual(groups.map(([name]) => name), ['Select', 'Draw', 'Reshape', 'View']);
   assert.deepEqual(groups[0].slice(1), ['select']);
   assert.equal(await page.locator('.rail button:visible').count(), 10, 'slots');
   assert.ok(groups[1].includes('sketch') && groups[2].includes('levels') && groups[3].includes('zoom'));

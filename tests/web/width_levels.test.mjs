@@ -45,7 +45,7 @@ for (const [locale, colorScheme, viewport] of [['en', 'light'], ['ko-KR', 'dark'
     await quiet(page);
     const rows = page.locator('.level-row');
     assert.equal(await rows.count(), 3);
-    assert.equal(await strip.getAttribute('aria-label'), locale === 'en' ? 'Width along it' : '굵기 변화');
+    assert.equal(await strip.getAttribute('aria-label'), locale === 'en' ? 'Width profile' : '두께 프로파일');
     assert.equal(await rows.last().locator('small').textContent(), locale === 'en' ? '4 points' : '점 4개');
     assert.equal(await rows.first().locator('.level-choose').isChecked(), true);
     assert.equal(await strip.locator('.level-commands:visible, details:visible').count(), 0, 'nothing that is for curves alone');

@@ -146,7 +146,7 @@ test('with touch alone', async (t) => {
   await button('wire-bake').tap();
   await quiet(page);
   assert.equal(await wire(page), undefined);
-  assert.match((await state(page)).notice, /^Unbound; it keeps its shape/);
+  assert.match((await state(page)).notice, /^Detached; it keeps its shape/);
   await shot('baked');
   await undo();
   assert.equal((await state(page)).digest, redrawn.digest);

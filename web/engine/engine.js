@@ -136,6 +136,11 @@ export class Engine extends Instance {
     return this.guard(() => this.string(this.wasm.editor_actions(this.editor)).split(' ').filter(Boolean), []);
   }
 
+  /** The commands that cannot be done now, and why. @returns {Record<string, string>} */
+  refused() {
+    return this.guard(() => JSON.parse(this.string(this.wasm.editor_refused(this.editor))), {});
+  }
+
   /** Moves a layer to the place of another. @param {number} id @param {number} target @returns {boolean} */
   placeLayer(id, target) {
     return this.act('editor_place_layer', id, target);

@@ -29,6 +29,7 @@ MODULE_EXPORT(editor_tables) const char *editor_tables(bat_editor *editor);
 MODULE_EXPORT(editor_words) int editor_words(bat_editor *editor, const char *text, size_t size);
 MODULE_EXPORT(editor_bind) int editor_bind(bat_editor *editor, const char *command, const char *keys);
 MODULE_EXPORT(editor_actions) const char *editor_actions(bat_editor *editor);
+MODULE_EXPORT(editor_refused) const char *editor_refused(bat_editor *editor);
 MODULE_EXPORT(editor_place_layer) int editor_place_layer(bat_editor *editor, uint32_t id, uint32_t target);
 MODULE_EXPORT(editor_layers) const char *editor_layers(bat_editor *editor);
 MODULE_EXPORT(editor_readings) const char *editor_readings(bat_editor *editor);
@@ -171,6 +172,11 @@ const char *editor_number(bat_editor *editor, const char *name) {
 const char *editor_actions(bat_editor *editor) {
     MODULE_CHECK(editor);
     return bat_editor_actions(editor);
+}
+
+const char *editor_refused(bat_editor *editor) {
+    MODULE_CHECK(editor);
+    return bat_editor_refused(editor);
 }
 
 int editor_place_layer(bat_editor *editor, uint32_t id, uint32_t target) {

@@ -54,19 +54,24 @@ export class CommandSheet {
    * @param {Settings} settings
    * @param {(command: string) => void} run
    * @param {() => Other[]} others what else can be found
+   * @param {() => Record<string, string>} refused the commands that cannot be done now, and why
    */
-  constructor(sheet, words, settings, run, others) {
+  constructor(sheet, words, settings, run, others, refused) {
     this.sheet = sheet;
     this.words = words;
     this.settings = settings;
     this.run = run;
     this.others = others;
+    /** Why what cannot be done now cannot, by the command's name. */
+    this.refused = refused;
+    /** @type {Record<string, string>} */
+    this.why = {};
     this.commands = words.tables.commands;
     /** The command whose keys are being changed. */
     this.editing = '';
-    /** The last key pressed: it was refused, or other commands use it too. */
+    /** The last key pressed: it is unusable, or other commands use it too. */
     this.pressed = '';
-    this.refused = false;
+    this.unusable = false;
     this.last = lastUsed();
     this.search = made('input', 'search');
     this.search.type = 'search';
@@ -96,6 +101,7 @@ export class CommandSheet {
     const focus = document.activeElement instanceof HTMLElement && this.body.contains(document.activeElement) ?
       document.activeElement.dataset.focus : undefined;
     this.commands = this.words.tables.commands;
+    this.why = this.refused();
     this.body.replaceChildren(...this.search.value.trim() ? this.#found() : this.#all());
     this.search.placeholder = brief('search');
     this.search.setAttribute('aria-label', brief('search'));
@@ -167,6 +173,12 @@ export class CommandSheet {
     const help = word(`command.${row.name}.help`);
     label.title = help;
     label.dataset.command = row.name;
+    const why = this.why[row.name];
+    if (why) { // it may be pressed all the same, and says so again
+      label.setAttribute('aria-disabled', 'true');
+      label.setAttribute('aria-label', `${row.label} ${why}`);
+      label.append(' ', made('small', '', why));
+    }
     const editing = row.name === this.editing;
     const names = row.keys.map(keyName);
     const caps = names.flatMap((name) => [made('kbd', '', name), ' ']);
@@ -191,10 +203,10 @@ export class CommandSheet {
     const status = made('p', 'told');
     status.setAttribute('role', 'status');
     box.append(status);
-    if (this.refused) {
+    if (this.unusable) {
       status.textContent = word('shell.key-refused.help', keyName(this.pressed));
     }
-    const others = this.refused ? [] : this.#others(row, this.pressed);
+    const others = this.unusable ? [] : this.#others(row, this.pressed);
     if (others.length > 0) {
       status.textContent = word('shell.key-also.help', others.map((other) => other.label).join(', '));
       box.append(button(brief('key-only'), () => this.#bind(others.map((other) => [other.name,
@@ -224,7 +236,7 @@ export class CommandSheet {
 
   /** @param {[string, string | null][]} changes command and keys; null: the default */
   #bind(changes) {
-    this.refused = changes.filter(([command, keys]) => !this.settings.bind(command, keys)).length > 0;
+    this.unusable = changes.filter(([command, keys]) => !this.settings.bind(command, keys)).length > 0;
     const { editing } = this;
     this.words.retell();
     /** @type {HTMLElement | null} */ (this.body.querySelector(`[data-focus="${editing}"]`))?.focus();

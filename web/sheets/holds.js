@@ -36,6 +36,6 @@ export async function askToOpen(files, name, { svg, holds, losses, lost, keeps }
   }
   both.append(...(svg.length <= SHOWN ? [figure(svg, name)] : []), box);
   const words = word(files.unsaved ? 'shell.may-replace' : 'shell.may-close', files.name);
-  return question('holds', words, [both], [answer('add', word('shell.add-to')), answer('open', word('shell.replace')),
+  return question('holds', words, [both], [answer('add', word('shell.add-to')), answer('open', word(files.unsaved ? 'shell.replace' : 'command.open')),
     answer('', word('shell.keep'))]);
 }

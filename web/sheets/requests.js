@@ -116,7 +116,7 @@ export class Requests {
     this.commands ??= new CommandSheet(part('menu'), words, settings, (command) => {
       engine.command(command);
       wake();
-    }, () => others(this.shell));
+    }, () => others(this.shell), () => engine.refused());
     return this.commands;
   }
 

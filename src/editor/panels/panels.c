@@ -3,6 +3,7 @@
 
 void bat_panels_free(bat_panels *panels) {
     free(panels->actions);
+    free(panels->refused);
     free(panels->writing);
     free(panels->layers);
     free(panels->outline);

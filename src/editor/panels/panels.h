@@ -8,7 +8,8 @@
 #include "editor/view/unit.h"
 
 typedef struct bat_panels {
-    char *actions, *layers, *outline, *readings, *tables, *move, *mixed, *history, *colours, *view, *writing;
+    char *actions, *refused, *layers, *outline, *readings, *tables, *move, *mixed, *history, *colours, *view,
+        *writing;
     char number_text[BAT_UNIT_ROOM]; /* the text returned by bat_panel_number */
     bat_told told;
 } bat_panels;
@@ -18,6 +19,7 @@ void bat_panels_free(bat_panels *panels);
 const char *bat_panel_tables(bat_context *c);
 const char *bat_panel_layers(bat_context *c);
 const char *bat_panel_actions(bat_context *c);
+const char *bat_panel_refused(bat_context *c);
 const char *bat_panel_mixed(bat_context *c);
 const char *bat_panel_colours(bat_context *c);
 const char *bat_panel_history(bat_context *c);

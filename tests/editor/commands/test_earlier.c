@@ -52,8 +52,7 @@ static void each_shape_is_shown(void **state) {
     static const struct {
         double amount, from;
         const char *said;
-    } shapes[] = {
-        {0, 200, "\"said\":\"As it was opened\""}, {0.5, 300, "\"said\":\"Move\""}, {0.2, 200, "opened"}};
+    } shapes[] = {{0, 200, "\"said\":\"Opened\""}, {0.5, 300, "\"said\":\"Move\""}, {0.2, 200, "Opened"}};
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
         assert_int_equal(bat_editor_refit(editor, shapes[i].amount, i % 2 == 0), BAT_OK);
         says(editor, shapes[i].said);

@@ -86,6 +86,40 @@ static bool offered(bat_editor *editor, const char *name) {
     return at && (at == list || at[-1] == ' ') && (at[strlen(name)] == ' ' || !at[strlen(name)]);
 }
 
+/* What is said to be impossible is refused, and changes nothing, whatever is selected; nothing that can be done is said to be. */
+static void what_cannot_be_done(void **state) {
+    (void)state;
+    bat_editor *editor = pen_editor();
+    bat_editor_command(editor, "tool-select");
+    int said = 0;
+    for (int round = 0; round < 6; round++) {
+        for (int i = 0; i < BAT_COMMAND_COUNT; i++) {
+            const char *name = bat_command_at((bat_command_id)i)->name;
+            char key[64];
+            bat_editor_command(editor, "deselect");
+            if (round == 1)
+                bat_editor_select(editor, bat_object_id(bat_document_at(editor->session.document, 0)), false);
+            else if (round > 1)
+                bat_editor_command(editor, "select-all");
+            const char *refused = bat_editor_refused(editor);
+            snprintf(key, sizeof key, "\"%s\":\"", name);
+            if (!strstr(refused, key)) continue;
+            said++;
+            const uint64_t before = digest(editor);
+            if (bat_editor_command(editor, name) == BAT_OK || digest(editor) != before)
+                fail_msg("%d: %s is said to be impossible", round, name);
+        }
+        if (round == 2) bat_editor_command(editor, "group");
+        if (round == 3) bat_editor_command(editor, "curve-close");
+        if (round == 4) bat_editor_command(editor, "orbit-up"), bat_editor_glide(editor, 1);
+    }
+    assert_true(said > 100);
+    assert_non_null(strstr(bat_editor_refused(editor), "\"mirror-across\":\"Needs the page view\""));
+    bat_editor_command(editor, "view-upright");
+    assert_null(strstr(bat_editor_refused(editor), "\"mirror-across\""));
+    bat_editor_free(editor);
+}
+
 /* What is offered can be done, and what is not cannot. */
 static void actions_of_the_selection(void **state) {
     (void)state;
@@ -130,6 +164,7 @@ int main(void) {
         cmocka_unit_test(style_of_selection_and_of_new),
         cmocka_unit_test(opacity_of_a_group),
         cmocka_unit_test(actions_of_the_selection),
+        cmocka_unit_test(what_cannot_be_done),
     };
     return cmocka_run_group_tests_name("selection", tests, NULL, NULL);
 }

@@ -259,7 +259,7 @@ static void unbinds_as_it_is_or_as_it_was(void **state) {
         assert_true(offers(editor, "wire-bake") && offers(editor, "wire-revert"));
         assert_int_equal(bat_editor_command(editor, revert ? "wire-revert" : "wire-bake"), BAT_OK);
         assert_string_equal(bat_editor_frame(editor)->notice,
-                            revert ? "Unbound; it is as it was" : "Unbound; it keeps its shape");
+                            revert ? "Detached; it has its former shape" : "Detached; it keeps its shape");
         assert_int_equal(bat_object_wires(found(editor, SHEET), NULL, NULL), 0);
         assert_true(farthest(editor, rest) == (revert ? 0 : far));
         assert_false(bat_document_has_followers(bat_editor_document(editor)));

@@ -216,7 +216,7 @@ static void with_a_deleted_curve_it_is_free(void **state) {
     assert_int_equal(bat_editor_select(editor, 1, false), BAT_OK);
     assert_int_equal(bat_editor_command(editor, "delete"), BAT_OK);
     assert_string_equal(bat_editor_frame(editor)->notice,
-                        "Now a free surface, which no longer follows its curves");
+                        "Detached: the surface no longer follows its curves");
     assert_null(bat_object_recipe(surface_in(editor)));
     check(editor);
     replays(editor, 1);

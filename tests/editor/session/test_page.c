@@ -193,7 +193,7 @@ static void what_is_refused(void **state) {
     for (size_t i = 0; i < 2 * (sizeof bad / sizeof *bad); i++) {
         const char *way = i % 2 ? "page-keep" : "page-scale";
         if (bat_editor_enter(editor, way, bad[i / 2]) == BAT_OK) fail_msg("%s", bad[i / 2]);
-        assert_string_equal(bat_editor_frame(editor)->notice, "That is no size for a page");
+        assert_string_equal(bat_editor_frame(editor)->notice, "That is not a valid page size");
         assert_true(digest(editor) == first);
     }
     /* Within what numbers can say a page may be as small or as large as one likes. */

@@ -219,7 +219,7 @@ static void what_looks_at_something_orbits_it(void **state) {
     const double middle[2] = {160, 90};
     const bat_camera_pose before = pose_of(editor);
     assert_int_equal(bat_editor_correct(editor, BAT_CORRECT_TURN, SIZE, FROM, TO, true), BAT_UNSUPPORTED);
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "no keys"));
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "no keyframes"));
     assert_true(digest(editor) == first);
     correct(editor, BAT_CORRECT_ORBIT, FROM, TO);
     const bat_camera_pose after = pose_of(editor);

@@ -163,7 +163,7 @@ static void a_drag_turns_the_active_level(void **state) {
     const uint64_t silent = digest(editor);
     end_of(editor, 1, at);
     drag(&p, at[0], at[1], at[0] + 25, at[1] + 20);
-    assert_string_equal(bat_editor_frame(editor)->notice, "This level is muted. Unmute it to edit it");
+    assert_string_equal(bat_editor_frame(editor)->notice, "This level is hidden. Show it to edit it");
     assert_int_equal(bat_editor_command(editor, "gaze-left"), BAT_STATE);
     assert_true(digest(editor) == silent);
     check(editor);
@@ -267,11 +267,11 @@ static void a_tap_adds_a_key_and_delete_takes_it_away(void **state) {
         for (int k = 0; k < 4; k++)
             assert_true(fabs(fabs(before[i].rotation[k]) - fabs(after.rotation[k])) < 1e-12);
     }
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "key 3 of 5"));
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "keyframe 3 of 5"));
     assert_non_null(strstr(words(editor), "\"at\":2"));
     tap(&p, place.position[0], place.position[1]); /* there is one */
     assert_int_equal(keys_of(editor), 5);
-    assert_string_equal(bat_editor_frame(editor)->notice, "There is a key already");
+    assert_string_equal(bat_editor_frame(editor)->notice, "There is a keyframe here already");
     bat_editor_command(editor, "gaze-next");
     bat_editor_command(editor, "gaze-previous");
     bat_editor_key(editor, "<", true, 0, 1e5);
@@ -280,7 +280,7 @@ static void a_tap_adds_a_key_and_delete_takes_it_away(void **state) {
         assert_int_equal(bat_editor_command(editor, "gaze-next"), BAT_OK);
     bat_editor_key(editor, "Delete", true, 0, 1e5 + 2);
     assert_int_equal(keys_of(editor), 4);
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "Key taken away: the gaze turns by at most"));
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "Keyframe deleted: the aim turns by at most"));
     for (int i = 0; i <= 20; i++) {
         pose_at(editor, i / 20.0, &after);
         assert_true(apart(&before[i], &after) < 1e-6);
@@ -288,7 +288,7 @@ static void a_tap_adds_a_key_and_delete_takes_it_away(void **state) {
     assert_int_equal(bat_editor_command(editor, "gaze-delete"), BAT_STATE); /* none is chosen */
     bat_editor_command(editor, "gaze-next");
     assert_int_equal(bat_editor_command(editor, "gaze-delete"), BAT_STATE); /* all are needed */
-    assert_string_equal(bat_editor_frame(editor)->notice, "The camera needs all its keys");
+    assert_string_equal(bat_editor_frame(editor)->notice, "The camera needs all its keyframes");
     replays(editor, 1);
     bat_editor_command(editor, "undo");
     bat_editor_command(editor, "undo");
@@ -329,7 +329,7 @@ static void escape_and_pinches_take_back(void **state) {
     drag_to(&p, at[0], at[1], at[0] + 20, at[1] - 60);
     assert_true(digest(editor) != first);
     assert_string_equal(bat_editor_frame(editor)->hint,
-                        "Drag to turn the gaze. Shift: only roll, Alt: look at what the pen is over");
+                        "Drag to aim the camera. Shift: only roll, Alt: aim at what is under the pen");
     bat_editor_command(editor, "cancel");
     assert_true(digest(editor) == first);
     pen_event(&p, BAT_POINTER_UP, at[0], at[1]);
@@ -338,8 +338,8 @@ static void escape_and_pinches_take_back(void **state) {
     /* A tap on an end chooses the key; Esc forgets it, then deselects. */
     tap(&p, at[0], at[1]);
     assert_non_null(strstr(words(editor), "\"at\":1"));
-    assert_non_null(strstr(words(editor), "key 2 of 4, "));
-    assert_non_null(strstr(words(editor), ", looks level"));
+    assert_non_null(strstr(words(editor), "keyframe 2 of 4, "));
+    assert_non_null(strstr(words(editor), ", aims level"));
     bat_editor_command(editor, "cancel");
     assert_non_null(strstr(words(editor), "\"at\":-1"));
     assert_int_equal(bat_editor_frame(editor)->selected, 1);
@@ -371,7 +371,7 @@ static void keys_turn_too(void **state) {
         assert_true(fabs(after.fov - before.fov - all[i].fov) < 1e-9);
     }
     bat_editor_key(editor, "ArrowDown", true, BAT_SHIFT, 5);
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "looks 10 degrees down"));
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "aims 10 degrees down"));
     bat_editor_key(editor, "Control", true, BAT_CTRL, 6);
     bat_editor_key(editor, "ArrowUp", true, BAT_CTRL, 6);
     bat_camera_pose pose;
@@ -390,7 +390,7 @@ static void the_outline_names_keys(void **state) {
     (void)state;
     bat_editor *editor = with_camera();
     const bat_id id = bat_object_id(last(editor));
-    assert_non_null(strstr(bat_editor_outline(editor, 0, 10), "camera 2, 4 keys"));
+    assert_non_null(strstr(bat_editor_outline(editor, 0, 10), "camera 2, 4 keyframes"));
     bat_editor_command(editor, "tool-sketch");
     bat_editor_command(editor, "deselect");
     assert_int_equal(bat_editor_choose(editor, id, 4), BAT_ARGUMENT);
@@ -422,7 +422,7 @@ static void in_a_tilted_view(void **state) {
             p.time += 1000;
             pen_event(&p, BAT_POINTER_DOWN, x, y);
             pen_event(&p, BAT_POINTER_MOVE, x + 10, y + 10);
-            if (strstr(bat_editor_frame(editor)->hint, "Drag to turn the gaze")) {
+            if (strstr(bat_editor_frame(editor)->hint, "Drag to aim the camera")) {
                 at[0] = x, at[1] = y;
                 pen_event(&p, BAT_POINTER_UP, x + 10, y + 10);
             } else {

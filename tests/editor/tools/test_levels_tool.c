@@ -234,7 +234,7 @@ static void points_of_a_level(void **state) {
     uint64_t silent = digest(editor);
     const double *at = bat_curve_points(bat_shape_curve(shape_at(editor, 0), 2)) + 20;
     drag(&p, at[0], at[1], at[0] + 30, at[1] + 30);
-    assert_string_equal(bat_editor_frame(editor)->notice, "This level is muted. Unmute it to edit it");
+    assert_string_equal(bat_editor_frame(editor)->notice, "This level is hidden. Show it to edit it");
     assert_true(digest(editor) == silent);
     bat_editor_free(editor);
 }
@@ -385,7 +385,7 @@ static void a_level_is_redrawn(void **state) {
     on_curve(editor, 0, 0.7, to);
     pen_line(&p, from[0], from[1], to[0], to[1], 10);
     check(editor);
-    assert_string_equal(bat_editor_frame(editor)->notice, "This level is muted. Unmute it to edit it");
+    assert_string_equal(bat_editor_frame(editor)->notice, "This level is hidden. Show it to edit it");
     assert_true(digest(editor) == silent);
     bat_editor_free(editor);
 }

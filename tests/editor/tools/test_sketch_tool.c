@@ -532,7 +532,7 @@ static void yes_or_no(void **state) {
         const bat_frame *frame = bat_editor_frame(editor);
         assert_true(frame->pending && !frame->busy && !frame->can_undo && frame->error > frame->tolerance);
         assert_non_null(pen_live(frame, BAT_ROLE_PENDING));
-        assert_string_equal(frame->hint, "This is the closest fit. Enter or a tap keeps it, Esc drops it");
+        assert_string_equal(frame->hint, "This is the closest fit. Enter or a tap keeps it, Esc discards it");
         check(editor);
         assert_int_equal(count(editor), 2);
         if (way == 0) assert_true(bat_editor_key(editor, "Enter", true, 0, 0));
