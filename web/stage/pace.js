@@ -5,7 +5,8 @@ const SLOW = 28; // milliseconds between two frames of a movement that are too m
 const APART = 250; // two that are further apart belong to no movement, unless the second was long due
 const LEAST = 0.35; // of the pixels along a side
 const COARSER = 0.75;
-const REST = 150; // milliseconds
+const REST = 150; // milliseconds without a frame, or twice as long as the last one took, but no longer than
+const LATEST = 1500;
 
 export class Pace {
   /** @param {() => void} rested paints the picture with all its pixels @param {typeof setTimeout} [later] */
@@ -36,7 +37,7 @@ export class Pace {
         this.share = 1;
         this.slow = false;
         this.rested();
-      }, slow ? Math.max(REST, 2 * took) : REST);
+      }, slow ? Math.min(Math.max(REST, 2 * took), LATEST) : REST);
     }
   }
 }

@@ -33,7 +33,7 @@ typedef struct search {
     unsigned kinds;
     int size; /* 2: a point of the page, which snaps to what is there; 3: one in space */
     double point[3], seen[2], within; /* seen, within: in drawing coordinates */
-    bool free[3], flat; /* flat: in space, on the plane that is drawn on */
+    bool free[3], flat;               /* flat: in space, on the plane that is drawn on */
     int count;
     const int *but;
     branch branches[BRANCHES];
@@ -351,7 +351,8 @@ void bat_snap_point(bat_context *c, int count, const int *but, double point[2]) 
 void bat_snap_point_space(bat_context *c, int count, const int *but, double point[3]) {
     const bat_snap_source source = {{point[0], point[1], point[2]}, BAT_SNAP_ALL};
     bat_seen_sync(c);
-    (*c->snap) = find(c, 3, true, (bool[]){true, true, true}, count, but, 1, &source, (double[]){0, 0, 0}, NULL);
+    (*c->snap) = find(c, 3, true, (bool[]){true, true, true}, count, but, 1, &source, (double[]){0, 0, 0},
+                      NULL);
     if (c->snap->kind) memcpy(point, c->snap->point, sizeof c->snap->point);
 }
 

@@ -58,9 +58,10 @@ void bat_snap_angle(bat_context *c, const double origin[2], double point[2]);
 
 /* The grid: on the plane in space that is drawn on, or else on the page. */
 typedef struct bat_grid {
-    double step;       /* between lines as they are drawn, document units; 0: no grid is shown */
-    bool triangles;    /* isometric.h; otherwise squares */
-    bat_ground ground; /* the plane or the page; zero: the corner it counts from, in the ground's own coordinates */
+    double step;    /* between lines as they are drawn, document units; 0: no grid is shown */
+    bool triangles; /* isometric.h; otherwise squares */
+    bat_ground
+        ground; /* the plane or the page; zero: the corner it counts from, in the ground's own coordinates */
     double zero[2];
 } bat_grid;
 

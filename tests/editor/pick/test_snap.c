@@ -251,8 +251,9 @@ static void a_point_in_space_snaps(void **state) {
  * grid is not shown then and nothing snaps to it. What is moved along an axis keeps steps from the plane's origin. */
 static void a_plane_has_its_own_grid(void **state) {
     (void)state;
-    static const double origin[3] = {310, 420, 30}, ways[3][6] = {
-        {1, 0, 0, 0, 0, 1}, {0, 1, 0, 0, 0, 1}, {0.8, 0.6, 0, -0.48, 0.64, 0.6}};
+    static const double origin[3] = {310, 420, 30}, ways[3][6] = {{1, 0, 0, 0, 0, 1},
+                                                                  {0, 1, 0, 0, 0, 1},
+                                                                  {0.8, 0.6, 0, -0.48, 0.64, 0.6}};
     for (int what = 0; what < 12; what++) {
         bat_curve *curves[] = {segment(1000, 900, 1100, 900)};
         bat_editor *editor = editor_with(1, curves);
@@ -304,12 +305,9 @@ static void a_plane_has_its_own_grid(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_tilted_page_snaps),
-        cmocka_unit_test(a_point_in_space_snaps),
-        cmocka_unit_test(a_plane_has_its_own_grid),
-        cmocka_unit_test(snaps_to_known_places),
-        cmocka_unit_test(snaps_to_triangles),
-        cmocka_unit_test(moves_snap),
+        cmocka_unit_test(a_tilted_page_snaps),      cmocka_unit_test(a_point_in_space_snaps),
+        cmocka_unit_test(a_plane_has_its_own_grid), cmocka_unit_test(snaps_to_known_places),
+        cmocka_unit_test(snaps_to_triangles),       cmocka_unit_test(moves_snap),
     };
     return cmocka_run_group_tests_name("snap", tests, NULL, NULL);
 }
