@@ -81,8 +81,10 @@ need_to_test() {
     need librsvg2-bin rsvg-convert
     need poppler-utils pdftocairo
     need ghostscript gs
+    need admesh admesh
     need assimp-utils assimp
     need blender blender
+    need occt-draw occt-draw
     need zsh zsh
     need fish fish
     need groff-base groff

@@ -4,6 +4,7 @@
 #include "paint_lines.h"
 #include "shade_shown.h"
 
+#include "format/model/drawn.h"
 #include "format/seen/seen.h"
 
 #include <batten/trace.h>
@@ -65,7 +66,12 @@ void space_view_of(const bat_document *document, int width, int height, bat_view
     const double turn = 35 * 3.14159265358979323846 / 180, rise = 30 * 3.14159265358979323846 / 180;
     const double s = sin(turn), c = cos(turn), up = sin(rise), level = cos(rise);
     extent e = {.axis = {{c, -s, 0}, {s * up, c * up, level}, {s * level, c * level, -up}}};
-    for (int d = 0; d < 3; d++) e.low[d] = INFINITY, e.high[d] = -INFINITY;
+    const bool wall = bat_stand_of(document) == BAT_STAND_WALL;
+    for (int d = 0; d < 3; d++) {
+        const double y = e.axis[d][1], z = e.axis[d][2];
+        e.low[d] = INFINITY, e.high[d] = -INFINITY;
+        if (wall) e.axis[d][1] = z, e.axis[d][2] = -y; /* the page stands: its up is the picture's */
+    }
     bat_seen_each(document, grow_object, &e);
     double corners[15];
     if (page_of(document, corners)) grow(&e, corners, 3, 5);
@@ -81,7 +87,7 @@ void space_view_of(const bat_document *document, int width, int height, bat_view
         width = (int)ceil(LONGER * fmin(wide / tall, 1) - 1e-9);
         height = (int)ceil(LONGER * fmin(tall / wide, 1) - 1e-9);
     }
-    *out = (bat_viewpoint){.up = {0, 0, -1}, .size = {width, height}};
+    *out = (bat_viewpoint){.up = {0, wall ? -1 : 0, wall ? 0 : -1}, .size = {width, height}};
     out->height = fmax(tall, wide * height / width);
     for (int k = 0; k < 3; k++) {
         for (int d = 0; d < 3; d++) out->target[k] += middle[d] * e.axis[d][k];

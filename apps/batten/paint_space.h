@@ -6,7 +6,7 @@
 
 #include <batten/document.h>
 
-/* A three-quarter view of all: parallel, from the front right and 30 degrees above the page, which lies flat. width 0:
+/* A three-quarter view of all: parallel, from the front right and 30 degrees above; the page lies or stands (bat_stand_of). width 0:
  * 1000 pixels on the longer side. */
 void space_view_of(const bat_document *document, int width, int height, bat_viewpoint *out);
 /* As paint_document; the view's size is that of the picture, in whole pixels. */

@@ -213,6 +213,21 @@ class DrawSpace(ProgramTest):
         self.assertEqual(len(seen), 4)
         self.assertEqual(self.pictures(document(sheet()), "--look", "lines")[0], [])
 
+    def test_the_view_of_all_stands_or_lies_as_the_page(self):
+        """Up is up: the page's up of a wall, towards the eye of a floor; what is nearer to the eye from above is further down."""
+        for stand, up, front in (("wall", [0, -40, 0], [0, 0, -40]), ("floor", [0, 0, -40], [0, 40, 0]), (None, [0, -40, 0], [0, 0, -40])):
+            parts = [line([[7, 7, 7], [7 + a, 7 + b, 7 + c]], n) for n, (a, b, c) in enumerate((up, front), 1)]
+            drawing = {**document(*parts), **({"stand": stand} if stand else {})}
+            self.done("render", self.file("in.batten", drawing), "out.svg", "--look", "lines")
+            ends = []
+            for path in re.findall('<path[^>]* d="([^"]*)"', (self.folder / "out.svg").read_text()):
+                numbers = list(map(float, re.findall(r"-?[\d.]+(?:e[-+]?\d+)?", path)))
+                ends.append((numbers[0], numbers[1], numbers[-2], numbers[-1]))
+            upright, forward = sorted(ends, key=lambda e: abs(e[0] - e[2]))
+            self.assertLess(abs(upright[0] - upright[2]), 1e-3)
+            self.assertLess(upright[3], upright[1])
+            self.assertGreater(forward[3], forward[1])
+
     def test_the_picture_agrees_with_the_png(self):
         """A pixel of the PNG is the mean of four of the picture, but where lines lie."""
         drawing = document(sheet(z=30))

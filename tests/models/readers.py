@@ -86,7 +86,19 @@ print('FOUND', json.dumps({'low': [min(p[k] for p in places) for k in range(3)],
 """
 
 
+def edges(file):
+    """A copy of an OBJ file whose polylines are single edges: of each Blender 3.4 reads the first only (later ones read all)."""
+    lines = []
+    for line in pathlib.Path(file).read_text().splitlines():
+        corners = line.split()[1:] if line.startswith("l ") else []
+        lines += [f"l {a} {b}" for a, b in zip(corners, corners[1:])] if corners else [line]
+    copy = pathlib.Path(file).with_name(f"{pathlib.Path(file).stem}-edges.obj")
+    copy.write_text("\n".join([*lines, ""]))
+    return copy
+
+
 def blender(file):
+    file = edges(file) if pathlib.Path(file).suffix == ".obj" else file
     text = said("blender", "-b", "--factory-startup", "--python-expr", BLENDER, "--", file, "y" if pathlib.Path(file).suffix in (".glb", ".gltf", ".obj") else "z")
     found = re.search(r"(?m)^FOUND (.*)$", text)
     return json.loads(found[1]) if found else {"wrong": text.strip()[-300:]}

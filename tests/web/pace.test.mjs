@@ -8,16 +8,16 @@ import { launch, open, quiet, SCREENSHOTS, until } from './page.mjs';
 import { serve } from './server.mjs';
 
 /** Frames so far apart, and what is due at rest. @param {number[]} gaps */
-function moved(gaps) {
-  const due = [];
+function moved(gaps, waited = 0) {
+  const due = [], after = [];
   let rested = 0;
-  const pace = new Pace(() => { rested += 1; }, (work) => due.push(work));
+  const pace = new Pace(() => { rested += 1; }, (work, delay) => { due.push(work); after.push(delay); });
   let now = 1000;
   const shares = gaps.map((gap) => {
-    pace.moved(now += gap);
+    pace.moved(now += gap, waited);
     return pace.share;
   });
-  return { shares, rest: () => { due.at(-1)?.(); return { rested, share: pace.share }; } };
+  return { shares, after, rest: () => { due.at(-1)?.(); return { rested, share: pace.share }; } };
 }
 
 test('quick frames keep every pixel', () => {
@@ -38,6 +38,14 @@ test('slow frames lose pixels, down to a least share, and get them back at rest'
 test('steps with pauses between them are no movement, nor is one frame that took long', () => {
   assert.ok(moved([400, 500, 900, 400]).shares.every((share) => share === 1));
   assert.ok(moved([16, 60, 16, 60, 16]).shares.every((share) => share === 1));
+});
+
+test('frames that take longer than a pause lose pixels, too, and are not at rest before the next', () => {
+  const { shares, after } = moved(Array(12).fill(900), 700);
+  assert.ok(shares[2] < 1);
+  assert.equal(shares.at(-1), 0.35);
+  assert.ok(after.slice(-9).every((delay) => delay > 900), `${after}`);
+  assert.equal(moved(Array(5).fill(60)).after.at(-1), 150);
 });
 
 test('in the page: coarse while it turns, sharp when it has come to rest', async (t) => {

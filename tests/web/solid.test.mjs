@@ -173,6 +173,65 @@ for (const device of ['pen', 'mouse', 'touch']) {
   });
 }
 
+// The same lines by their points: Enter begins and places, arrow keys move, Enter twice ends; F6 goes to the offer and to the bar.
+test('a vase from the blank page to STL in six actions, by keyboard', async () => {
+  const { page, context } = await open(browser, server.address);
+  let actions = 0;
+  await page.evaluate(() => {
+    globalThis.pointed = 0;
+    addEventListener('pointerdown', () => { globalThis.pointed++; }, true);
+  });
+  const press = async (...keys) => {
+    for (const key of keys) {
+      const [, times, name] = /^(?:(\d+) x )?(.*)$/.exec(key);
+      for (let i = 0; i < Number(times ?? 1); i++) { await page.keyboard.press(name); }
+    }
+    await settle(page);
+  };
+  const shot = (name) => page.screenshot({ path: path.join(SCREENSHOTS, `solid-keyboard-${name}.png`) });
+  /** To a button, by region and within it. @param {string} selector @param {string} key that goes on within the region */
+  const go = async (selector, key) => {
+    const there = () => page.evaluate((found) => document.activeElement.matches(found), selector);
+    const inside = () => page.evaluate((found) => document.activeElement.parentElement.querySelector(found) !== null, selector);
+    for (let i = 0; i < 12 && !await there() && !await inside(); i++) { await press('F6'); }
+    for (let i = 0; i < 30 && !await there(); i++) { await press(key); }
+    assert.ok(await there(), selector);
+  };
+  await page.locator('#stage').focus();
+  await press('Enter', '15 x Shift+ArrowDown', 'Enter', '30 x Shift+ArrowUp', 'Enter', 'Enter'); // the axis
+  actions++;
+  await quiet(page);
+  await shot('axis');
+  await press('Escape', 'Enter', '8 x Shift+ArrowRight', '15 x Shift+ArrowDown', 'Enter', '5 x Shift+ArrowRight', '8 x Shift+ArrowUp', 'Enter',
+    '8 x Shift+ArrowLeft', '9 x Shift+ArrowUp', 'Enter', '3 x Shift+ArrowRight', '8 x Shift+ArrowUp', 'Enter', 'Enter');
+  actions++;
+  await quiet(page);
+  await shot('offered');
+  await go('#notice button', 'Tab');
+  await press('Enter');
+  actions++;
+  await quiet(page);
+  await press('Control+Shift+E');
+  await page.waitForSelector('#export[open]');
+  actions++;
+  await go('#export-format', 'Tab');
+  await page.keyboard.type('STL');
+  await quiet(page);
+  actions++;
+  await shot('export');
+  assert.equal(await page.inputValue('#export-format'), 'stl');
+  await go('#export .strong', 'Tab');
+  const [download] = await Promise.all([page.waitForEvent('download'), press('Enter')]);
+  actions++;
+  const [low, high] = box(triangles(await downloaded(download)));
+  const { zoom, check } = await state(page);
+  assert.ok(Math.abs(high[2] - low[2] - 250 / zoom * UNIT) < 0.03 * (high[2] - low[2]), `${high[2] - low[2]} ${zoom}`);
+  assert.equal(check, '');
+  assert.equal(actions, 6);
+  assert.equal(await page.evaluate(() => globalThis.pointed), 0);
+  await context.close();
+});
+
 test('a jug in every format, on the wall and on the floor', async () => {
   const { page, context } = await open(browser, server.address);
   await drop(page, 'jug.batten', fs.readFileSync(JUG, 'utf8'));

@@ -24,6 +24,7 @@ export class Loop {
     this.shell = shell;
     this.due = false;
     this.noticeVersion = 0;
+    this.asked = 0; // when the frame that is due was
     this.jumps = -1; // of the view, as far as shown
     this.jumped = 0; // when the last one was first seen, while it is under way
     this.deep = false;
@@ -64,6 +65,7 @@ export class Loop {
   wake() {
     if (!this.due && !this.shell.engine.dead) {
       this.due = true;
+      this.asked = performance.now();
       requestAnimationFrame(() => this.#frame());
     }
   }
@@ -82,7 +84,7 @@ export class Loop {
     if (frame.tilt || frame.surfaces || frame.moves) {
       void this.#deepen(frame.tilt + frame.moves !== 0);
     }
-    this.space?.show(frame);
+    this.space?.show(frame, start - this.asked);
     this.shell.settling?.show(frame);
     painter.paint(frame);
     panel.show(frame);

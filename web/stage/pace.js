@@ -2,10 +2,11 @@
 // them.
 
 const SLOW = 28; // milliseconds between two frames of a movement that are too many
-const APART = 250; // two that are further apart belong to no movement
+const APART = 250; // two that are further apart belong to no movement, unless the second was long due
 const LEAST = 0.35; // of the pixels along a side
 const COARSER = 0.75;
-const REST = 150; // milliseconds
+const REST = 150; // milliseconds without a frame, or twice as long as the last one took, but no longer than
+const LATEST = 1500;
 
 export class Pace {
   /** @param {() => void} rested paints the picture with all its pixels @param {typeof setTimeout} [later] */
@@ -18,11 +19,14 @@ export class Pace {
     this.timer = /** @type {ReturnType<typeof setTimeout> | undefined} */ (undefined);
   }
 
-  /** The picture has moved and is about to be painted. @param {number} now milliseconds */
-  moved(now) {
+  /**
+   * The picture has moved and is about to be painted.
+   * @param {number} now milliseconds @param {number} [waited] since this frame was asked for: the last one was being painted
+   */
+  moved(now, waited = 0) {
     const took = now - this.last;
     this.last = now;
-    const slow = took > SLOW && took < APART;
+    const slow = took > SLOW && (took < APART || waited > SLOW);
     if (slow && this.slow) {
       this.share = Math.max(LEAST, this.share * COARSER);
     }
@@ -33,7 +37,7 @@ export class Pace {
         this.share = 1;
         this.slow = false;
         this.rested();
-      }, REST);
+      }, slow ? Math.min(Math.max(REST, 2 * took), LATEST) : REST);
     }
   }
 }

@@ -141,9 +141,9 @@ export class Space {
 
   /**
    * Paints a tilted view. Called before the still canvas is painted, which then leaves lines and surfaces out.
-   * @param {Frame} frame
+   * @param {Frame} frame @param {number} waited milliseconds since it was asked for
    */
-  show(frame) {
+  show(frame, waited) {
     const { painter } = this.shell;
     this.#tellDeep(frame);
     this.time.show(frame);
@@ -151,7 +151,7 @@ export class Space {
       return;
     }
     const picture = frame.tilt || this.time.move.through ? this.read() : null;
-    this.#size(picture);
+    this.#size(picture, waited);
     if (!picture) {
       this.#leave();
       this.#paintLens(false);
@@ -175,12 +175,12 @@ export class Space {
     }
   }
 
-  /** As large as the still canvas, or coarser while a heavy picture moves. @param {Picture} picture */
-  #size(picture) {
+  /** As large as the still canvas, or coarser while a heavy picture moves. @param {Picture} picture @param {number} waited */
+  #size(picture, waited) {
     const { still, ratio } = this.shell.painter;
     const clip = picture ? picture.clip.join() : '';
     if (clip && this.clip && clip !== this.clip && this.time.lens.box.hidden) {
-      this.pace.moved(performance.now());
+      this.pace.moved(performance.now(), waited);
     }
     this.clip = clip;
     const [width, height] = [still.width, still.height].map((side) => Math.max(1, Math.round(side * this.pace.share)));

@@ -33,7 +33,7 @@ typedef struct search {
     unsigned kinds;
     int size; /* 2: a point of the page, which snaps to what is there; 3: one in space */
     double point[3], seen[2], within; /* seen, within: in drawing coordinates */
-    bool free[3];
+    bool free[3], flat;               /* flat: in space, on the plane that is drawn on */
     int count;
     const int *but;
     branch branches[BRANCHES];
@@ -219,29 +219,49 @@ static lines near_guides(search *s) {
     return found;
 }
 
+/* Of the places of the ground that the grid lies on. */
+static int dimension_of(const bat_grid *grid) { return grid->ground.type->dimension; }
+
 static lines near_grid(const search *s) {
     lines found = {{false}, {0}};
-    double step = bat_grid_step(s->c), origin[3] = {0, 0, 0};
-    if (!(step > 0) || bat_grid_is_isometric(s->c)) return found;
-    bat_unit_origin(s->c, origin);
+    const bat_grid grid = bat_grid_shown(s->c);
+    double zero[3];
+    if (!(grid.step > 0) || grid.triangles || s->flat || s->size < dimension_of(&grid)) return found;
+    bat_ground_at(&grid.ground, grid.zero, zero);
     for (int k = 0; k < s->size; k++) {
-        found.at[k] = origin[k] + step * round((s->point[k] - origin[k]) / step);
+        found.at[k] = zero[k] + grid.step * round((s->point[k] - zero[k]) / grid.step);
         found.there[k] = s->free[k] && away(s, k, found.at[k]) <= s->within;
     }
     return found;
 }
 
+/* The corner of the grid that is nearest to a place, or, with a family of its lines, the foot on the nearest of them. */
+static void grid_place(const bat_grid *grid, int family, const double own[2], double out[2]) {
+    if (grid->triangles && family < 0) bat_isometric_corner(grid->zero, grid->step, own, out);
+    if (grid->triangles && family >= 0) bat_isometric_foot(grid->zero, grid->step, family, own, out);
+    for (int k = 0; k < 2 && !grid->triangles; k++)
+        out[k] = family == 1 - k ? own[k]
+                                 : grid->zero[k] + grid->step * round((own[k] - grid->zero[k]) / grid->step);
+}
+
 /* A corner of the grid, or else its nearest line. */
-static void try_isometric(search *s) {
-    const double step = bat_grid_step(s->c);
-    double origin[2], corner[2], foot[2];
-    if (!(step > 0) || !bat_grid_is_isometric(s->c)) return;
-    bat_unit_origin(s->c, origin);
-    bat_isometric_corner(origin, step, s->point, corner);
-    offer(s, BAT_SNAP_GRID, corner);
-    for (int i = 0; i < BAT_ISOMETRIC_FAMILIES && apart(corner, s->point) > s->within; i++) {
-        bat_isometric_foot(origin, step, i, s->point, foot);
-        offer(s, BAT_SNAP_GRID, foot);
+static void try_grid(search *s) {
+    const bat_grid grid = bat_grid_shown(s->c);
+    const int families = grid.triangles ? BAT_ISOMETRIC_FAMILIES : 2;
+    double zero[3], x[3], y[3], own[2] = {0, 0}, place[2], at[3] = {0};
+    if (!(grid.step > 0) || !(s->size == 2 ? grid.triangles : s->flat) || s->size != dimension_of(&grid))
+        return;
+    bat_ground_at(&grid.ground, own, zero);
+    bat_ground_axes(&grid.ground, x, y);
+    for (int k = 0; k < s->size; k++) {
+        own[0] += (s->point[k] - zero[k]) * x[k];
+        own[1] += (s->point[k] - zero[k]) * y[k];
+    }
+    for (int i = -1; i < families; i++) {
+        grid_place(&grid, i, own, place);
+        bat_ground_at(&grid.ground, place, at);
+        offer(s, BAT_SNAP_GRID, at);
+        if (i < 0 && seen_apart(s, at) <= s->within) return;
     }
 }
 
@@ -272,7 +292,7 @@ static void run(search *s) {
     if (guides.there[0] && guides.there[1] && wants(s, BAT_SNAP_CROSSING))
         offer(s, BAT_SNAP_CROSSING, guides.at);
     try_lines(s, &guides, &grid);
-    if (s->size == 2 && wants(s, BAT_SNAP_GRID)) try_isometric(s);
+    if (wants(s, BAT_SNAP_GRID)) try_grid(s);
 }
 
 static unsigned switched_on(const bat_context *c) {
@@ -288,7 +308,7 @@ static unsigned switched_on(const bat_context *c) {
     return kinds;
 }
 
-static bat_snap find(bat_context *c, int size, const bool free[3], int count, const int *but,
+static bat_snap find(bat_context *c, int size, bool flat, const bool free[3], int count, const int *but,
                      int source_count, const bat_snap_source *sources, const double *delta, int *which) {
     bat_snap best = {0};
     unsigned kinds = switched_on(c);
@@ -296,6 +316,7 @@ static bat_snap find(bat_context *c, int size, const bool free[3], int count, co
         search s = {.c = c,
                     .kinds = kinds & sources[i].kinds,
                     .size = size,
+                    .flat = flat,
                     .free = {free[0], free[1], free[2]},
                     .within = REACH * bat_stage_pixel(c->stage),
                     .count = count,
@@ -311,13 +332,13 @@ static bat_snap find(bat_context *c, int size, const bool free[3], int count, co
 
 bat_snap bat_snap_find(bat_context *c, int count, const int *but, int source_count,
                        const bat_snap_source *sources, const double delta[2], int *which) {
-    return find(c, 2, (bool[]){true, true, false}, count, but, source_count, sources, delta, which);
+    return find(c, 2, false, (bool[]){true, true, false}, count, but, source_count, sources, delta, which);
 }
 
 bat_snap bat_snap_find_space(bat_context *c, int count, const int *but, int source_count,
                              const bat_snap_source *sources, const double delta[3], const bool free[3],
                              int *which) {
-    return find(c, 3, free, count, but, source_count, sources, delta, which);
+    return find(c, 3, false, free, count, but, source_count, sources, delta, which);
 }
 
 void bat_snap_point(bat_context *c, int count, const int *but, double point[2]) {
@@ -325,6 +346,14 @@ void bat_snap_point(bat_context *c, int count, const int *but, double point[2]) 
     bat_seen_sync(c);
     (*c->snap) = bat_snap_find(c, count, but, 1, &source, (double[]){0, 0}, NULL);
     if (c->snap->kind) memcpy(point, c->snap->point, 2 * sizeof *point);
+}
+
+void bat_snap_point_space(bat_context *c, int count, const int *but, double point[3]) {
+    const bat_snap_source source = {{point[0], point[1], point[2]}, BAT_SNAP_ALL};
+    bat_seen_sync(c);
+    (*c->snap) = find(c, 3, true, (bool[]){true, true, true}, count, but, 1, &source, (double[]){0, 0, 0},
+                      NULL);
+    if (c->snap->kind) memcpy(point, c->snap->point, sizeof c->snap->point);
 }
 
 void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {
@@ -340,12 +369,16 @@ void bat_snap_angle(bat_context *c, const double origin[2], double point[2]) {
     (*c->snap) = (bat_snap){BAT_SNAP_ANGLE, {point[0], point[1]}, {true, true}, 0, {origin[0], origin[1]}};
 }
 
-bool bat_grid_is_isometric(const bat_context *c) { return c->settings->values[BAT_PROPERTY_GRID_KIND] != 0; }
-
-double bat_grid_step(const bat_context *c) {
-    if (c->settings->values[BAT_PROPERTY_SHOW_GRID] == 0) return 0;
-    double step = c->settings->values[BAT_PROPERTY_GRID_SPACING];
-    const double scale = c->stage->view.zoom * fmax(fabs(c->stage->view.tilt_cosine), LEAST_SLANT);
-    for (int i = 0; step * scale < CROWDED && i < 60; i++) step *= i & 1 ? 2 : 5;
-    return step;
+bat_grid bat_grid_shown(const bat_context *c) {
+    const double *values = c->settings->values;
+    const bool plane = bat_stage_dimension(c->stage) == 3 && !bat_ground_bounded(&c->stage->ground);
+    bat_grid grid = {.triangles = values[BAT_PROPERTY_GRID_KIND] != 0,
+                     .ground = plane ? c->stage->ground : bat_ground_page()};
+    if (values[BAT_PROPERTY_SHOW_GRID] == 0) return grid;
+    const bat_stage on = {.view = c->stage->view, .ground = grid.ground};
+    const double scale = bat_stage_scale(&on) * fmax(bat_stage_slant(&on), LEAST_SLANT);
+    grid.step = values[BAT_PROPERTY_GRID_SPACING];
+    for (int i = 0; grid.step * scale < CROWDED && i < 60; i++) grid.step *= i & 1 ? 2 : 5;
+    if (!plane) bat_unit_origin(c, grid.zero);
+    return grid;
 }

@@ -7,6 +7,7 @@
 #define BATTEN_EDITOR_PICK_SNAP_H
 
 #include "editor/session/context.h"
+#include "editor/view/ground.h"
 
 typedef enum bat_snap_kind {
     BAT_SNAP_NONE,
@@ -49,13 +50,21 @@ bat_snap bat_snap_find_space(bat_context *c, int count, const int *but, int sour
                              int *which);
 /* The same for a single point of the page; the result is kept for display. `point` becomes the point snapped to. */
 void bat_snap_point(bat_context *c, int count, const int *but, double point[2]);
+/* The same for a single point of the plane in space that is drawn on: the grid is the plane's own. */
+void bat_snap_point_space(bat_context *c, int count, const int *but, double point[3]);
 /* Moves `point` to the nearest ray in steps of 15 degrees (or, with that turned off, the nearest axis) from the
  * origin; the result is kept for display. */
 void bat_snap_angle(bat_context *c, const double origin[2], double point[2]);
 
-/* The spacing of the grid as drawn, document units; 0: no grid is shown. */
-double bat_grid_step(const bat_context *c);
-/* Whether it is one of triangles (isometric.h), not of squares. */
-bool bat_grid_is_isometric(const bat_context *c);
+/* The grid: on the plane in space that is drawn on, or else on the page. */
+typedef struct bat_grid {
+    double step;    /* between lines as they are drawn, document units; 0: no grid is shown */
+    bool triangles; /* isometric.h; otherwise squares */
+    bat_ground
+        ground; /* the plane or the page; zero: the corner it counts from, in the ground's own coordinates */
+    double zero[2];
+} bat_grid;
+
+bat_grid bat_grid_shown(const bat_context *c);
 
 #endif

@@ -2,7 +2,6 @@
 #include "base/real.h"
 #include "base/vec.h"
 #include "editor/pick/snap.h"
-#include "editor/scene/seen.h"
 #include "editor/view/stage.h"
 #include <math.h>
 #include <string.h>
@@ -29,17 +28,12 @@ bat_status bat_spot(bat_context *c, const double pixel[2], int count, const int 
     if (status != BAT_OK) return status;
     memcpy(at, hit.at, sizeof hit.at);
     if (bat_stage_dimension(stage) != 2) {
-        const bat_snap_source source = {{at[0], at[1], at[2]}, BAT_SNAP_ALL & ~BAT_SNAP_LINES};
         c->snap->kind = BAT_SNAP_NONE;
         if (bat_ground_bounded(&stage->ground)) return BAT_OK; /* it stays on the surface */
-        if (step) {
+        if (step)
             keep_to_steps(c, from, at);
-            return BAT_OK;
-        }
-        bat_seen_sync(c);
-        (*c->snap) = bat_snap_find_space(c, count, but, 1, &source, (double[]){0, 0, 0},
-                                         (bool[]){true, true, true}, NULL);
-        if (c->snap->kind) memcpy(at, c->snap->point, sizeof c->snap->point);
+        else
+            bat_snap_point_space(c, count, but, at);
     } else if (step) {
         bat_snap_angle(c, from, at);
     } else {

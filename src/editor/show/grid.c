@@ -4,9 +4,6 @@
 #include "editor/scene/path.h"
 #include "editor/session/context.h"
 #include "editor/show/overlay.h"
-#include "editor/tables/settings.h"
-#include "editor/tables/tables.h"
-#include "editor/view/unit.h"
 #include "editor/view/stage.h"
 #include "editor/pick/snap.h"
 #include <math.h>
@@ -14,8 +11,9 @@
 enum { LINES_MAX = 2000, STRONG = 10 };
 
 /* Of a family of parallel lines, `gap` apart along the unit normal, those that meet the box. */
-static void show_family(bat_overlay *overlay, const double zero[2], double gap, const double normal[2],
+static void show_family(bat_overlay *overlay, const bat_grid *grid, double gap, const double normal[2],
                         const double box[4], bool strong) {
+    const double *zero = grid->zero;
     const double middle[2] = {(box[0] + box[2]) / 2 - zero[0], (box[1] + box[3]) / 2 - zero[1]};
     const double size[2] = {(box[2] - box[0]) / 2, (box[3] - box[1]) / 2};
     const double across = middle[0] * normal[0] + middle[1] * normal[1],
@@ -25,27 +23,26 @@ static void show_family(bat_overlay *overlay, const double zero[2], double gap, 
     const double first = ceil((across - wide) / gap), last = floor((across + wide) / gap);
     for (double i = first; i <= last && i - first < LINES_MAX; i++) {
         if ((fmod(i, STRONG) == 0) != strong) continue;
-        double ends[4];
+        double ends[6];
         for (int k = 0; k < 2; k++) {
             const double t = along + (k ? reach : -reach);
-            ends[2 * k] = zero[0] + i * gap * normal[0] - t * normal[1];
-            ends[2 * k + 1] = zero[1] + i * gap * normal[1] + t * normal[0];
+            const double own[2] = {zero[0] + i * gap * normal[0] - t * normal[1],
+                                   zero[1] + i * gap * normal[1] + t * normal[0]};
+            bat_ground_at(&grid->ground, own, ends + 3 * k);
         }
-        bat_overlay_page_line(overlay, ends[0], ends[1], ends[2], ends[3]);
+        bat_path_polygon(&overlay->path, 3, 2, ends, false);
     }
 }
 
 void bat_grid_show(const bat_context *c, bat_overlay *overlay) {
     static const double square[2][2] = {{1, 0}, {0, 1}};
-    double step = bat_grid_step(c), zero[2], box[4];
-    if (!(step > 0)) return;
-    const bool triangles = bat_grid_is_isometric(c);
-    bat_unit_origin(c, zero);
-    if (!bat_stage_page_box(c->stage, box)) return;
+    const bat_grid grid = bat_grid_shown(c);
+    double box[4];
+    if (!(grid.step > 0) || !bat_stage_flat_box(c->stage, &grid.ground, box)) return;
     for (int strong = 0; strong < 2; strong++) {
         bat_overlay_item(overlay, strong ? BAT_ROLE_GRID_STRONG : BAT_ROLE_GRID, BAT_ITEM_STROKED, 1);
-        for (int i = 0; i < (triangles ? BAT_ISOMETRIC_FAMILIES : 2); i++)
-            show_family(overlay, zero, triangles ? bat_isometric_gap(step) : step,
-                        triangles ? bat_isometric_normal(i) : square[i], box, strong);
+        for (int i = 0; i < (grid.triangles ? BAT_ISOMETRIC_FAMILIES : 2); i++)
+            show_family(overlay, &grid, grid.triangles ? bat_isometric_gap(grid.step) : grid.step,
+                        grid.triangles ? bat_isometric_normal(i) : square[i], box, strong);
     }
 }

@@ -204,6 +204,12 @@ void bat_ground_axes(const bat_ground *ground, double x[3], double y[3]) {
     }
 }
 
+void bat_ground_at(const bat_ground *ground, const double own[2], double at[3]) {
+    double x[3], y[3];
+    bat_ground_axes(ground, x, y); /* the page has no numbers: its origin is 0 */
+    for (int k = 0; k < 3; k++) at[k] = ground->numbers[k] + own[0] * x[k] + own[1] * y[k];
+}
+
 bool bat_ground_same(const bat_ground *a, const bat_ground *b) {
     bool same = a->type == b->type;
     for (int k = 0; k < BAT_GROUND_NUMBERS; k++) same = same && a->numbers[k] == b->numbers[k];

@@ -60,6 +60,8 @@ bool bat_ground_rules(const bat_ground *ground, bat_id object, int curve);
 bool bat_ground_bounded(const bat_ground *ground);
 /* Two directions that span it, of length 1, at right angles; for what is not a plane those of the page. */
 void bat_ground_axes(const bat_ground *ground, double x[3], double y[3]);
+/* A place of a plane or the page, from its own coordinates. */
+void bat_ground_at(const bat_ground *ground, const double own[2], double at[3]);
 /* Whether both lie in the same place, whichever object they are. */
 bool bat_ground_same(const bat_ground *a, const bat_ground *b);
 

@@ -160,42 +160,53 @@ static void enclose(double box[4], const double at[2]) {
     }
 }
 
-/* In perspective the page ends at its horizon, which is looked for along columns of the window. */
-static bool deep_page_box(const bat_stage *stage, double box[4]) {
+/* Own coordinates of a ground under a pixel. */
+static bool own_place(const bat_stage *stage, double x, double y, double at[2]) {
+    bat_hit hit;
+    if (bat_stage_place(stage, (double[]){x, y}, NULL, &hit) != BAT_OK) return false;
+    memcpy(at, hit.own, 2 * sizeof *at);
+    return true;
+}
+
+/* In perspective a plane ends at its horizon, which is looked for along columns of the window. */
+static bool deep_box(const bat_stage *stage, double box[4]) {
     enum { COLUMNS = 17, ROWS = 9, HALVINGS = 12 };
     const bat_view *view = &stage->view;
     for (int i = 0; i < COLUMNS * ROWS; i++) {
         const double x = view->width * (i % COLUMNS) / (COLUMNS - 1);
         double y = view->height * (i / COLUMNS) / (ROWS - 1), step = view->height / (ROWS - 1), at[2];
-        if (!bat_stage_on_page(stage, (double[]){x, y}, at)) continue;
+        if (!own_place(stage, x, y, at)) continue;
         enclose(box, at);
         for (int side = -1; side <= 1; side += 2) {
             double near = y, far = y + side * step;
-            if (bat_stage_on_page(stage, (double[]){x, far}, at)) continue;
+            if (own_place(stage, x, far, at)) continue;
             for (int k = 0; k < HALVINGS; k++) {
                 const double middle = (near + far) / 2;
-                *(bat_stage_on_page(stage, (double[]){x, middle}, at) ? &near : &far) = middle;
+                *(own_place(stage, x, middle, at) ? &near : &far) = middle;
             }
-            if (bat_stage_on_page(stage, (double[]){x, near}, at)) enclose(box, at);
+            if (own_place(stage, x, near, at)) enclose(box, at);
         }
     }
     return box[0] <= box[2];
 }
 
-bool bat_stage_page_box(const bat_stage *stage, double box[4]) {
+bool bat_stage_flat_box(const bat_stage *stage, const bat_ground *flat, double box[4]) {
     const bat_view *view = &stage->view;
-    if (!bat_stage_tilted(stage)) {
-        bat_view_box(view, box);
-        return true;
-    }
+    const bat_stage on = {.view = *view, .ground = *flat};
     box[0] = box[1] = INFINITY, box[2] = box[3] = -INFINITY;
-    if (bat_stage_deep(stage)) return deep_page_box(stage, box);
+    if (bat_stage_deep(stage)) return deep_box(&on, box);
     for (int i = 0; i < 4; i++) {
         double at[2];
-        const double corner[2] = {i & 1 ? view->width : 0, i & 2 ? view->height : 0};
-        if (!bat_stage_on_page(stage, corner, at)) return false;
+        if (!own_place(&on, i & 1 ? view->width : 0, i & 2 ? view->height : 0, at)) return false;
         enclose(box, at);
     }
+    return true;
+}
+
+bool bat_stage_page_box(const bat_stage *stage, double box[4]) {
+    const bat_ground page = bat_ground_page();
+    if (bat_stage_tilted(stage)) return bat_stage_flat_box(stage, &page, box);
+    bat_view_box(&stage->view, box);
     return true;
 }
 

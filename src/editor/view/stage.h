@@ -60,8 +60,10 @@ bat_status bat_stage_viewpoint(const bat_stage *stage, bat_viewpoint *out);
 void bat_stage_window(const bat_stage *stage, double size[2]);
 void bat_stage_middle(const bat_stage *stage, double pixel[2]);
 void bat_stage_box(const bat_stage *stage, double box[4]);
-/* The axis-aligned box on the page around what the window shows of it; face-on that of bat_stage_box. False: the page is
- * seen edge-on. */
+/* The axis-aligned box, in its own coordinates, around what the window shows of a plane or the page. False: it is seen
+ * edge-on. */
+bool bat_stage_flat_box(const bat_stage *stage, const bat_ground *flat, double box[4]);
+/* The same of the page; face-on it is that of bat_stage_box. */
 bool bat_stage_page_box(const bat_stage *stage, double box[4]);
 /* Whether both show the same, in the same way. */
 bool bat_stage_same(const bat_stage *a, const bat_stage *b);

@@ -217,10 +217,9 @@ static void pixel_at(const bat_strand *strand, double place, double out[2]) {
     for (int d = 0; d < 2; d++) out[d] = a[d] + f * (b[d] - a[d]);
 }
 
-/* Whether two places are one: the strand between them is not seen to have a length. */
-static bool is_one(const bat_strand *strand, double from, double to) {
+/* How long a strand is seen to be between two places, or more than touching. */
+static double seen_length(const bat_strand *strand, double from, double to) {
     double at[2], next[2], length = 0;
-    if (!(to - from > 1e-6)) return true;
     pixel_at(strand, from, at);
     while (from < to && length <= touching) {
         from = fmin(floor(from) + 1, to);
@@ -228,21 +227,23 @@ static bool is_one(const bat_strand *strand, double from, double to) {
         length += bat_hypot(next[0] - at[0], next[1] - at[1]);
         at[0] = next[0], at[1] = next[1];
     }
-    return length <= touching;
+    return length;
 }
 
-/* In order, and those that are one joined. */
+/* In order, and those that are one joined: between which no length is seen. */
 static void sort(bat_strand *strand) {
     size_t kept = 0;
+    double length = 0; /* from the last that is kept */
     if (strand->split_count == 0) return;
     qsort(strand->splits, strand->split_count, sizeof *strand->splits, by_place); /* no ties */
     for (size_t i = 1; i < strand->split_count; i++) {
         const bat_split next = strand->splits[i];
         bat_split *last = &strand->splits[kept];
-        if (!is_one(strand, last->place, next.place))
-            strand->splits[++kept] = next;
+        length += seen_length(strand, strand->splits[i - 1].place, next.place);
+        if (next.place - last->place > 1e-6 && length > touching)
+            strand->splits[++kept] = next, length = 0;
         else if (next.corner && !last->corner)
-            *last = next;
+            *last = next, length = 0;
     }
     strand->split_count = kept + 1;
 }

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "base/vec.h"
 #include "editor/editor.h"
 #include "editor/pick/isometric.h"
 #include "editor/tools/modes/guides.h"
@@ -246,13 +247,67 @@ static void a_point_in_space_snaps(void **state) {
     bat_editor_free(editor);
 }
 
+/* A point of a plane in space snaps to the plane's own grid, of squares or triangles, as far as pixels are seen; the page's
+ * grid is not shown then and nothing snaps to it. What is moved along an axis keeps steps from the plane's origin. */
+static void a_plane_has_its_own_grid(void **state) {
+    (void)state;
+    static const double origin[3] = {310, 420, 30}, ways[3][6] = {{1, 0, 0, 0, 0, 1},
+                                                                  {0, 1, 0, 0, 0, 1},
+                                                                  {0.8, 0.6, 0, -0.48, 0.64, 0.6}};
+    for (int what = 0; what < 12; what++) {
+        bat_curve *curves[] = {segment(1000, 900, 1100, 900)};
+        bat_editor *editor = editor_with(1, curves);
+        const bool triangles = what / 3 % 2, deep = what / 6;
+        const double *way = ways[what % 3], root = sqrt(3) / 2;
+        double at[3], pixel[2], seen[2], off;
+        bat_editor_set(editor, "perspective", deep);
+        for (int i = 0; i < 5; i++) bat_editor_command(editor, i & 1 ? "orbit-left" : "orbit-up");
+        editor->stage.ground = bat_ground_plane(origin, way, way + 3);
+        bat_editor_set(editor, "show-grid", 1);
+        bat_editor_set(editor, "snap-grid", 1);
+        bat_editor_set(editor, "grid-kind", triangles);
+        bat_editor_set(editor, "grid-spacing", 100);
+        const double step = bat_grid_shown(&editor->context).step;
+        assert_true(step >= 100);
+        /* a corner, the middle of a line from it to the next, and the middle of a cell */
+        for (int place = 0; place < 3; place++) {
+            const double own[3][2] = {{2 * step * (triangles ? root : 1), 3 * step},
+                                      {2 * step * (triangles ? root : 1), 3.5 * step},
+                                      {2 * step + 0.5 * step, 3.5 * step}};
+            const double cell[2] = {(2 + 1.0 / 3) * root * step, 3.5 * step}, *there = own[place];
+            const bat_hit *none = NULL;
+            bat_hit hit;
+            if (triangles && place == 2) there = cell;
+            bat_ground_at(&editor->stage.ground, there, at);
+            assert_true(bat_stage_look(&editor->stage, 3, at, seen));
+            bat_stage_project(&editor->stage, seen, pixel);
+            const double beside[2] = {pixel[0] + 2, pixel[1] + (place == 1 ? 1 : 2)};
+            assert_int_equal(bat_stage_place(&editor->stage, beside, none, &hit), BAT_OK);
+            double point[3] = {hit.at[0], hit.at[1], hit.at[2]};
+            bat_snap_point_space(&editor->context, 0, NULL, point);
+            assert_int_equal(editor->context.snap->kind, place == 2 ? BAT_SNAP_NONE : BAT_SNAP_GRID);
+            off = 0;
+            if (place == 0) off = vec_norm(vec_sub(vec_load(point, 3), vec_load(at, 3)));
+            if (place == 1) /* anywhere on the line */
+                off = vec_dot(vec_sub(vec_load(point, 3), vec_load(at, 3)), vec_load(way, 3));
+            assert_true(fabs(off) < 1e-9 * step);
+        }
+        /* the page's grid is hidden; the lattice of an axis begins at the plane */
+        assert_int_equal(snap(editor, 300, 300).kind, BAT_SNAP_NONE);
+        const bat_snap_source source = {{7, 8, 30 + step + 0.01 * step}, BAT_SNAP_ALL};
+        const bat_snap found = bat_snap_find_space(&editor->context, 0, NULL, 1, &source, (double[]){0, 0, 0},
+                                                   (bool[]){false, false, true}, NULL);
+        assert_true(found.kind == (triangles ? BAT_SNAP_NONE : BAT_SNAP_GRID));
+        assert_true(triangles || fabs(found.point[2] - 30 - step) < 1e-9 * step);
+        bat_editor_free(editor);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_tilted_page_snaps),
-        cmocka_unit_test(a_point_in_space_snaps),
-        cmocka_unit_test(snaps_to_known_places),
-        cmocka_unit_test(snaps_to_triangles),
-        cmocka_unit_test(moves_snap),
+        cmocka_unit_test(a_tilted_page_snaps),      cmocka_unit_test(a_point_in_space_snaps),
+        cmocka_unit_test(a_plane_has_its_own_grid), cmocka_unit_test(snaps_to_known_places),
+        cmocka_unit_test(snaps_to_triangles),       cmocka_unit_test(moves_snap),
     };
     return cmocka_run_group_tests_name("snap", tests, NULL, NULL);
 }

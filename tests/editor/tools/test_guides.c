@@ -36,7 +36,7 @@ static void guides_and_grid_draw(void **state) {
         bat_editor_set(editor, "grid-spacing", spacings[i]);
         before = 0;
         for (int k = 0; k < 60; k++) {
-            double step = bat_grid_step(&editor->context), whole = step / spacings[i];
+            double step = bat_grid_shown(&editor->context).step, whole = step / spacings[i];
             assert_true(step * editor->stage.view.zoom >= 8 && fabs(whole - round(whole)) < 1e-9 * whole);
             if (before > 0) {
                 double times = step / before;
