@@ -121,8 +121,8 @@ static bool possible(bat_context *c, const facts *f, bat_command_id id, bool poi
     case BAT_COMMAND_ARC_PIE: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_PIE);
     case BAT_COMMAND_ARC_CHORD: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_CHORD);
     case BAT_COMMAND_ARC_OPEN: return f->roots > 0 && bat_primitives_are_arcs(c, BAT_ARC_OPEN);
-    case BAT_COMMAND_CURVE_BLEND: return f->open == 1 || f->open == 2 || bat_edge_pair_fits(c);
-    case BAT_COMMAND_CURVE_MATCH:
+    case BAT_COMMAND_CURVE_BLEND: return f->open == 1 || f->open == 2 || bat_edge_pair_fits(c, false);
+    case BAT_COMMAND_CURVE_MATCH: return f->open == 2 || bat_edge_pair_fits(c, true);
     case BAT_COMMAND_CURVE_JOIN: return f->open == 2;
     case BAT_COMMAND_CAMERA_ALONG: return f->roots == 1 && f->open + f->closed == 1;
     case BAT_COMMAND_BODY_PATH: return f->roots <= 2 && bat_command_body_path_fits(c);
