@@ -117,7 +117,7 @@ static void check_made(const bat_surface *s, const double *u, double v, const do
                        const double high[3]) {
     const double origin[3] = {1, 0, 0}, axis[3] = {0, 0, 1};
     bat_curve *line[3] = {NULL};
-    bat_surface *made[5] = {NULL};
+    bat_surface *made[6] = {NULL};
     double error = 0, apart[4], places[2];
     for (int k = 0; k < 3; k++)
         if (bat_surface_isocurve(s, k < 2 ? BAT_U : BAT_V, k < 2 ? u[k] : v, &line[k]) != BAT_OK)
@@ -135,9 +135,10 @@ static void check_made(const bat_surface *s, const double *u, double v, const do
         bat_surface_coons(sides, 2 * size, &made[2], apart);
         bat_surface_blend(s, BAT_SIDE_U0, s, BAT_SIDE_V1, NULL, &made[3]);
         bat_surface_blend_curve(s, BAT_SIDE_V0, line[0], NULL, &made[4]);
+        bat_surface_match(s, BAT_SIDE_U0, s, BAT_SIDE_V1, 3, 1, &made[5], NULL);
     }
     for (int k = 0; k < 3; k++) bat_curve_free(line[k]);
-    for (int k = 0; k < 5; k++) bat_surface_free(made[k]);
+    for (int k = 0; k < 6; k++) bat_surface_free(made[k]);
 }
 
 static void check(const bat_surface *s) {

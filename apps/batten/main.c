@@ -55,6 +55,7 @@ static const cli_command *const commands[] = {
     &command_surface_sketch,
     &command_surface_intersect,
     &command_surface_blend,
+    &command_surface_match,
     &command_surface_levels,
     &command_surface_convert,
     &command_cast,

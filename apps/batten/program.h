@@ -47,7 +47,7 @@ extern const cli_command command_edit, command_eval, command_nearest, command_fr
     command_curve_split, command_curve_join, command_curve_reverse, command_curve_elevate,
     command_curve_insert, command_curve_flatten, command_curve_arcs, command_curve_intersect,
     command_curve_distance, command_curve_offset, command_curve_region, command_curve_outline, command_width,
-    command_completion, command_blend, command_match, command_surface_blend;
+    command_completion, command_blend, command_match, command_surface_blend, command_surface_match;
 
 /* All of them, in the order of the help. */
 const cli_command *const *all_commands(size_t *count);

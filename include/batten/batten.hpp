@@ -285,6 +285,7 @@ struct SurfaceTessellateResult;
 struct SweepSurfaceResult;
 struct CurveRevolveResult;
 struct CoonsResult;
+struct SurfaceMatchResult;
 struct LoftResult;
 struct RecipeSurfaceResult;
 struct MeshBoxResult;
@@ -489,6 +490,7 @@ class Surface : public detail::Handle<bat_surface, bat_surface_free> {
     [[nodiscard]] Relief levels_to(int levels, Span<const size_t> coarsest) const;
     [[nodiscard]] Surface blend(bat_side side, const Surface &other, bat_side other_side, const bat_blend_options *options = nullptr) const;
     [[nodiscard]] Surface blend_to_curve(bat_side side, const Curve &curve, const bat_blend_options *options = nullptr) const;
+    [[nodiscard]] SurfaceMatchResult match(bat_side side, const Surface &other, bat_side other_side, int continuity = 2, double tension = 1.0) const;
     [[nodiscard]] bat_deviation deviation(const Reference &reference, double spacing = 0.0) const;
     [[nodiscard]] Tracks silhouettes(const bat_viewpoint &view) const;
     [[nodiscard]] Tracks section(Numbers origin, Numbers normal, double tolerance = 0.0) const;
@@ -980,6 +982,11 @@ struct CurveRevolveResult {
 struct CoonsResult {
     Surface out;
     std::array<double, 4> apart;
+};
+
+struct SurfaceMatchResult {
+    Surface out;
+    double moved;
 };
 
 struct LoftResult {
@@ -2275,6 +2282,15 @@ inline Surface Surface::blend_to_curve(bat_side side, const Curve &curve, const 
     const bat_status status = bat_surface_blend_curve(get(), side, curve.get(), options, &out_);
     Surface made = Surface(out_);
     detail::check(status);
+    return made;
+}
+
+inline SurfaceMatchResult Surface::match(bat_side side, const Surface &other, bat_side other_side, int continuity, double tension) const {
+    bat_surface *out_ = nullptr;
+    double moved_{};
+    const bat_status status = bat_surface_match(get(), side, other.get(), other_side, continuity, tension, &out_, &moved_);
+    SurfaceMatchResult made{Surface(out_), moved_};
+    detail::check(status, {{"continuity", static_cast<double>(continuity), 0, 3}, {"tension", static_cast<double>(tension), 0, 1e+75, true}});
     return made;
 }
 

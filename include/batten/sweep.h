@@ -131,6 +131,18 @@ BAT_API bat_status bat_surface_blend(const bat_surface *a, bat_side a_side, cons
 BAT_API bat_status bat_surface_blend_curve(const bat_surface *a, bat_side a_side, const bat_curve *curve,
                                            const bat_blend_options *options, bat_surface **out);
 
+/*
+ * Surface a with an edge moved onto an edge of b, which it then meets with a continuity of 0 to 3 along all of it; b stays. The edge becomes b's, run through
+ * backwards where its ends are nearer so; every line across goes on with b's derivatives, times one factor, with which it leaves the
+ * edge in the mean as fast as before, times `tension` (1e-3 to 1e3). Only continuity + 1 rows of control points beside the edge change, after a
+ * has got the degrees and the knots, which do not change it; domains stay. *moved (may be NULL): how far control points moved at most, document units.
+ * BAT_ARGUMENT: one edge is closed and the other open, a surface is closed across its edge, or a number is out of its range;
+ * BAT_SINGULAR: an edge is a point, or a surface stands still at its; else as bat_curve_refine. O(points of the result). Source: docs/math/blend.md 5.
+ */
+BAT_API bat_status bat_surface_match(const bat_surface *a, bat_side a_side, const bat_surface *b,
+                                     bat_side b_side, int continuity, double tension, bat_surface **out,
+                                     double *moved);
+
 #ifdef __cplusplus
 }
 #endif

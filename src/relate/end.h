@@ -17,6 +17,11 @@ bat_curve_end bat_curve_end_of(vec at, vec d1, vec d2, vec d3);
 bat_curve_end bat_curve_end_at(const bat_curve *curve, bool last, bool turned);
 /* Derivatives 1..3 by a parameter in which the speed is s[0], and its derivatives s[1] and s[2]. */
 void bat_curve_end_derive(const bat_curve_end *end, const double s[3], vec d[3]);
+/* The same curve, clamped, of a degree above the continuity, with so many control points that those of its two ends are apart. */
+bat_status bat_curve_end_room(const bat_curve *curve, int continuity, bool last, bat_curve **out);
+/* Moves the continuity + 1 control points of that end of a clamped curve so that it has the derivatives d there, d[0] the
+ * point. How far they moved at most. */
+double bat_curve_end_put(bat_curve *curve, bool last, int continuity, const vec d[BAT_CONTINUITY_MAX + 1]);
 /* Whether a factor on the speed at an end is from 1e-3 to 1e3. */
 bool bat_curve_end_is_tension(double factor);
 /* The options as this version has them, whatever the caller's; NULL: the defaults. BAT_ARGUMENT: one is out of its range. */

@@ -7,8 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* A clamped curve of at least that degree, with so many control points that those of its two ends are apart. */
-static bat_status roomy(const bat_curve *a, int continuity, bool last, bat_curve **out) {
+bat_status bat_curve_end_room(const bat_curve *a, int continuity, bool last, bat_curve **out) {
     const int apart = 2 * (continuity + 1);
     bat_curve *raised = NULL, *clamped = NULL;
     bat_status status = a->degree > continuity ? bat_curve_copy(a, &raised)
@@ -30,8 +29,8 @@ static bat_status roomy(const bat_curve *a, int continuity, bool last, bat_curve
     return status;
 }
 
-/* Control points of the end from its derivatives, d[0] the point: that of order j depends on the first j + 1 only. */
-static double put(bat_curve *curve, bool last, int continuity, const vec d[BAT_CONTINUITY_MAX + 1]) {
+/* The derivative of order j depends on the first j + 1 control points only. */
+double bat_curve_end_put(bat_curve *curve, bool last, int continuity, const vec d[BAT_CONTINUITY_MAX + 1]) {
     double basis[(BAT_CONTINUITY_MAX + 1) * (BAT_DEGREE_MAX + 1)], moved = 0;
     const int p = curve->degree, size = curve->dimension, span = last ? curve->count - 1 : p;
     bat_basis(curve, span, curve->knots[last ? curve->count : p], continuity, basis);
@@ -79,7 +78,7 @@ bat_status bat_curve_match(const bat_curve *a, bool a_end, const bat_curve *b, b
     const bat_curve_end target = bat_curve_end_at(b, b_end, b_end == a_end);
     if (continuity > target.known) return BAT_SINGULAR;
     bat_curve *room = NULL;
-    status = roomy(a, continuity, a_end, &room);
+    status = bat_curve_end_room(a, continuity, a_end, &room);
     if (status != BAT_OK) return status;
     double s[3];
     vec d[BAT_CONTINUITY_MAX + 1] = {target.at};
@@ -90,7 +89,7 @@ bat_status bat_curve_match(const bat_curve *a, bool a_end, const bat_curve *b, b
         return BAT_SINGULAR;
     }
     bat_curve_end_derive(&target, s, d + 1);
-    const double far = put(room, a_end, continuity, d);
+    const double far = bat_curve_end_put(room, a_end, continuity, d);
     status = bat_curve_finish(room, out);
     if (status == BAT_OK && moved) *moved = far;
     return status;

@@ -114,7 +114,7 @@ def more(made, wave, middle):
             "read_wires.text": f'{{"wires":[{{"reference":{space.write()},"radius":3,"curve":{space.write()}}}]}}',
             "surface.points": surface.points, "u_knots": None, "v_knots": None, "surface.u_knots": surface.knots("u"), "surface.v_knots": surface.knots("v"),
             "surface.degree": (surface.degree("u"), surface.degree("v")), "faces": [[0, 1, 2]], "joints": BONES, "take.values": np.zeros((3, 6)), "frame_time": 0.1,
-            "side": "u1", "Surface.blend.other": surface, "Surface.blend_to_curve.curve": space, "other_side": "u0", "Sweep.surface.tolerance": 0.05, "Relief.drag.level": 1, "Object.with_guide.at": 1.0}
+            "side": "u1", "Surface.blend.other": surface, "Surface.match.other": surface, "Surface.blend_to_curve.curve": space, "other_side": "u0", "Sweep.surface.tolerance": 0.05, "Relief.drag.level": 1, "Object.with_guide.at": 1.0}
 
 
 QUAD = ([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]], [[0, 3, 0], [1, 3, 1], [2, 3, 0], [3, 3, 0]], [[0, 0, 0], [0, 1, 0], [0, 2, 0], [0, 3, 0]], [[3, 0, 0], [3, 1, 0], [3, 2, 1], [3, 3, 0]])

@@ -285,6 +285,34 @@ class Intersect(ProgramTest):
         self.refused(1, "surface", "intersect", names[0], self.file("e.json", {"degree": 3}))
 
 
+class Match(ProgramTest):
+    def test_goes_on_with_the_derivatives_of_the_other(self):
+        """By scipy: across the edge the first and the second derivative are the other's, times one factor and its square; the far edge stays."""
+        a, b = surface(), surface((4, 3))
+        made = self.json("surface", "match", self.file("a.json", a), self.file("b.json", b), "--from", "u1", "--to", "u0")
+        self.assertGreater(made["report"]["moved"], 0)
+        made = made.get("surface", made)
+        turned = numpy.abs(value(made, 3, 1) - value(b, 1, 1)).max() > 1e-9
+        for w in (0.0, 0.2, 0.55, 1.0):
+            v, at = 1 + 2 * w, 1 + 2 * (1 - w if turned else w)
+            self.assertLess(numpy.abs(value(made, 3, v) - value(b, 1, at)).max(), 1e-9)
+            self.assertLess(numpy.abs(value(made, 1, v) - value(a, 1, v)).max(), 1e-9)
+            mine, its = value(made, 3, v, nu=1), value(b, 1, at, nu=1)
+            factor = mine @ its / (its @ its)
+            self.assertGreater(factor, 0)
+            for order in (1, 2):
+                mine, its = value(made, 3, v, nu=order), value(b, 1, at, nu=order)
+                self.assertLess(numpy.abs(mine - factor ** order * its).max(), 1e-7 * (1 + numpy.abs(its).max() * factor ** order))
+
+    def test_refusals(self):
+        sheet, ring = self.file("s.json", surface()), self.file("r.json", surface(closed=(True, False)))
+        self.assertIn("open", self.refused(1, "surface", "match", sheet, ring, "--to", "v0"))
+        self.refused(1, "surface", "match", sheet, ring, "--to", "u0")
+        self.refused(2, "surface", "match", sheet, sheet, "--continuity", "G4")
+        self.refused(2, "surface", "match", sheet, sheet, "--to", "curve")
+        self.refused(2, "surface", "match", sheet, sheet, "--tension", "0")
+
+
 class Blend(ProgramTest):
     def test_goes_on_with_the_derivatives_of_both(self):
         """By scipy: across each edge the first and the second derivative are the surface's, times one factor and its square."""

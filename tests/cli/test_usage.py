@@ -9,7 +9,7 @@ import unittest
 from program import CURVE, PROGRAM, ProgramTest
 
 COMMANDS = ["edit", "eval", "nearest", "frames", "fit", "sketch", "tangents", "levels", "convert", "render", "simplify", "width", "blend", "match", "info", "replay",
-            "surface eval", "surface isocurve", "surface closest", "surface hit", "surface pick", "surface redraw", "surface sketch", "surface intersect", "surface blend", "surface levels", "surface convert", "cast", "wire", "sweep", "revolve",
+            "surface eval", "surface isocurve", "surface closest", "surface hit", "surface pick", "surface redraw", "surface sketch", "surface intersect", "surface blend", "surface match", "surface levels", "surface convert", "cast", "wire", "sweep", "revolve",
             "coons", "loft", "motion", "curve length", "curve bounds", "curve curvature", "curve split", "curve join", "curve reverse", "curve elevate", "curve insert", "curve flatten", "curve offset", "curve arcs", "curve intersect", "curve distance", "curve region", "curve outline", "compare", "completion"]
 
 

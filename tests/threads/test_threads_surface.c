@@ -61,6 +61,8 @@ static uint64_t add_made(uint64_t digest, const bat_surface *s, int seed) {
         digest = add_surface(digest, status, &made);
         status = bat_surface_blend(s, BAT_SIDE_U1, s, BAT_SIDE_U0, NULL, &made);
         digest = add_surface(digest, status, &made);
+        status = bat_surface_match(s, BAT_SIDE_U1, s, BAT_SIDE_U0, 2, 1, &made, NULL);
+        digest = add_surface(digest, status, &made);
     }
     for (int k = 0; k < 4; k++) bat_curve_free(line[k]);
     return digest;

@@ -1,6 +1,6 @@
 /*
  * A blend between two open curves, between the ends of one, or between the edges of two surfaces, or of a surface and a curve; and the first
- * curve's end matched to the second: shown with its comb
+ * curve's end, or surface's edge, matched to the second: shown with its comb
  * over the drawing while continuity and tension are chosen; kept, it is one step. The nearest ends are meant.
  */
 #include "base/real.h"
@@ -39,7 +39,7 @@ static bool is_possible(const bat_document *document, int index) {
     return !level.hidden && !level.locked && bat_object_is_made_of_curves(object);
 }
 
-/* For a blend, surfaces, too. */
+/* Or surfaces. */
 static bool is_possible_edge(const bat_document *document, int index) {
     const bat_nesting_level level = bat_document_level(document, index);
     return is_possible(document, index) ||
@@ -131,17 +131,22 @@ static bat_status make(const bat_tuning *t, const ends *e, bat_curve **out) {
     return status;
 }
 
-/* The blend of surfaces, as lines across it. BAT_STATE: it is not between such. */
-static bat_status show_edges(bat_context *c) {
-    bat_tuning *t = c->tuning;
+/* The surface between the edges, or the first surface with its edge moved. */
+static bat_status make_surface(const bat_tuning *t, bat_surface **out) {
     const bat_blend_options options = options_of(t);
-    bat_edge_pair pair;
+    return t->kind == &matching
+               ? bat_edge_pair_match(&t->edges, options.continuity[0], options.tension[0], out)
+               : bat_edge_pair_blend(&t->edges, &options, out);
+}
+
+/* As lines across it. */
+static bat_status show_edges(bat_tuning *t) {
     bat_surface *made = NULL;
-    if (!bat_edge_pair_find(t->count, t->before, &pair)) return BAT_STATE;
-    bat_status status = bat_edge_pair_blend(&pair, &options, &made);
-    if (status != BAT_OK) return status;
+    bat_status status = make_surface(t, &made);
+    if (status != BAT_OK && status != BAT_SINGULAR) return status;
     bat_tuning_unshow(t);
-    status = bat_edge_pair_show(t, made);
+    t->why = BAT_STRING_NOTICE_NOT_POSSIBLE;
+    status = made ? bat_edge_pair_show(t, made, t->kind == &matching) : BAT_OK;
     bat_surface_free(made);
     t->version++;
     return status;
@@ -152,9 +157,8 @@ static bat_status show(bat_context *c) {
     bat_tuning *t = c->tuning;
     ends e;
     bat_curve *made = NULL;
-    bat_status status = show_edges(c);
-    if (status != BAT_STATE) return status;
-    status = find(t, &e);
+    if (t->edges.object[0]) return show_edges(t);
+    bat_status status = find(t, &e);
     if (status == BAT_OK) status = make(t, &e, &made);
     if (status != BAT_OK && status != BAT_SINGULAR) return status;
     bat_tuning_unshow(t);
@@ -192,13 +196,12 @@ static bat_status other(bat_context *c, double amount, bool done) {
 
 /* ---- kept ---- */
 
-static bat_status add_surface(bat_context *c, const bat_edge_pair *pair, int index, bat_beside *m) {
-    const bat_blend_options options = options_of(c->tuning);
+static bat_status add_surface(bat_context *c, int index, bat_beside *m) {
     bat_surface *made = NULL;
     bat_object *beside = NULL;
     m->fit++;
-    bat_status status = bat_edge_pair_blend(pair, &options, &made);
-    if (status == BAT_OK) status = bat_edge_pair_object(pair, made, &beside);
+    bat_status status = make_surface(c->tuning, &made);
+    if (status == BAT_OK) status = bat_edge_pair_object(&c->tuning->edges, made, &beside);
     if (status == BAT_OK) status = bat_beside_insert(c, index + 1, beside, m);
     bat_object_release(beside);
     bat_surface_free(made);
@@ -207,13 +210,9 @@ static bat_status add_surface(bat_context *c, const bat_edge_pair *pair, int ind
 
 /* The blend has the style of the first curve or surface, and lies before it. */
 static bat_status add(bat_context *c, int index, bat_beside *m) {
-    bat_edge_pair pair;
-    if (bat_edge_pair_find(c->tuning->count, c->tuning->before, &pair)) {
-        const bat_id first = bat_object_id(pair.object[0]);
-        const bool here = bat_object_id(bat_document_at(c->session->document, index)) == first;
-        return here ? add_surface(c, &pair, index, m) : BAT_OK;
-    }
-    const bat_object *object = bat_document_at(c->session->document, index);
+    const bat_object *object = bat_document_at(c->session->document, index),
+                     *first = c->tuning->edges.object[0];
+    if (first) return bat_object_id(object) == bat_object_id(first) ? add_surface(c, index, m) : BAT_OK;
     ends e;
     bat_curve *made = NULL;
     bat_object *beside = NULL;
@@ -229,9 +228,31 @@ static bat_status add(bat_context *c, int index, bat_beside *m) {
     return status;
 }
 
+/* In place of the object as it was; takes `after` over, whatever it returns. */
+static bat_status replace(bat_context *c, const bat_object *before, bat_object *after) {
+    bat_status status = bat_transaction_begin(c);
+    if (status == BAT_OK) {
+        const int at = bat_document_find(c->session->document, bat_object_id(before));
+        status = bat_transaction_end(c, bat_transaction_replace(c, at, after), c->tuning->kind->step);
+    }
+    bat_object_release(after);
+    return status;
+}
+
+static bat_status put_surface(bat_context *c) {
+    const bat_object *before = c->tuning->edges.object[0];
+    bat_surface *made = NULL;
+    bat_object *after = NULL;
+    bat_status status = make_surface(c->tuning, &made);
+    if (status == BAT_OK) status = bat_object_with_surface(before, made, &after);
+    bat_surface_free(made);
+    return status == BAT_OK ? replace(c, before, after) : status;
+}
+
 static bat_status put(bat_context *c) {
     ends e;
     bat_curve *made = NULL;
+    if (c->tuning->edges.object[0]) return put_surface(c);
     bat_status status = find(c->tuning, &e);
     if (status == BAT_OK) status = make(c->tuning, &e, &made);
     if (status != BAT_OK) return status;
@@ -239,13 +260,7 @@ static bat_status put(bat_context *c) {
         return bat_commit_curve(c, bat_object_id(e.object[0]), e.curve[0], made, c->tuning->kind->step);
     bat_object *after = NULL; /* which may be in space now */
     status = bat_object_with_curves(e.object[0], 1, &made, &after);
-    if (status == BAT_OK) status = bat_transaction_begin(c);
-    if (status == BAT_OK) {
-        const int at = bat_document_find(c->session->document, bat_object_id(e.object[0]));
-        status = bat_transaction_end(c, bat_transaction_replace(c, at, after), c->tuning->kind->step);
-    }
-    bat_object_release(after);
-    return status;
+    return status == BAT_OK ? replace(c, e.object[0], after) : status;
 }
 
 static bat_status keep(bat_context *c) {
@@ -301,7 +316,10 @@ static const bat_tuning_kind
 bat_status bat_command_curve_blend(bat_context *c, bat_command_id id) {
     bat_tuning_free(c->tuning);
     const bool match = id == BAT_COMMAND_CURVE_MATCH;
-    const bat_status gathered = bat_tuning_gather(c, match ? is_possible : is_possible_edge);
+    const bat_status gathered = bat_tuning_gather(c, is_possible_edge);
+    bat_edge_pair edges;
+    if (gathered == BAT_OK && bat_edge_pair_find(c->tuning->count, c->tuning->before, &edges))
+        c->tuning->edges = edges;
     c->tuning->amount = c->tuning->other = 0.5;
     c->tuning->way = USUAL + WAYS * USUAL;
     c->tuning->comb = true;

@@ -55,16 +55,27 @@ bat_status bat_edge_pair_blend(const bat_edge_pair *pair, const bat_blend_option
              : bat_surface_blend_curve(a, pair->side[0], bat_object_curve(pair->object[1], 0), options, out);
 }
 
-bat_status bat_edge_pair_show(bat_tuning *tuning, const bat_surface *made) {
+bat_status bat_edge_pair_match(const bat_edge_pair *pair, int continuity, double tension, bat_surface **out) {
+    const bat_surface *b = surface_of(pair->object[1]);
+    if (!b || bat_object_relief(pair->object[0])) return BAT_SINGULAR;
+    return bat_surface_match(surface_of(pair->object[0]), pair->side[0], b, pair->side[1], continuity,
+                             tension, out, NULL);
+}
+
+bat_status bat_edge_pair_show(bat_tuning *tuning, const bat_surface *made, bool matched) {
+    const bat_side side = tuning->edges.side[0];
+    const bat_direction along = matched && (side == BAT_SIDE_U0 || side == BAT_SIDE_U1) ? BAT_V : BAT_U;
     bat_status status = BAT_OK;
-    double domain[2];
-    bat_surface_domain(made, BAT_U, domain);
+    double domain[2], ends[2];
+    bat_surface_domain(made, along, domain);
     for (int i = 0; i < LINES && status == BAT_OK; i++) {
         bat_curve *line = NULL;
-        status = bat_surface_isocurve(made, BAT_U, domain[0] + (domain[1] - domain[0]) * i / (LINES - 1),
+        status = bat_surface_isocurve(made, along, domain[0] + (domain[1] - domain[0]) * i / (LINES - 1),
                                       &line);
-        if (status == BAT_OK && i == LINES / 2)
-            for (int end = 0; end < 2; end++) bat_curve_eval(line, end, 0, tuning->place[end]);
+        if (status == BAT_OK && i == LINES / 2) {
+            bat_curve_domain(line, ends);
+            for (int end = 0; end < 2; end++) bat_curve_eval(line, ends[end], 0, tuning->place[end]);
+        }
         if (status == BAT_OK) status = bat_tuning_add(tuning, line);
     }
     return status;
@@ -80,7 +91,7 @@ bat_status bat_edge_pair_object(const bat_edge_pair *pair, const bat_surface *ma
     return status;
 }
 
-bool bat_edge_pair_fits(const bat_context *c) {
+bool bat_edge_pair_fits(const bat_context *c, bool both) {
     const bat_selection *selection = &c->choice->selection;
     const bat_document *document = c->session->document;
     int surfaces = 0, curves = 0;
@@ -90,5 +101,5 @@ bool bat_edge_pair_fits(const bat_context *c) {
         surfaces += object && surface_of(object),
             curves += object && !surface_of(object) && bat_object_is_one_curve(object);
     }
-    return surfaces > 0 && surfaces + curves == 2;
+    return surfaces > both && surfaces + curves == 2;
 }

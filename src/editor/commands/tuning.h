@@ -9,6 +9,7 @@
 #include "editor/show/overlay.h"
 #include "editor/tables/tables.h"
 #include "text/text.h"
+#include <batten/sweep.h>
 
 /* What is tuned. */
 typedef struct bat_tuning_kind {
@@ -35,6 +36,12 @@ typedef struct bat_tuning_past {
         step; /* serial numbers: of the history's state then; after the last step that changed the shape, or 0 */
 } bat_tuning_past;
 
+/* The nearest edges of two objects, the first of which is a surface. */
+typedef struct bat_edge_pair {
+    const bat_object *object[2];
+    bat_side side[2];
+} bat_edge_pair;
+
 typedef struct bat_tuning {
     const bat_tuning_kind *kind; /* NULL: nothing can be chosen */
     int count;                   /* of the objects that it is about, as they were, retained */
@@ -44,7 +51,9 @@ typedef struct bat_tuning {
     double place[2][3];   /* what the two sliders are about, where there are two */
     int way;              /* in force, of kinds that keep it nowhere else */
     bool comb;            /* what is only shown has its curvature comb */
-    int shown;            /* curves that are only shown, owned */
+    bat_edge_pair
+        edges; /* what it is about, of `before`, where those are edges of surfaces; otherwise NULL */
+    int shown; /* curves that are only shown, owned */
     bat_curve **fit;
     double around[4];  /* of all that can be shown */
     bat_string why;    /* nothing is shown, where the kind has a reason */

@@ -148,9 +148,10 @@ static bat_string why_not(bat_context *c, const facts *f, bat_command_id id, boo
     case BAT_COMMAND_COMBINE: return unless(f->curved > 1, BAT_STRING_NOTICE_SELECT_TWO);
     case BAT_COMMAND_RELEASE: return unless(f->compound > 0, BAT_STRING_NOTICE_SELECT_COMPOUND);
     case BAT_COMMAND_CURVE_BLEND:
-        return unless(f->open == 1 || f->open == 2 || bat_edge_pair_fits(c),
+        return unless(f->open == 1 || f->open == 2 || bat_edge_pair_fits(c, false),
                       BAT_STRING_NOTICE_SELECT_TWO_OPEN);
     case BAT_COMMAND_CURVE_MATCH:
+        return unless(f->open == 2 || bat_edge_pair_fits(c, true), BAT_STRING_NOTICE_SELECT_TWO_OPEN);
     case BAT_COMMAND_CURVE_JOIN: return unless(f->open == 2, BAT_STRING_NOTICE_SELECT_TWO_OPEN);
     case BAT_COMMAND_CAMERA_ALONG: return unless(f->roots == 1 && curves == 1, BAT_STRING_NOTICE_SELECT_PATH);
     case BAT_COMMAND_BODY_PATH:

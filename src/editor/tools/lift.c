@@ -221,8 +221,6 @@ static void up(bat_context *c, void *state, const bat_pointer *event) {
         bat_notice(c, BAT_STRING_NOTICE_LIFT_NOTHING);
     else if (status == BAT_FAR || status == BAT_DOT)
         bat_notice(c, BAT_STRING_NOTICE_LIFT_MISSED);
-    else if (status == BAT_COUNT)
-        bat_notice(c, BAT_STRING_NOTICE_LIFT_LONG);
     else if (status != BAT_OK)
         bat_notice_failure(c, status);
     else

@@ -30,8 +30,6 @@ bat_status bat_surface_transpose(const bat_surface *surface, bat_surface **out) 
     return BAT_OK;
 }
 
-typedef bat_status operation(const bat_curve *row, int knot_count, const double *knots, bat_curve **out);
-
 /* A new surface with the axis along u of `surface`, and along v the axis of the first changed row. */
 static bat_status begin(const bat_surface *surface, const bat_curve *row, bat_surface **out) {
     const bat_curve *a = &surface->axis[0];
@@ -46,7 +44,7 @@ static bat_status begin(const bat_surface *surface, const bat_curve *row, bat_su
     return BAT_OK;
 }
 
-static bat_status change_rows(const bat_surface *surface, operation *change, int knot_count,
+static bat_status change_rows(const bat_surface *surface, bat_row_operation *change, int knot_count,
                               const double *knots, bat_surface **out) {
     const int lead = surface->axis[0].closed ? surface->axis[0].degree : 0;
     bat_surface *fresh = NULL;
@@ -67,8 +65,8 @@ static bat_status change_rows(const bat_surface *surface, operation *change, int
     return bat_surface_finish(fresh, out);
 }
 
-static bat_status change(const bat_surface *surface, bat_direction direction, operation *how, int knot_count,
-                         const double *knots, bat_surface **out) {
+bat_status bat_surface_change(const bat_surface *surface, bat_direction direction, bat_row_operation *how,
+                              int knot_count, const double *knots, bat_surface **out) {
     if (!surface || !out) return BAT_ARGUMENT;
     if (direction == BAT_V) return change_rows(surface, how, knot_count, knots, out);
     bat_surface *turned, *changed = NULL;
@@ -84,7 +82,7 @@ static bat_status change(const bat_surface *surface, bat_direction direction, op
 
 bat_status bat_surface_insert_knots(const bat_surface *surface, bat_direction direction, int knot_count,
                                     const double *knots, bat_surface **out) {
-    return change(surface, direction, bat_curve_insert_knots, knot_count, knots, out);
+    return bat_surface_change(surface, direction, bat_curve_insert_knots, knot_count, knots, out);
 }
 
 /* Whether the knots are those that the surface has. */
@@ -97,7 +95,7 @@ bat_status bat_surface_refine(const bat_surface *surface, bat_direction directio
                               const double *knots, bat_surface **out) {
     if (surface && out && has_knots(surface, direction, knot_count, knots))
         return bat_surface_copy(surface, out);
-    return change(surface, direction, bat_curve_refine, knot_count, knots, out);
+    return bat_surface_change(surface, direction, bat_curve_refine, knot_count, knots, out);
 }
 
 static bat_status raise_row(const bat_curve *row, int degree, const double *unused, bat_curve **out) {
@@ -107,7 +105,7 @@ static bat_status raise_row(const bat_curve *row, int degree, const double *unus
 
 bat_status bat_surface_raise(const bat_surface *surface, bat_direction direction, int degree,
                              bat_surface **out) {
-    return change(surface, direction, raise_row, degree, NULL, out);
+    return bat_surface_change(surface, direction, raise_row, degree, NULL, out);
 }
 
 static bat_status coarsen_row(const bat_curve *row, int count, const double *unused, bat_curve **out) {
@@ -117,7 +115,7 @@ static bat_status coarsen_row(const bat_curve *row, int count, const double *unu
 
 bat_status bat_surface_coarsen(const bat_surface *surface, bat_direction direction, int count,
                                bat_surface **out) {
-    return change(surface, direction, coarsen_row, count, NULL, out);
+    return bat_surface_change(surface, direction, coarsen_row, count, NULL, out);
 }
 
 static bat_status drop_from_row(const bat_curve *row, int unused, const double *knot, bat_curve **out) {

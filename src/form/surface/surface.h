@@ -28,6 +28,10 @@ bat_curve bat_surface_whole(const bat_surface *surface);
 /* Exchanges u and v; keeps every bit. */
 bat_status bat_surface_transpose(const bat_surface *surface, bat_surface **out);
 
+/* What is done to each line of a direction; it gives all of them the same degree and knots. */
+typedef bat_status bat_row_operation(const bat_curve *row, int count, const double *numbers, bat_curve **out);
+bat_status bat_surface_change(const bat_surface *surface, bat_direction direction, bat_row_operation *how,
+                              int count, const double *numbers, bat_surface **out);
 /* To a higher degree in a direction; exact. */
 bat_status bat_surface_raise(const bat_surface *surface, bat_direction direction, int degree,
                              bat_surface **out);

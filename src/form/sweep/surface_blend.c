@@ -1,6 +1,7 @@
 /* A surface between two edges. The rows of control points beside an edge follow from its derivatives across, which are curves on the
  * edge's own knots, so that the joint is exact (docs/math/blend.md 4). */
 #include "form/surface/surface.h"
+#include "form/sweep/border.h"
 #include "form/sweep/sections.h"
 #include "relate/end.h"
 
@@ -13,70 +14,8 @@
 
 enum { ORDER = BAT_CONTINUITY_MAX, ROWS = 2 * ORDER + 2, MEASURED = 33 };
 
-/* An edge: the line, and its derivatives along the outward direction, points of curves with the line's knots. */
-typedef struct border {
-    bat_curve *line; /* in space */
-    double *across;  /* (order + 1) * count * 3 */
-    int order;
-} border;
-
-static void drop(border *b) {
-    bat_curve_free(b->line);
-    free(b->across);
-}
-
-/* The derivatives 0..order at the end of a row of control points, outwards. A row that is one point stands still. */
-static bat_status derive(const bat_surface *s, int axis, int row, bool last, int order, double *out) {
-    const bat_curve *model = &s->axis[axis];
-    const int count = model->count;
-    double *points = malloc(3 * (size_t)count * sizeof *points), jet[3 * (ORDER + 1)] = {0}, domain[2];
-    bat_curve *line = NULL;
-    if (!points) return BAT_MEMORY;
-    for (int i = 0; i < count; i++)
-        memcpy(points + 3 * i, axis == 0 ? bat_surface_row(s, i) + 3 * row : bat_surface_row(s, row) + 3 * i,
-               3 * sizeof *points);
-    bat_status status = bat_curve_create(3, model->degree, false, (size_t)count, points,
-                                         bat_curve_knot_count(model), bat_curve_knots(model), &line);
-    if (status == BAT_OK) {
-        bat_curve_domain(line, domain);
-        (last ? bat_curve_eval_left : bat_curve_eval)(line, domain[last], order, jet);
-    } else if (status == BAT_SINGULAR) {
-        memcpy(jet, points, 3 * sizeof *jet);
-        status = BAT_OK;
-    }
-    for (int j = 0; j <= order; j++)
-        for (int d = 0; d < 3; d++) out[3 * j + d] = (j % 2 && !last ? -1 : 1) * jet[3 * j + d];
-    bat_curve_free(line), free(points);
-    return status;
-}
-
-/* BAT_ARGUMENT: the surface is closed across the edge. */
-static bat_status read_edge(const bat_surface *s, bat_side side, int order, border *out) {
-    const int along = side == BAT_SIDE_U0 || side == BAT_SIDE_U1, axis = 1 - along;
-    const bool last = side == BAT_SIDE_U1 || side == BAT_SIDE_V1;
-    if (s->axis[axis].closed) return BAT_ARGUMENT;
-    const bat_curve *model = &s->axis[along];
-    const size_t count = (size_t)model->count;
-    double each[3 * (ORDER + 1)];
-    bat_status status = BAT_OK;
-    out->order = order;
-    out->across = malloc(3 * count * (size_t)(order + 1) * sizeof *out->across);
-    if (!out->across) return BAT_MEMORY;
-    for (size_t i = 0; i < count && status == BAT_OK; i++) {
-        status = derive(s, axis, (int)i, last, order, each);
-        for (int j = 0; j <= order; j++)
-            memcpy(out->across + 3 * ((size_t)j * count + i), each + 3 * j, 3 * sizeof *each);
-    }
-    bat_curve *line = NULL;
-    if (status == BAT_OK)
-        status = bat_curve_create(3, model->degree, model->closed, count, out->across,
-                                  bat_curve_knot_count(model), bat_curve_knots(model), &line);
-    out->line = line;
-    return status;
-}
-
 /* Of a curve there is nothing across. */
-static bat_status read_curve(const bat_curve *curve, border *out) {
+static bat_status read_curve(const bat_curve *curve, bat_border *out) {
     bat_status status = bat_curve_to_dimension(curve, 3, &out->line);
     if (status != BAT_OK) return status;
     const size_t bytes = 3 * bat_curve_count(out->line) * sizeof(double);
@@ -86,18 +25,8 @@ static bat_status read_curve(const bat_curve *curve, border *out) {
     return BAT_OK;
 }
 
-/* How fast a border's surface runs across, in the mean over its control points. */
-static double speed(const border *b) {
-    const size_t count = bat_curve_count(b->line);
-    static const double zero[3] = {0};
-    double sum = 0;
-    for (size_t i = 0; i < count; i++)
-        sum += bat_distance(b->across + 3 * (count + i), zero, 3) / (double)count;
-    return sum;
-}
-
 /* The order + 1 rows of control points beside a border, outwards; degree: across the blend. factor: of the parameter across. */
-static bat_status make_rows(const border *b, int degree, double factor, bool turned, bat_curve **rows) {
+static bat_status make_rows(const bat_border *b, int degree, double factor, bool turned, bat_curve **rows) {
     const bat_curve *line = b->line;
     const size_t numbers = 3 * bat_curve_count(line);
     double *points = calloc(numbers, sizeof *points);
@@ -143,7 +72,7 @@ static bat_status assemble(int count, bat_curve *const *rows, bat_surface **out)
     return bat_surface_finish(made, out);
 }
 
-static bat_status blend(const border b[2], const double tension[2], bat_surface **out) {
+static bat_status blend(const bat_border b[2], const double tension[2], bat_surface **out) {
     const int degree = b[0].order + b[1].order + 1, count = degree + 1;
     const double far[2] = {bat_sections_apart(b[0].line, b[1].line, MEASURED, false),
                            bat_sections_apart(b[0].line, b[1].line, MEASURED, true)};
@@ -151,7 +80,7 @@ static bat_status blend(const border b[2], const double tension[2], bat_surface 
     bat_curve *rows[ROWS] = {NULL}, *matched[ROWS] = {NULL};
     bat_status status = far[turned] > 0 ? BAT_OK : BAT_SINGULAR;
     for (int e = 0; e < 2 && status == BAT_OK; e++) {
-        const double own = b[e].order ? speed(&b[e]) : 1;
+        const double own = b[e].order ? bat_border_speed(&b[e]) : 1;
         if (!(own > 0)) status = BAT_SINGULAR;
         if (status == BAT_OK)
             status = make_rows(&b[e], degree, tension[e] * far[turned] / own, e && turned,
@@ -171,21 +100,19 @@ static bat_status blend(const border b[2], const double tension[2], bat_surface 
     return status;
 }
 
-static bool is_side(bat_side side) { return side >= BAT_SIDE_V0 && side <= BAT_SIDE_U1; }
-
 /* To an edge of b, or to a curve instead. */
 static bat_status make(const bat_surface *a, bat_side a_side, const bat_surface *b, bat_side b_side,
                        const bat_curve *curve, const bat_blend_options *given, bat_surface **out) {
     bat_blend_options o;
-    border both[2] = {{0}, {0}};
+    bat_border both[2] = {{0}, {0}};
     bat_status status = bat_blend_options_read(given, &o);
-    if (status == BAT_OK && (!is_side(a_side) || !is_side(b_side))) status = BAT_ARGUMENT;
-    if (status == BAT_OK) status = read_edge(a, a_side, o.continuity[0], &both[0]);
+    if (status == BAT_OK && (!bat_is_side(a_side) || !bat_is_side(b_side))) status = BAT_ARGUMENT;
+    if (status == BAT_OK) status = bat_border_read(a, a_side, o.continuity[0], &both[0]);
     if (status == BAT_OK)
-        status = b ? read_edge(b, b_side, o.continuity[1], &both[1]) : read_curve(curve, &both[1]);
+        status = b ? bat_border_read(b, b_side, o.continuity[1], &both[1]) : read_curve(curve, &both[1]);
     if (status == BAT_OK && both[0].line->closed != both[1].line->closed) status = BAT_ARGUMENT;
     if (status == BAT_OK) status = blend(both, o.tension, out);
-    drop(&both[0]), drop(&both[1]);
+    bat_border_clear(&both[0]), bat_border_clear(&both[1]);
     return status;
 }
 

@@ -23,8 +23,10 @@ typedef struct bat_caster {
     double size;                /* of the curve or the surface */
     double *bezier, *breaks;
     int pieces;
-    double domain[2], s; /* s: NaN before the first sample has landed */
-    bool failed;         /* an allocation failed */
+    double domain[2], s;  /* s: NaN before the first sample has landed */
+    bool failed;          /* an allocation failed */
+    bat_cast_point **all; /* where all places are wanted: the list, borrowed */
+    size_t *room, count;
 } casting;
 
 /* ---- a plane ---- */
@@ -77,9 +79,21 @@ static bool place_at(const casting *c, const bat_sight *ray, double s, bat_cast_
     return true;
 }
 
+static void collect(casting *c, const bat_cast_point *place) {
+    if (c->count == *c->room) {
+        const size_t room = *c->room ? 2 * *c->room : 64;
+        bat_cast_point *list = realloc(*c->all, room * sizeof *list);
+        c->failed |= !list;
+        if (!list) return;
+        *c->all = list, *c->room = room;
+    }
+    (*c->all)[c->count++] = *place;
+}
+
 static void consider(casting *c, const bat_sight *ray, double s, bat_cast_point *best) {
     bat_cast_point place;
     if (!place_at(c, ray, s, &place)) return;
+    if (c->all && place.fate == BAT_CAST_LANDED) collect(c, &place);
     const bool lands = place.fate == BAT_CAST_LANDED;
     if (lands ? is_better(c, &place, best) : best->fate != BAT_CAST_LANDED && place.fate < best->fate)
         *best = place;
@@ -245,12 +259,29 @@ void bat_caster_free(bat_caster *caster) {
     free(caster);
 }
 
-bat_status bat_caster_line(bat_caster *caster, const double from[3], const double along[3], double last,
-                           bat_cast_point *out) {
+/* The line as a ray that starts before all that can be met. */
+static bat_sight ray_of(const bat_caster *caster, const double from[3], const double along[3]) {
     bat_sight ray = {vec_load(from, 3), vec_load(along, 3)};
-    /* It starts before all that can be met. */
     const double ahead = vec_dot(vec_sub(caster->middle, ray.from), ray.along);
     ray.from = vec_add(ray.from, vec_scale(ray.along, ahead - (2 + far_out) * caster->size));
+    return ray;
+}
+
+bat_status bat_caster_places(bat_caster *caster, const double from[3], const double along[3],
+                             bat_cast_point **list, size_t *room, size_t *count) {
+    bat_cast_point best;
+    const bat_sight ray = ray_of(caster, from, along);
+    caster->all = list, caster->room = room, caster->count = 0;
+    caster->failed = false;
+    on_ruled(caster, &ray, &best);
+    caster->all = NULL;
+    *count = caster->count;
+    return caster->failed ? BAT_MEMORY : BAT_OK;
+}
+
+bat_status bat_caster_line(bat_caster *caster, const double from[3], const double along[3], double last,
+                           bat_cast_point *out) {
+    const bat_sight ray = ray_of(caster, from, along);
     caster->s = last;
     caster->failed = false;
     cast(caster, &ray, out);

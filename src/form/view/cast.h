@@ -13,5 +13,9 @@ void bat_caster_free(bat_caster *caster);
  * on a ruled surface, else NaN (bat_cast). BAT_MEMORY. */
 bat_status bat_caster_line(bat_caster *caster, const double from[3], const double along[3], double last,
                            bat_cast_point *out);
+/* All places where the line lands on a ruled surface, in the order of s. *list grows as they need, *room with it; it is the
+ * caller's, to be freed. BAT_MEMORY. */
+bat_status bat_caster_places(bat_caster *caster, const double from[3], const double along[3],
+                             bat_cast_point **list, size_t *room, size_t *count);
 
 #endif

@@ -216,6 +216,43 @@ static void surfaces_are_joined(void **state) {
     }
 }
 
+/* The lower of two surfaces gets another edge. */
+static void edges_are_matched(void **state) {
+    (void)state;
+    bat_document *document = NULL;
+    assert_int_equal(bat_document_create(&document), BAT_OK);
+    bat_document_set_page(document, (double[]){0, 0, 1000, 800});
+    for (int i = 0; i < 2; i++) {
+        bat_object *added = sheet((bat_id)(i + 1), i ? 600 : 100, i ? 900 : 300);
+        assert_int_equal(bat_document_insert(document, i, added), BAT_OK);
+        bat_object_release(added);
+    }
+    bat_editor *editor = editor_of(document);
+    assert_int_equal(bat_editor_command(editor, "tool-select"), BAT_OK);
+    assert_int_equal(bat_editor_command(editor, "select-all"), BAT_OK);
+    const uint64_t first = digest(editor);
+    assert_int_equal(bat_editor_command(editor, "curve-match"), BAT_OK);
+    assert_true(shows(editor, BAT_ROLE_FIT) && shows(editor, BAT_ROLE_COMB));
+    assert_int_equal(bat_editor_read_as(editor, 3), BAT_OK);
+    assert_int_equal(bat_editor_refit(editor, 0.6, true), BAT_OK);
+    assert_true(digest(editor) == first);
+    assert_int_equal(bat_editor_command(editor, "accept"), BAT_OK);
+    assert_true(digest(editor) != first && selected(editor) == 2);
+    const bat_surface *made = bat_object_surface(object(editor, 1)),
+                      *other = bat_object_surface(object(editor, 2));
+    for (int i = 0; i < 5; i++) {
+        bat_curve *a = NULL, *b = NULL;
+        double jump[4];
+        assert_int_equal(bat_surface_isocurve(made, BAT_V, i / 4.0, &a), BAT_OK);
+        assert_int_equal(bat_surface_isocurve(other, BAT_V, i / 4.0, &b), BAT_OK);
+        assert_int_equal(bat_curve_jump(a, true, b, false, jump), BAT_OK);
+        assert_true(jump[0] < 1e-9 && jump[1] < 1e-9 && jump[2] < 1e-11 && jump[3] < 1e-11);
+        bat_curve_free(a), bat_curve_free(b);
+    }
+    goes_back_and_replays(editor, first);
+    bat_editor_free(editor);
+}
+
 static void ends_are_matched(void **state) {
     (void)state;
     bat_editor *editor = bends();
@@ -257,13 +294,10 @@ static void what_is_left_changes_nothing(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blends_are_kept),
-        cmocka_unit_test(each_end_has_its_slider),
-        cmocka_unit_test(curves_in_space_meet),
-        cmocka_unit_test(one_curve_meets_itself),
-        cmocka_unit_test(surfaces_are_joined),
-        cmocka_unit_test(ends_are_matched),
-        cmocka_unit_test(what_is_left_changes_nothing),
+        cmocka_unit_test(blends_are_kept),      cmocka_unit_test(each_end_has_its_slider),
+        cmocka_unit_test(curves_in_space_meet), cmocka_unit_test(one_curve_meets_itself),
+        cmocka_unit_test(surfaces_are_joined),  cmocka_unit_test(edges_are_matched),
+        cmocka_unit_test(ends_are_matched),     cmocka_unit_test(what_is_left_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <math.h>
+#include <string.h>
 #include <cmocka.h>
 #include <batten/blend.h>
 #include <batten/sweep.h>
@@ -187,12 +188,94 @@ static void rings_and_refusals(void **state) {
     bat_surface_free(made), bat_surface_free(low), bat_surface_free(high), bat_surface_free(open);
 }
 
+/* Every side of a patch meets every side of another with G0 to G3, by curves' jumps at 21 places, from any distance, at any size; its far edge stays. */
+static void edges_are_matched(void **state) {
+    (void)state;
+    static const double sizes[] = {1, 1e-6, 1e6};
+    random_source r = {11};
+    for (int way = 0; way < 64; way++) {
+        const bat_side from = (bat_side)(way % 4), to = (bat_side)(way / 4 % 4);
+        const int continuity = way / 16;
+        const double size = sizes[way % 3], by[12] = {size, 0, 0, 0, 0, size, 0, 0, 0, 0, size, 0};
+        bat_surface *drawn[2] = {patch(&r, 0, way & 1), patch(&r, 9, way & 2)}, *s[2], *made = NULL;
+        double moved = 0, domain[2], jump[4], at[2][6];
+        for (int k = 0; k < 2; k++) assert_int_equal(bat_surface_transform(drawn[k], by, &s[k]), BAT_OK);
+        assert_int_equal(bat_surface_match(s[0], from, s[1], to, continuity, 0.8, &made, &moved), BAT_OK);
+        assert_true(moved > 0.1 * size);
+        double most[4] = {0}, best = INFINITY;
+        for (int turned = 0; turned < 2; turned++) { /* the edges may run against each other */
+            double all[4] = {0};
+            for (int i = 0; i <= 20; i++) {
+                bat_curve *a = across(made, from, i / 20.0),
+                          *b = across(s[1], to, turned ? 1 - i / 20.0 : i / 20.0);
+                assert_int_equal(bat_curve_jump(a, is_last(from), b, is_last(to), jump), BAT_OK);
+                for (int k = 0; k < 4; k++)
+                    all[k] = fmax(all[k], jump[k] * pow(size, k == 0 ? -1 : k == 1 ? 0 : k - 1));
+                bat_curve_free(a), bat_curve_free(b);
+            }
+            if (all[0] < best) memcpy(most, all, sizeof most), best = all[0];
+        }
+        static const double none[4] = {1e-11, 1e-9, 1e-9, 1e-7};
+        for (int k = 0; k < 4; k++)
+            if ((most[k] <= none[k]) != (k <= continuity))
+                fail_msg("%d: jump %d of G%d is %g", way, k, continuity, most[k]);
+        for (int i = 0; i <= 20; i++) { /* at the far edge it is what it was, and so is its domain */
+            bat_curve *a = across(made, from, i / 20.0), *b = across(s[0], from, i / 20.0);
+            bat_curve_domain(a, domain);
+            bat_curve_eval(a, domain[is_last(from) ? 0 : 1], 1, at[0]);
+            bat_curve_eval(b, domain[is_last(from) ? 0 : 1], 1, at[1]);
+            for (int d = 0; d < 6; d++)
+                assert_true(fabs(at[0][d] - at[1][d]) <= 1e-9 * size * (continuity < 1 && d > 2 ? 1e10 : 1));
+            bat_curve_free(a), bat_curve_free(b);
+        }
+        bat_surface *again = NULL; /* what meets already stays */
+        assert_int_equal(bat_surface_match(made, from, s[1], to, continuity, 1, &again, &moved), BAT_OK);
+        assert_true(moved <= 1e-9 * size);
+        for (int k = 0; k < 2; k++) bat_surface_free(s[k]), bat_surface_free(drawn[k]);
+        bat_surface_free(made), bat_surface_free(again);
+    }
+}
+
+static void matched_rings_and_refusals(void **state) {
+    (void)state;
+    random_source r = {2};
+    bat_surface *low = tube(2, 0, 3), *high = tube(1, 6, 9), *open = patch(&r, 0, false), *made = NULL;
+    double moved;
+    assert_int_equal(bat_surface_match(high, BAT_SIDE_V0, low, BAT_SIDE_V1, 2, 1, &made, &moved), BAT_OK);
+    assert_true(bat_surface_is_closed(made, BAT_U));
+    joins(low, BAT_SIDE_V1, false, made, false, 2);
+    bat_surface_free(made);
+    made = NULL;
+    assert_int_equal(bat_surface_match(high, BAT_SIDE_V0, low, BAT_SIDE_V1, 4, 1, &made, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_match(high, BAT_SIDE_V0, low, BAT_SIDE_V1, 2, NAN, &made, NULL),
+                     BAT_ARGUMENT);
+    assert_int_equal(bat_surface_match(high, BAT_SIDE_V0, open, BAT_SIDE_V1, 2, 1, &made, NULL),
+                     BAT_ARGUMENT);
+    assert_int_equal(bat_surface_match(high, BAT_SIDE_U0, open, BAT_SIDE_V1, 2, 1, &made, NULL),
+                     BAT_ARGUMENT);
+    assert_int_equal(bat_surface_match(open, BAT_SIDE_U0, low, BAT_SIDE_U1, 2, 1, &made, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_match(NULL, BAT_SIDE_U0, low, BAT_SIDE_U1, 2, 1, &made, NULL), BAT_ARGUMENT);
+    assert_int_equal(bat_surface_match(high, (bat_side)4, low, BAT_SIDE_V1, 2, 1, &made, NULL), BAT_ARGUMENT);
+    assert_null(made);
+    for (long n = 1, reached = 1; reached; n++) {
+        const long live = alloc_live();
+        alloc_fail_at(n);
+        const bat_status status = bat_surface_match(high, BAT_SIDE_V0, low, BAT_SIDE_V1, 2, 1, &made, NULL);
+        reached = alloc_fail_reached();
+        assert_int_equal(status, reached ? BAT_MEMORY : BAT_OK);
+        if (reached) assert_int_equal(alloc_live(), live);
+    }
+    bat_surface_free(made), bat_surface_free(low), bat_surface_free(high), bat_surface_free(open);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_line_across_is_continuous),
         cmocka_unit_test(edges_are_turned),
         cmocka_unit_test(planes_and_curves),
         cmocka_unit_test(rings_and_refusals),
+        cmocka_unit_test(edges_are_matched),
+        cmocka_unit_test(matched_rings_and_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
