@@ -5,6 +5,7 @@
 #include "model_file.h"
 #include "picture.h"
 #include "program.h"
+#include "strokes.h"
 
 #include "format/model/drawn.h"
 
@@ -155,6 +156,33 @@ static int options_fit(const cli_arguments *arguments, const char *format) {
     return EXIT_DONE;
 }
 
+/* Where a stroke whose width changes is a line along its middle, or its outline. */
+static int outline_fits(const cli_arguments *arguments, const char *format) {
+    static const char *const following[] = {"dxf", "gcode", "glif", "eps"};
+    bool fits = !arguments_value(arguments, OPTION_OUTLINE);
+    for (size_t i = 0; i < sizeof following / sizeof *following; i++)
+        fits = fits || strcmp(format, following[i]) == 0;
+    if (fits) return EXIT_DONE;
+    return fail_usage(arguments->command, "%s is for .dxf, .gcode, .glif and .eps", OPTION_OUTLINE);
+}
+
+/* Plotters follow lines: of a stroke whose width changes the one along its middle, or on request its outline. */
+static int even_strokes(const cli_arguments *arguments, const drawing_file *drawing, picture_kind page) {
+    const char *in = arguments->operands[0];
+    int count = 0;
+    bat_status status = BAT_OK;
+    if (arguments_value(arguments, OPTION_OUTLINE))
+        status = strokes_outlined(drawing->document);
+    else if (page == PICTURE_EPS)
+        status = strokes_even(drawing->document, &count);
+    if (status != BAT_OK) return fail_data(in, NULL, "%s", bat_status_message(status));
+    if (count)
+        remark("%s: %d stroke%s of changing width written as %s of one width; %s writes the outline%s", in,
+               count, count == 1 ? "" : "s", count == 1 ? "a line" : "lines", OPTION_OUTLINE,
+               count == 1 ? "" : "s");
+    return EXIT_DONE;
+}
+
 /* Texts are kept by .svg and .batten, and painted by .pdf and the like; no other file has them. */
 static void remark_texts(const char *in, const bat_document *document) {
     int count = 0;
@@ -245,6 +273,7 @@ static int run_model(const cli_arguments *arguments, const bat_model_format *for
                         arguments_value(arguments, OPTION_TRIANGLES) != NULL};
     drawing_file drawing;
     int failed = options_fit(arguments, format->name);
+    if (!failed) failed = outline_fits(arguments, format->name);
     if (arguments_value(arguments, "--floor") && arguments_value(arguments, "--wall"))
         failed = fail_usage(arguments->command, "--floor and --wall exclude each other");
     if (how.cap && !format->divide) failed = fail_cap(arguments);
@@ -265,12 +294,14 @@ static int run_one(const cli_arguments *arguments) {
     if (arguments_value(arguments, "--cap")) return fail_cap(arguments);
     if (arguments_value(arguments, OPTION_TRIANGLES))
         return fail_usage(arguments->command, "%s is for .obj", OPTION_TRIANGLES);
-    const bat_format *format;
-    picture_kind page;
+    const bat_format *format = NULL;
+    picture_kind page = PICTURE_UNKNOWN;
     bat_svg_options options = bat_svg_merging();
     int failed = output_format(arguments, &format, &page);
     double tolerance = -1;
-    if (!failed) failed = options_fit(arguments, format ? format->name : page == PICTURE_PDF ? "pdf" : "eps");
+    const char *name = format ? format->name : page == PICTURE_PDF ? "pdf" : "eps";
+    if (!failed) failed = options_fit(arguments, name);
+    if (!failed) failed = outline_fits(arguments, name);
     if (!failed) failed = arguments_number(arguments, "--tolerance", 0, 1e30, &tolerance);
     if (tolerance >= 0)
         options.tolerance = tolerance, options.share = 0; /* as asked, however small the path */
@@ -278,7 +309,9 @@ static int run_one(const cli_arguments *arguments) {
     drawing_file drawing;
     failed = drawing_read(arguments->operands[0], &options, &drawing);
     if (failed) return failed;
-    failed = format ? put_drawing(arguments, &drawing, format) : put_page(arguments, &drawing, page);
+    failed = even_strokes(arguments, &drawing, page);
+    if (!failed)
+        failed = format ? put_drawing(arguments, &drawing, format) : put_page(arguments, &drawing, page);
     drawing_free(&drawing);
     return failed;
 }
@@ -322,6 +355,9 @@ const cli_command command_convert = {
          {"--down", "L", "to .gcode: lines that lower it; G1 Z-1 F300 by default"},
          {"--extremes", NULL,
           "to .glif: curves get a point where they are furthest left, right, up and down"},
+         {OPTION_OUTLINE, NULL,
+          "to .dxf, .gcode, .glif and .eps: of strokes whose width changes the outline, not the line along "
+          "the middle"},
          {"--precision", "D", "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
          {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
          {"--floor", NULL,

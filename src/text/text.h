@@ -8,6 +8,7 @@ typedef struct bat_text {
     char *data;
     size_t size, room;
     bool failed;
+    bool packed; /* for programs: curves of many points are not written as numbers (format/json/pack.h) */
 } bat_text;
 
 void bat_text_add(bat_text *text, const char *bytes, size_t size);

@@ -171,8 +171,31 @@ class Sizes(ProgramTest):
             self.close(found, expected, ratio)
             self.close(page_of_pdf(self.done("convert", name, "-", "--to", "pdf")), [200, 100], ratio)
 
+    def test_style_attributes_say_it_before_attributes(self):
+        """As in browsers, where the unit is the same everywhere; what is changed of the page is said there, too."""
+        box = 'viewBox="0 0 200 100"'
+        for root, mm in ((f'style="width:200mm;height:100mm" {box}', 1), (f'width="100" height="50" style="width: 200mm ; height: 100MM !important" {box}', 1),
+                         (f'width="200mm" height="100mm" style="width:100%;height:auto" {box}', 1), (f'width="200mm" height="100mm" style="width:10em" {box}', 1),
+                         (f'style="width:40cm!important;width:10cm;height:20cm" {box}', 2), (f'width="400mm" height="200mm" style="max-width:10px;color:red" {box}', 2),
+                         ('style="width:400mm;height:200mm" width="10" viewBox="0 0 200 100" preserveAspectRatio="none"', 2)):
+            rect = RECT.format(10 / mm, 20 / mm, 60 / mm)
+            text = f'<svg xmlns="http://www.w3.org/2000/svg" {root}>{rect}</svg>'
+            name = self.file("a.svg", text)
+            found = gcode(self.done("convert", name, "-", "--to", "gcode").decode())
+            self.close([found[2] - found[0], found[3] - found[1]], [60, 60], root)
+            self.done("convert", name, "b.batten")
+            self.assertEqual(self.done("convert", "b.batten", "-", "--to", "svg", "--plain").decode(), text, "nothing was edited")
+            drawing = json.loads((self.folder / "b.batten").read_text(encoding="utf8"))
+            drawing["page"][2] *= 2
+            self.done("convert", self.file("c.batten", json.dumps(drawing)), "d.svg")
+            page = page_of_pdf(self.done("convert", "d.svg", "-", "--to", "pdf"))
+            self.close(page, [400 * mm, 100 * mm], root)
+            found = gcode(self.done("convert", "d.svg", "-", "--to", "gcode").decode())
+            self.close([found[2] - found[0], found[3] - found[1]], [60, 60], root)
+
     def test_dxf_units(self):
-        for number, mm in ((1, 25.4), (2, 304.8), (4, 1), (5, 10), (6, 1000), (None, 1), (0, 1)):
+        for number, mm in ((1, 25.4), (2, 304.8), (4, 1), (5, 10), (6, 1000), (None, 1), (0, 1), (18, 1.495978707e14), (21, 1.2e6 / 3937), (22, 1e5 / 3937),
+                           (23, 3.6e6 / 3937), (24, 6.336e9 / 3937), (99, 1)):
             side = 60 / mm
             head = f"0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n{number}\n0\nENDSEC\n" if number is not None else ""
             name = self.file("a.dxf", head + f"0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n{side!r}\n21\n{side!r}\n"

@@ -1,6 +1,7 @@
 """Widths along strokes: `curve outline --widths`, and `width` for drawings, as they are written, painted and read again."""
 import json
 import pathlib
+import re
 import unittest
 
 from program import ProgramTest
@@ -36,6 +37,27 @@ class Width(ProgramTest):
                       ["--widths", "0,1;2,1"], ["--width", "1", "--widths", "0,1"], []):
             self.refused(2, "curve", "outline", name, *words)
         self.refused(2, "width", self.file("a.svg", SVG))
+
+    def test_plotters_get_a_line_or_the_outline(self):
+        """EPS has one line of one width, and says so; on request what the stroke covers, as DXF and G-code have, too."""
+        wide = self.file("wide.svg", self.done("width", self.file("line.svg", SVG), "--widths", "0,0;0.5,8;1,0").decode())
+        line, outline, cut, around = (str(self.folder / name) for name in ("line.eps", "outline.eps", "cut.dxf", "around.dxf"))
+        said = self.run_program("convert", wide, line)
+        self.assertEqual(said.returncode, 0)
+        self.assertIn(b"1 stroke of changing width written as a line of one width", said.stderr)
+        self.done("convert", wide, outline, "--outline")
+        painted = [re.search(r"%%EndPageSetup(.*)showpage", pathlib.Path(name).read_text(encoding="latin1"), re.S).group(1) for name in (line, outline)]
+        self.assertRegex(painted[0], r"7.5 15 m [0-9. \n]*82.5 15 c S")
+        self.assertNotRegex(painted[0], r"\bf\b")
+        self.assertRegex(painted[1], r" c h\n[^S]* f\n")
+        self.assertNotRegex(painted[1], r"\bS\b")
+        self.done("convert", wide, cut)
+        self.done("convert", wide, around, "--outline")
+        closed = [re.search(r"ENTITIES.*?SPLINE.*?\n *70\r?\n *(\d+)", pathlib.Path(name).read_text(encoding="ascii"), re.S) for name in (cut, around)]
+        self.assertEqual([int(found.group(1)) & 1 if found else None for found in closed], [0, 1], "open, closed")
+        self.refused(2, "convert", wide, str(self.folder / "a.pdf"), "--outline")
+        filled = self.file("filled.svg", pathlib.Path(wide).read_text(encoding="utf8").replace('fill="none"', 'fill="#00ff00"'))
+        self.done("convert", filled, outline, "--outline")
 
     def test_drawings_keep_it(self):
         name = self.file("a.svg", SVG)

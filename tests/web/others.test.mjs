@@ -1,5 +1,5 @@
 // label: all (a minute of files of others). Files of other programs with one point of one curve moved a little: Chromium shows them
-// as before. So does it where style sheets say where things are, with any of them moved or turned. What is said to look otherwise does. FILES=5000 node tests/web/run.mjs tests/web/others.test.mjs tries so many of them.
+// as before. So does it where style sheets say where things are, with any of them moved or turned. What is said to look otherwise does. FILES=5000 node tests/web/run.mjs tests/web/others.test.mjs tries so many of them, with FOLDER=... those of a folder.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -11,7 +11,7 @@ import { launch } from './page.mjs';
 import { PROGRAM } from './server.mjs';
 
 const ROOT = path.join(path.dirname(fileURLToPath(import.meta.url)), '../..');
-const FOLDERS = [...['examples', 'docs/pictures', 'tests/pictures/programs'].map((name) => path.join(ROOT, name)), '/usr/share/icons', '/usr/share/openclipart'];
+const FOLDERS = process.env.FOLDER ? [process.env.FOLDER] : [...['examples', 'docs/pictures', 'tests/pictures/programs'].map((name) => path.join(ROOT, name)), '/usr/share/icons', '/usr/share/openclipart'];
 const MOST = Number(process.env.FILES ?? 200);
 const SEEDS = 5;
 const LARGEST = 200000; // bytes

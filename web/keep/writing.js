@@ -5,7 +5,7 @@ import { Anew } from '../page/words.js';
 
 /** @typedef {import('../engine/engine.js').Engine} Engine */
 
-const LIGHT = 1 << 18; // bytes of a journal: what it makes is written at once, while the page waits
+const LIGHT = 1 << 16; // bytes of a journal: what it makes is written at once, while the page waits
 
 /**
  * Made at once if that takes no time, else while the page goes on.

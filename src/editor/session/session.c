@@ -10,23 +10,19 @@
 /* The journal's first line: the document at the time the journal begins. JSON may contain line breaks, but a journal
  * entry may not; outside strings a line break can be replaced by a space. */
 static bat_status write_head(const bat_document *document, const char *name, bat_journal *journal) {
-    char *text = NULL;
-    size_t size = 0;
-    bat_status status = bat_document_write(document, &text, &size);
-    if (status != BAT_OK) return status;
-    for (size_t i = 0; i < size; i++)
-        if (text[i] == '\n' || text[i] == '\r') text[i] = ' ';
-    while (size && text[size - 1] == ' ') size--;
-    bat_text line = {0};
+    bat_text line = {.packed = true};
     bat_text_string(&line, "{\"journal\":\"batten\",\"version\":1,\"name\":");
     bat_text_json_string(&line, name);
     bat_text_string(&line, ",\"digest\":");
     bat_line_digest(&line, bat_document_digest(document));
     bat_text_string(&line, ",\"document\":");
-    bat_text_add(&line, text, size);
+    const size_t from = line.size;
+    bat_document_to_json(document, true, &line);
+    for (size_t i = from; i < line.size; i++)
+        if (line.data[i] == '\n' || line.data[i] == '\r') line.data[i] = ' ';
+    while (line.size > from && line.data[line.size - 1] == ' ') line.size--;
     bat_text_string(&line, "}");
-    bat_free(text);
-    status = bat_journal_append(journal, line.data, line.size, line.failed);
+    const bat_status status = bat_journal_append(journal, line.data, line.size, line.failed);
     bat_text_free(&line);
     return status;
 }

@@ -357,16 +357,39 @@ static bat_status read_entities(parser *p, const setting *in, const char *end) {
 
 /* ---- sections ---- */
 
+/* Millimetres of feet of the US survey, of which 3937 are 1200 m. */
+#define SURVEY(feet) ((feet)*1.2e6 / 3937)
+
 /* The units that $INSUNITS numbers: none, inch, foot, mile, mm, cm, m, km, microinch, mil, yard, angstrom, nanometre, micron,
- * decimetre, decametre, hectometre, gigametre. unit: in which a drawing says its size then. */
+ * decimetre, decametre, hectometre, gigametre, astronomical unit, light year, parsec, foot, inch, yard and mile of the US survey. unit: in which a drawing says its size then. */
 static const struct {
     double millimetres;
     bat_unit unit;
-} UNITS[] = {{1, BAT_UNIT_MM},       {25.4, BAT_UNIT_IN},   {304.8, BAT_UNIT_IN}, {1609344, BAT_UNIT_IN},
-             {1, BAT_UNIT_MM},       {10, BAT_UNIT_CM},     {1000, BAT_UNIT_CM},  {1e6, BAT_UNIT_CM},
-             {2.54e-5, BAT_UNIT_IN}, {0.0254, BAT_UNIT_IN}, {914.4, BAT_UNIT_IN}, {1e-7, BAT_UNIT_MM},
-             {1e-6, BAT_UNIT_MM},    {1e-3, BAT_UNIT_MM},   {100, BAT_UNIT_CM},   {1e4, BAT_UNIT_CM},
-             {1e5, BAT_UNIT_CM},     {1e12, BAT_UNIT_CM}};
+} UNITS[] = {{1, BAT_UNIT_MM},
+             {25.4, BAT_UNIT_IN},
+             {304.8, BAT_UNIT_IN},
+             {1609344, BAT_UNIT_IN},
+             {1, BAT_UNIT_MM},
+             {10, BAT_UNIT_CM},
+             {1000, BAT_UNIT_CM},
+             {1e6, BAT_UNIT_CM},
+             {2.54e-5, BAT_UNIT_IN},
+             {0.0254, BAT_UNIT_IN},
+             {914.4, BAT_UNIT_IN},
+             {1e-7, BAT_UNIT_MM},
+             {1e-6, BAT_UNIT_MM},
+             {1e-3, BAT_UNIT_MM},
+             {100, BAT_UNIT_CM},
+             {1e4, BAT_UNIT_CM},
+             {1e5, BAT_UNIT_CM},
+             {1e12, BAT_UNIT_CM},
+             {1.495978707e14, BAT_UNIT_CM},
+             {9.4607304725808e18, BAT_UNIT_CM},
+             {3.0856775814913673e19, BAT_UNIT_CM},
+             {SURVEY(1), BAT_UNIT_IN},
+             {SURVEY(1.0 / 12), BAT_UNIT_IN},
+             {SURVEY(3), BAT_UNIT_IN},
+             {SURVEY(5280), BAT_UNIT_IN}};
 
 static bat_status read_header(parser *p) {
     bat_dxf_pair pair;

@@ -1,6 +1,7 @@
 /* CURVE as JSON: {"degree":3, "closed":false, "knots":[...], "points":[[x,y],...]}. */
 #include "format/json/curve.h"
 #include "curve/curve.h"
+#include "format/json/pack.h"
 #include "text/number.h"
 #include <batten/curve.h>
 #include <batten/format.h>
@@ -160,6 +161,18 @@ bat_status bat_curve_from_json(const bat_json *json, uint32_t node, bat_curve **
     bool is_closed = false;
     if (closed && !bat_flag_from_json(json, closed, &is_closed))
         return bat_json_complain(json, closed, BAT_SYNTAX, "closed", "true or false", problem);
+    const uint32_t packed = bat_json_member(json, node, "packed");
+    if (packed) {
+        const char *text = bat_json_text(json, packed);
+        const double number = json->nodes[degree].value.number;
+        const bool whole = number >= 1 && number <= BAT_DEGREE_MAX && number == floor(number);
+        const bat_status status = text ? bat_curve_unpack(text, whole ? (int)number : 0, is_closed, out)
+                                       : BAT_SYNTAX;
+        if (status == BAT_OK) return status;
+        if (status == BAT_MEMORY)
+            return bat_json_say(json, packed, status, bat_status_message(status), problem);
+        return bat_json_complain(json, packed, status, "packed", "a curve in base 64", problem);
+    }
     double *knots = NULL, *points = NULL;
     size_t knot_count, count;
     int dimension;
@@ -223,6 +236,12 @@ void bat_curve_to_json(const bat_curve *curve, int indent, bat_text *text) {
     bat_text_string(text, "{\"degree\":");
     bat_text_integer(text, (uint64_t)bat_curve_degree(curve));
     bat_text_string(text, bat_curve_is_closed(curve) ? ",\"closed\":true," : ",\"closed\":false,");
+    if (text->packed && count >= BAT_PACK_LEAST) {
+        bat_text_string(text, "\"packed\":");
+        bat_curve_pack(curve, text);
+        bat_text_string(text, "}");
+        return;
+    }
     new_line(text, indent);
     bat_text_string(text, "\"knots\":");
     bat_numbers_to_json(knots, (size_t)bat_curve_knot_count(curve), text);

@@ -148,6 +148,64 @@ static double given(const char *text, bat_unit *unit) {
     return value;
 }
 
+static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
+
+/* Takes space off both ends. */
+static void trim(const char **from, const char **to) {
+    while (*from < *to && is_space(**from)) ++*from;
+    while (*to > *from && is_space((*to)[-1])) --*to;
+}
+
+/* Whether a unit is as long everywhere. */
+static bool is_fixed(const char *unit) {
+    static const char *const units[] = {"px", "mm", "cm", "in", "pt", "pc", "q"};
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        const size_t size = strlen(units[i]);
+        bool same = strlen(unit) == size;
+        for (size_t k = 0; same && k < size; k++) same = (unit[k] | 32) == units[i][k];
+        if (same) return true;
+    }
+    return false;
+}
+
+/* Copies a value in a unit that is the same everywhere; false: it is none. *important: it says so. */
+static bool copy_length(const char *from, const char *to, char room[BAT_SVG_SIDE_ROOM], bool *important) {
+    char made[BAT_SVG_SIDE_ROOM];
+    double value;
+    const char *mark = memchr(from, '!', (size_t)(to - from));
+    *important = mark != NULL;
+    if (mark) to = mark;
+    trim(&from, &to);
+    const size_t size = (size_t)(to - from);
+    if (size >= sizeof made) return false;
+    memcpy(made, from, size);
+    made[size] = '\0';
+    const char *unit = bat_number_scan(made, made + size, &value);
+    if (!unit || !(value > 0) || !is_fixed(unit)) return false;
+    memcpy(room, made, size + 1);
+    return true;
+}
+
+const char *bat_svg_root_side(const char *style, size_t size, const char *name, const char *attribute,
+                              char room[BAT_SVG_SIDE_ROOM]) {
+    const char *out = attribute;
+    bool insists = false;
+    for (const char *at = style, *end = style ? style + size : NULL; at && at < end;) {
+        const char *next = memchr(at, ';', (size_t)(end - at)), *to = next ? next : end;
+        const char *colon = memchr(at, ':', (size_t)(to - at)), *name_end = colon;
+        bool important = false;
+        if (colon) trim(&at, &name_end);
+        if (colon && strlen(name) == (size_t)(name_end - at) && memcmp(at, name, strlen(name)) == 0 &&
+            copy_length(colon + 1, to, insists ? (char[BAT_SVG_SIDE_ROOM]){0} : room, &important) &&
+            !insists) {
+            insists = important;
+            out = room;
+        }
+        at = next ? next + 1 : NULL;
+    }
+    return out;
+}
+
 /* The part of the plane that paper of that size shows, where its proportions are others than the box has; and what stretches
  * the drawing, where they are made to agree. On a screen, whose size is none, the box is the page. */
 static void show(const double box[4], double wide, double high, const char *ratio, bat_svg_root *out) {
@@ -181,13 +239,30 @@ void bat_svg_root_read(const double box[4], bool boxed, const char *width, const
     *out = root;
 }
 
+typedef struct root_sides {
+    const char *width, *height; /* NULL: not said */
+    char room[2][BAT_SVG_SIDE_ROOM];
+} root_sides;
+
+static void find_sides(const bat_svg_walk *w, root_sides *out) {
+    const char *style = bat_svg_attribute_of(w, 1, "style");
+    const size_t size = style ? strlen(style) : 0;
+    out->width = bat_svg_root_side(style, size, "width", bat_svg_attribute_of(w, 1, "width"), out->room[0]);
+    out->height = bat_svg_root_side(style, size, "height", bat_svg_attribute_of(w, 1, "height"),
+                                    out->room[1]);
+}
+
+static double side_length(const char *text) {
+    double value;
+    return text && bat_svg_length(text, 0, &value) ? value : 0;
+}
+
 /* Gives the document its page and its physical size; stretch: what is done to the drawing where width and height do not keep
  * its proportions. boxed: there is a viewBox, which is w->page. */
-static void size_document(bat_svg_walk *w, bool boxed, double stretch[6]) {
+static void size_document(bat_svg_walk *w, bool boxed, const root_sides *sides, double stretch[6]) {
     bat_svg_root root;
-    bat_svg_root_read(w->page, boxed, bat_svg_attribute_of(w, 1, "width"),
-                      bat_svg_attribute_of(w, 1, "height"), bat_svg_attribute_of(w, 1, "preserveAspectRatio"),
-                      &root);
+    bat_svg_root_read(w->page, boxed, sides->width, sides->height,
+                      bat_svg_attribute_of(w, 1, "preserveAspectRatio"), &root);
     bat_matrix_identity(stretch);
     stretch[0] = root.stretch[0], stretch[3] = root.stretch[1];
     w->pixel = root.pixel;
@@ -202,18 +277,20 @@ void bat_svg_draw_root(bat_svg_walk *w) {
     none.style.store = &w->variables;
     bat_matrix_identity(none.matrix);
     double page[4] = {0};
+    root_sides sides;
+    find_sides(w, &sides);
     const char *box = bat_svg_attribute_of(w, 1, "viewBox"),
                *transform = bat_svg_attribute_of(w, 1, "transform");
     if (!box || !bat_svg_view_box(box, page)) {
         page[0] = page[1] = 0;
-        page[2] = bat_svg_length_of(w, 1, "width", 0, 0), page[3] = bat_svg_length_of(w, 1, "height", 0, 0);
+        page[2] = side_length(sides.width), page[3] = side_length(sides.height);
     }
     if (!(page[2] > 0 && page[3] > 0)) memset(page, 0, sizeof page);
     if (page[2] > 0) none.width = page[2], none.height = page[3];
     memcpy(w->page, page, sizeof w->page);
     bat_svg_scope s = none;
     double stretch[6], own[6];
-    size_document(w, box, stretch);
+    size_document(w, box, &sides, stretch);
     bat_svg_cascade(w, 1, &none, &s.style);
     s.opacity = s.style.opacity;
     bat_matrix_identity(own);

@@ -47,6 +47,11 @@ typedef struct bat_svg_root {
     double pixel;      /* as bat_svg_pixel */
 } bat_svg_root;
 
+enum { BAT_SVG_SIDE_ROOM = 64 };
+/* Its width or height: what its style attribute says in px, mm, cm, Q, in, pt or pc, as browsers obey it; else the attribute; NULL:
+ * neither. style: may be NULL; room: for what it says. */
+const char *bat_svg_root_side(const char *style, size_t size, const char *name, const char *attribute,
+                              char room[BAT_SVG_SIDE_ROOM]);
 /* From the attributes of the root, NULL where it has none. boxed: box is its viewBox; else what width and height make. */
 void bat_svg_root_read(const double box[4], bool boxed, const char *width, const char *height,
                        const char *ratio, bat_svg_root *out);
