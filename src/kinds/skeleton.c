@@ -329,7 +329,7 @@ static const char *check(const bat_object *object) {
 }
 
 static bat_status transform(const bat_object *object, const double rows[12], bat_object **out) {
-    double place[PLACE];
+    double place[PLACE] = {0};
     const bat_motion *motion = bat_object_motion(object, place);
     bat_pose_multiply(rows, place, place);
     return make_of_copy(object, 0, NULL, NULL, motion, place, out);

@@ -9,7 +9,7 @@ enum { PLACES = 64 };
 static const double better = 1e-9; /* of the length: less is a matter of rounding, and changes nothing */
 
 static vec point_at(const bat_curve *curve, double x) {
-    double domain[2], point[BAT_DIMENSION_MAX];
+    double domain[2], point[BAT_DIMENSION_MAX] = {0};
     bat_curve_domain(curve, domain);
     bat_curve_eval(curve, domain[0] + (domain[1] - domain[0]) * x, 0, point);
     return vec_load(point, bat_curve_dimension(curve));
