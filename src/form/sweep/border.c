@@ -10,7 +10,7 @@ enum { ORDER = BAT_CONTINUITY_MAX, MEASURED = 33 };
 
 bool bat_is_side(bat_side side) { return side >= BAT_SIDE_V0 && side <= BAT_SIDE_U1; }
 
-void bat_border_clear(bat_border *b) {
+void bat_surface_border_clear(bat_surface_border *b) {
     bat_curve_free(b->line);
     free(b->across);
 }
@@ -40,7 +40,7 @@ static bat_status derive(const bat_surface *s, int axis, int row, bool last, int
     return status;
 }
 
-bat_status bat_border_read(const bat_surface *s, bat_side side, int order, bat_border *out) {
+bat_status bat_surface_border_read(const bat_surface *s, bat_side side, int order, bat_surface_border *out) {
     const int along = side == BAT_SIDE_U0 || side == BAT_SIDE_U1, axis = 1 - along;
     const bool last = side == BAT_SIDE_U1 || side == BAT_SIDE_V1;
     if (s->axis[axis].closed) return BAT_ARGUMENT;
@@ -64,7 +64,7 @@ bat_status bat_border_read(const bat_surface *s, bat_side side, int order, bat_b
     return status;
 }
 
-double bat_border_speed(const bat_border *b) {
+double bat_surface_border_speed(const bat_surface_border *b) {
     const bat_curve *line = b->line;
     const double *d1 = b->across + 3 * (size_t)line->count;
     double domain[2], sum = 0;

@@ -15,7 +15,7 @@
 enum { ORDER = BAT_CONTINUITY_MAX, ROWS = 2 * ORDER + 2, MEASURED = 33 };
 
 /* Of a curve there is nothing across. */
-static bat_status read_curve(const bat_curve *curve, bat_border *out) {
+static bat_status read_curve(const bat_curve *curve, bat_surface_border *out) {
     bat_status status = bat_curve_to_dimension(curve, 3, &out->line);
     if (status != BAT_OK) return status;
     const size_t bytes = 3 * bat_curve_count(out->line) * sizeof(double);
@@ -26,7 +26,8 @@ static bat_status read_curve(const bat_curve *curve, bat_border *out) {
 }
 
 /* The order + 1 rows of control points beside a border, outwards; degree: across the blend. factor: of the parameter across. */
-static bat_status make_rows(const bat_border *b, int degree, double factor, bool turned, bat_curve **rows) {
+static bat_status make_rows(const bat_surface_border *b, int degree, double factor, bool turned,
+                            bat_curve **rows) {
     const bat_curve *line = b->line;
     const size_t numbers = 3 * bat_curve_count(line);
     double *points = calloc(numbers, sizeof *points);
@@ -72,7 +73,7 @@ static bat_status assemble(int count, bat_curve *const *rows, bat_surface **out)
     return bat_surface_finish(made, out);
 }
 
-static bat_status blend(const bat_border b[2], const double tension[2], bat_surface **out) {
+static bat_status blend(const bat_surface_border b[2], const double tension[2], bat_surface **out) {
     const int degree = b[0].order + b[1].order + 1, count = degree + 1;
     const double far[2] = {bat_sections_apart(b[0].line, b[1].line, MEASURED, false),
                            bat_sections_apart(b[0].line, b[1].line, MEASURED, true)};
@@ -80,7 +81,7 @@ static bat_status blend(const bat_border b[2], const double tension[2], bat_surf
     bat_curve *rows[ROWS] = {NULL}, *matched[ROWS] = {NULL};
     bat_status status = far[turned] > 0 ? BAT_OK : BAT_SINGULAR;
     for (int e = 0; e < 2 && status == BAT_OK; e++) {
-        const double own = b[e].order ? bat_border_speed(&b[e]) : 1;
+        const double own = b[e].order ? bat_surface_border_speed(&b[e]) : 1;
         if (!(own > 0)) status = BAT_SINGULAR;
         if (status == BAT_OK)
             status = make_rows(&b[e], degree, tension[e] * far[turned] / own, e && turned,
@@ -104,15 +105,16 @@ static bat_status blend(const bat_border b[2], const double tension[2], bat_surf
 static bat_status make(const bat_surface *a, bat_side a_side, const bat_surface *b, bat_side b_side,
                        const bat_curve *curve, const bat_blend_options *given, bat_surface **out) {
     bat_blend_options o;
-    bat_border both[2] = {{0}, {0}};
+    bat_surface_border both[2] = {{0}, {0}};
     bat_status status = bat_blend_options_read(given, &o);
     if (status == BAT_OK && (!bat_is_side(a_side) || !bat_is_side(b_side))) status = BAT_ARGUMENT;
-    if (status == BAT_OK) status = bat_border_read(a, a_side, o.continuity[0], &both[0]);
+    if (status == BAT_OK) status = bat_surface_border_read(a, a_side, o.continuity[0], &both[0]);
     if (status == BAT_OK)
-        status = b ? bat_border_read(b, b_side, o.continuity[1], &both[1]) : read_curve(curve, &both[1]);
+        status = b ? bat_surface_border_read(b, b_side, o.continuity[1], &both[1])
+                   : read_curve(curve, &both[1]);
     if (status == BAT_OK && both[0].line->closed != both[1].line->closed) status = BAT_ARGUMENT;
     if (status == BAT_OK) status = blend(both, o.tension, out);
-    bat_border_clear(&both[0]), bat_border_clear(&both[1]);
+    bat_surface_border_clear(&both[0]), bat_surface_border_clear(&both[1]);
     return status;
 }
 

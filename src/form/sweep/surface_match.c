@@ -23,7 +23,7 @@ static bat_status room_at_end(const bat_curve *row, int continuity, const double
 }
 
 /* The lines that the edge is to have: itself, and itself moved by each derivative, times factor to its order. */
-static bat_status wanted_lines(const bat_border *b, double factor, bool turned, bat_curve **lines) {
+static bat_status wanted_lines(const bat_surface_border *b, double factor, bool turned, bat_curve **lines) {
     const bat_curve *line = b->line;
     const size_t numbers = 3 * (size_t)line->count;
     double *points = malloc(numbers * sizeof *points), scale = 1;
@@ -111,17 +111,17 @@ static bat_status meet(const bat_surface *s, bool last, int continuity, bat_curv
 }
 
 /* The edge runs along u. */
-static bat_status match(const bat_surface *s, bool last, const bat_border *to, double tension,
+static bat_status match(const bat_surface *s, bool last, const bat_surface_border *to, double tension,
                         bat_surface **out, double *moved) {
-    bat_border own = {0};
+    bat_surface_border own = {0};
     bat_surface *room = NULL;
     bat_curve *wanted[ORDER + 1] = {NULL};
     double factor = 1;
     bool turned = false;
-    bat_status status = bat_border_read(s, last ? BAT_SIDE_V1 : BAT_SIDE_V0, to->order > 0, &own);
+    bat_status status = bat_surface_border_read(s, last ? BAT_SIDE_V1 : BAT_SIDE_V0, to->order > 0, &own);
     if (status == BAT_OK && own.line->closed != to->line->closed) status = BAT_ARGUMENT;
     if (status == BAT_OK && to->order > 0) {
-        const double speed[2] = {bat_border_speed(&own), bat_border_speed(to)};
+        const double speed[2] = {bat_surface_border_speed(&own), bat_surface_border_speed(to)};
         factor = tension * speed[0] / speed[1];
         if (!(speed[0] > 0 && speed[1] > 0)) status = BAT_SINGULAR;
     }
@@ -135,7 +135,7 @@ static bat_status match(const bat_surface *s, bool last, const bat_border *to, d
     if (status == BAT_OK) status = meet(room, last, to->order, wanted, out, moved);
     for (int j = 0; j <= ORDER; j++) bat_curve_free(wanted[j]);
     bat_surface_free(room);
-    bat_border_clear(&own);
+    bat_surface_border_clear(&own);
     return status;
 }
 
@@ -146,14 +146,14 @@ bat_status bat_surface_match(const bat_surface *a, bat_side a_side, const bat_su
         return BAT_ARGUMENT;
     const bool last = a_side == BAT_SIDE_U1 || a_side == BAT_SIDE_V1,
                swap = a_side == BAT_SIDE_U0 || a_side == BAT_SIDE_U1;
-    bat_border to = {0};
+    bat_surface_border to = {0};
     bat_surface *turned = NULL, *made = NULL;
     bat_status status = a->axis[swap ? 0 : 1].closed ? BAT_ARGUMENT : BAT_OK;
-    if (status == BAT_OK) status = bat_border_read(b, b_side, continuity, &to);
+    if (status == BAT_OK) status = bat_surface_border_read(b, b_side, continuity, &to);
     if (status == BAT_OK && swap) status = bat_surface_transpose(a, &turned);
     if (status == BAT_OK) status = match(swap ? turned : a, last, &to, tension, swap ? &made : out, moved);
     if (status == BAT_OK && swap) status = bat_surface_transpose(made, out);
     bat_surface_free(turned), bat_surface_free(made);
-    bat_border_clear(&to);
+    bat_surface_border_clear(&to);
     return status;
 }
