@@ -645,8 +645,7 @@ static const double turn_in_space[12] = {0, 1, 0, 3, 1, 0, 0, 2, 0, 0, 1, 1};
 static const bat_viewpoint view = {
     .eye = {50, -400, 300}, .target = {50, 0, 0}, .up = {0, 0, 1}, .size = {800, 600}, .height = 300};
 ON_SURFACE(surface_blend, false, COUNT(bat_surface_blend(s, BAT_SIDE_U1, s, BAT_SIDE_U0, NULL, &made)))
-ON_SURFACE(surface_match, false,
-           COUNT(bat_surface_match(s, BAT_SIDE_U1, s, BAT_SIDE_U0, 2, 1, &made, NULL)))
+ON_SURFACE(surface_match, false, COUNT(bat_surface_match(s, BAT_SIDE_U1, s, BAT_SIDE_U0, 2, 1, &made, NULL)))
 ON_SURFACE(surface_transform, false, COUNT(bat_surface_transform(s, turn_in_space, &made)))
 ON_SURFACE(isocurve, false, bat_curve_free(isocurve_of(s)))
 static void surface_nearest(int n) {
