@@ -169,8 +169,8 @@ def finest(program, relief):
 def box(program, drawing, up_is_y, curves):
     """low and high of what a file of it holds, in millimetres, in the file's axes."""
     document = json.loads(pathlib.Path(drawing).read_text())
-    lies = any(o["kind"] == "plane" and abs(o["axes"][0] * o["axes"][4] - o["axes"][1] * o["axes"][3]) < 1e-6 for o in document["objects"])
-    floor = document["stand"] == "floor" if "stand" in document else lies
+    upright = any(o["kind"] == "plane" and abs(o["axes"][0] * o["axes"][4] - o["axes"][1] * o["axes"][3]) < 1e-6 for o in document["objects"])
+    floor = document.get("stand", "floor" if upright else "wall") == "floor"
     found = []
     for item in document["objects"]:
         if item.get("hidden"):
