@@ -143,7 +143,7 @@ test('the address opens a file of the same server, says what it cannot open, and
   const { page, context } = await open(browser, `${server.address}?open=1/icons/batten.svg`);
   assert.equal(await page.textContent('#name'), 'batten.svg');
   assert.ok(await page.evaluate(() => batten.painter.list.length) > 1);
-  for (const [asked, why] of [['https://example.org/a.svg', 'not of this page'], ['nothing.svg', '404']]) {
+  for (const [asked, why] of [['https://example.org/a.svg', 'another server'], ['nothing.svg', '404']]) {
     if (why === '404') {
       expectFaults(/404/);
     }

@@ -2,7 +2,7 @@
 // pen; two surfaces matched; a wavy ring lifted by a stroke round its picture.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch, open, pictures, place, settle, state } from './page.mjs';
+import { launch, open, pictures, place, quiet, settle, state } from './page.mjs';
 import { serve } from './server.mjs';
 
 const ring = (waves, depth, count) => {
@@ -33,8 +33,10 @@ test('pins and the length are held while a level is dragged', async (t) => {
   t.after(() => server.close());
   const { page, hand } = await open(browser, server.address);
   const key = async (...names) => {
-    for (const name of names) await page.keyboard.press(name);
-    await settle(page);
+    for (const name of names) {
+      await page.keyboard.press(name);
+      await quiet(page); // the strip is fetched when it is first shown
+    }
   };
   const double = async (at) => {
     hand.rest(1);

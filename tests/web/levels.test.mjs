@@ -74,7 +74,7 @@ test('an outline in levels, with a pen', async () => {
   await page.locator('#strip-apart-points').fill('9');
   await page.locator('#strip-apart-points').press('Enter');
   await settle(page);
-  assert.match(await rows(page).last().textContent(), /Sweep.*9 points/);
+  assert.match(await rows(page).last().textContent(), /Base.*9 points/);
   await shot('apart');
   assert.equal(await digest(page), first);
   await key('Escape');
@@ -148,11 +148,11 @@ test('an outline in levels, with a pen', async () => {
   await settle(page);
   assert.equal((await objects(page))[0].curves[0].levels[1].muted, true);
   await page.getByRole('button', { name: 'Hide Detail 2' }).click();
-  await page.getByRole('button', { name: 'Show only up to Sweep' }).click();
+  await page.getByRole('button', { name: 'Show only up to Base' }).click();
   await settle(page);
   assert.equal((await objects(page))[0].curves[0].levels.filter((level) => level.muted).length, 3);
   await shot('solo');
-  await page.getByRole('button', { name: 'Show only up to Sweep' }).click();
+  await page.getByRole('button', { name: 'Show only up to Base' }).click();
   await settle(page);
   assert.equal((await objects(page))[0].curves[0].levels.filter((level) => level.muted).length, 0);
 

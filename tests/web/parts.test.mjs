@@ -154,7 +154,7 @@ test('without an answer the page stays: it is better than none', async (t) => {
   await page.click('[data-name=settings]');
   await said(page, 'some things do not work');
   await page.click('[data-about=missing] button');
-  await page.waitForFunction(() => /does not answer/.test(document.getElementById('notice-text').textContent));
+  await page.waitForFunction(() => /server stopped/.test(document.getElementById('notice-text').textContent));
   await said(page, 'some things do not work');
   const { digest } = await state(page);
   await hand.stroke(await on(page, ROOF));

@@ -92,7 +92,7 @@ test('points, smooth brush and eraser with a pen', async () => {
   await shot('calm');
   await page.keyboard.up('g');
   await settle(page);
-  assert.match((await state(page)).notice, /Evened out/);
+  assert.match((await state(page)).notice, /Smoothed/);
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
 

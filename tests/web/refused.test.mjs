@@ -94,7 +94,7 @@ test('a server that is gone: one notice says so', async (t) => {
   await page.evaluate(() => dispatchEvent(new Event('focus')));
   await page.waitForSelector('[data-about=silent]');
   await page.keyboard.press('Control+S');
-  await page.waitForSelector(`${UNSAVED} >> text=does not answer`);
+  await page.waitForSelector(`${UNSAVED} >> text=server stopped`);
   assert.equal(await page.isVisible('[data-about=silent]'), false);
   await program.start();
   await page.locator(`${UNSAVED} button`).first().click();

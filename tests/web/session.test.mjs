@@ -239,13 +239,13 @@ test('a program that ends and is started again is noticed while nobody saves', a
   await hand.stroke(bezier(...await Promise.all([[60, 60], [140, 20], [220, 100], [320, 60]].map(([x, y]) => place(page, x, y)))));
   await program.kill();
   await lookedAt(page);
-  await page.waitForSelector('[data-about=silent] >> text=does not answer');
+  await page.waitForSelector('[data-about=silent] >> text=server stopped');
   // The server is asked again soon, automatically.
   await page.evaluate(() => { globalThis.hasty = true; });
   await lookedAt(page);
   await program.start();
   await page.waitForSelector('[data-about=silent]', { state: 'detached' });
-  await page.waitForFunction(() => /answers again/.test(document.getElementById('notice-text').textContent));
+  await page.waitForFunction(() => /Connected to/.test(document.getElementById('notice-text').textContent));
   await page.keyboard.press('Control+S');
   await page.waitForFunction(() => document.getElementById('unsaved').hidden);
   assert.match(program.bytes.toString(), /batten:document/);
@@ -259,7 +259,7 @@ test('a server that takes a question and gives no answer is silent, too', async 
   await page.waitForLoadState('networkidle');
   await page.route('**/document', (route) => (route.request().method() === 'HEAD' ? null : route.continue()));
   await lookedAt(page);
-  await page.waitForSelector('[data-about=silent] >> text=does not answer');
+  await page.waitForSelector('[data-about=silent] >> text=server stopped');
   await page.unroute('**/document');
   await lookedAt(page);
   await page.waitForSelector('[data-about=silent]', { state: 'detached' });
@@ -324,7 +324,7 @@ test('a program started again is found without a reload; one with another file i
   const { address } = program;
   await program.kill();
   await page.keyboard.press('Control+S');
-  await page.waitForSelector('[data-about=unsaved] >> text=does not answer');
+  await page.waitForSelector('[data-about=unsaved] >> text=server stopped');
   assert.deepEqual(await answers(page, 'unsaved'), ['Try again', 'Download a copy', '×']);
   assert.equal((await state(page)).unsaved, true);
 

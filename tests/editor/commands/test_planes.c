@@ -175,7 +175,7 @@ static void what_cannot_be_picked_is_said(void **state) {
         pixel_of(editor, (double[]){200 + 100 * i, 200, 0}, pixel);
         tap(&p, round(pixel[0]), pixel[1]);
     }
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "on a line"));
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "on one line"));
     assert_true(digest(editor) == first);
     assert_int_equal(bat_editor_command(editor, "cancel"), BAT_OK);
     assert_null(strstr(bat_editor_frame(editor)->hint, "three points"));

@@ -287,7 +287,7 @@ static void what_cannot_be_simplified(void **state) {
     const uint64_t simple = digest(editor);
     const int points = total(editor), steps = editor->session.history.done;
     assert_int_equal(bat_editor_command(editor, "curve-simplify"), BAT_STATE);
-    says(editor, "no fewer points");
+    says(editor, "as few points");
     counts(editor, points, points);
     assert_int_equal(bat_editor_refit(editor, 1, true), BAT_OK);
     assert_true(total(editor) < points);

@@ -275,7 +275,7 @@ static void calming_keeps_the_tolerance(void **state) {
         bat_editor_key(editor, "g", false, 0, p.time);
         check(editor);
         assert_true(digest(editor) != first);
-        assert_non_null(strstr(bat_editor_frame(editor)->notice, "Evened out"));
+        assert_non_null(strstr(bat_editor_frame(editor)->notice, "Smoothed"));
         assert_true(apart(old, curve_at(editor, 0)) <= 2 + 1e-6);
         assert_true(roughness(curve_at(editor, 0), 200, 800) < roughness(old, 200, 800));
         bat_curve_free(old);
@@ -304,8 +304,8 @@ static void calming_the_selection(void **state) {
         check(editor);
         assert_int_equal(bat_curve_knot_count(curve_at(editor, 0)), bat_curve_knot_count(old));
         const char *notice = bat_editor_frame(editor)->notice;
-        assert_true(strstr(notice, "Evened out") || strstr(notice, "Nothing is left to even out"));
-        assert_true(press || strstr(notice, "Evened out"));
+        assert_true(strstr(notice, "Smoothed") || strstr(notice, "nothing left to smooth"));
+        assert_true(press || strstr(notice, "Smoothed"));
     }
     assert_true(roughness(curve_at(editor, 0), 220, 780) < roughness(old, 220, 780) / 2);
     bat_curve_free(old);

@@ -86,7 +86,7 @@ static void a_ring_is_lifted_by_a_stroke_round_it(void **state) {
         if (deep) assert_int_equal(bat_editor_set(editor, "perspective", 1), BAT_OK);
         const uint64_t first = digest(editor);
         bat_curve_copy(curve_of(editor), &was);
-        assert_true(hinted(editor, "how high"));
+        assert_true(hinted(editor, "height profile"));
         draw_round(editor, was);
         stands(curve_of(editor), was);
         assert_int_equal(round_trip(editor, first), 1);
@@ -183,7 +183,7 @@ static void what_does_not_show_is_said_first(void **state) {
         bat_editor *editor = with(curve, way == 2 ? 0 : 3);
         const uint64_t first = digest(editor);
         pen p = pen_for(editor);
-        assert_int_equal(hinted(editor, "how high"), way == 1);
+        assert_int_equal(hinted(editor, "height profile"), way == 1);
         assert_int_equal(hinted(editor, "Tilt"), way != 1);
         drag(&p, 320, 380, 690, 360);
         assert_int_equal(digest(editor) != first, way == 1);

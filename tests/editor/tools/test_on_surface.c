@@ -172,10 +172,10 @@ static void a_third_that_misses_is_too_much(void **state) {
             pen_event(&p, i ? BAT_POINTER_MOVE : BAT_POINTER_DOWN, a[0], a[1] + (top - a[1]) * i / SAMPLES);
         pen_event(&p, BAT_POINTER_UP, a[0], top);
         const char *notice = bat_editor_frame(editor)->notice;
-        const int dropped = atoi(notice);
+        const int dropped = atoi(notice + strcspn(notice, "0123456789"));
         if (high) {
             assert_true(3 * dropped > SAMPLES + 1);
-            assert_non_null(strstr(notice, "points of the stroke missed the surface, which is too many"));
+            assert_non_null(strstr(notice, "Too much of the stroke missed the surface"));
             assert_true(digest(editor) == first);
             bat_editor_journal(editor, &after);
             assert_int_equal(after, before);

@@ -684,7 +684,7 @@ static void the_handle_stops_and_steps(void **state) {
     }
     assert_true(bat_surfacing_handle(&editor->context, state_of(editor), grip, at));
     drag_to(&p, at[0], at[1], grip[0] + 50, grip[1] + 31);
-    assert_non_null(strstr(bat_editor_frame(editor)->hint, "turns"));
+    assert_non_null(strstr(bat_editor_frame(editor)->hint, "Turns the drawing plane"));
     assert_true(bat_editor_key(editor, "Escape", true, 0, 0));
     pen_event(&p, BAT_POINTER_UP, grip[0] + 50, grip[1] + 31);
     check(editor);
