@@ -14,7 +14,7 @@
   });
 
   // What people type and what is written here: another spelling, or another program's word.
-  const SAME = { color: 'colour', center: 'centre', gray: 'grey', autosave: 'unsaved', hotkeys: 'keys', offline: 'network', hotkey: 'key', shortcut: 'key', shortcuts: 'keys',
+  const SAME = { color: 'colour', mirror: 'flip', mirrored: 'flipped', center: 'centre', gray: 'grey', autosave: 'unsaved', hotkeys: 'keys', offline: 'network', hotkey: 'key', shortcut: 'key', shortcuts: 'keys',
     cli: 'shell', terminal: 'shell' };
   const EMPTY = new Set(['a', 'an', 'and', 'can', 'do', 'does', 'for', 'how', 'i', 'in', 'is', 'it', 'my', 'of', 'on', 'or', 'the', 'to', 'what', 'where', 'with']);
 

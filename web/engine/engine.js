@@ -103,8 +103,7 @@ export class Engine extends Instance {
 
   /** @param {string} property @param {number} value @returns {boolean} whether it was accepted */
   set(property, value) {
-    return this.guard(() => this.lend(property, (text) => this.wasm.editor_set(this.editor, text, value)) === OK,
-      false);
+    return this.guard(() => this.lend(property, (text) => this.wasm.editor_set(this.editor, text, value)) === OK, false);
   }
 
   /** @param {string} property @returns {number} NaN when there is no such property */
@@ -161,14 +160,12 @@ export class Engine extends Instance {
 
   /** @returns {import('../sheets/layers.js').Layers} */
   layers() {
-    return this.guard(() => JSON.parse(this.string(this.wasm.editor_layers(this.editor))),
-      { layers: [], active: 0, loose: 0, pictures: 0 });
+    return this.guard(() => JSON.parse(this.string(this.wasm.editor_layers(this.editor))), { layers: [], active: 0, loose: 0, pictures: 0 });
   }
 
   /** @returns {import('../stage/chips.js').Readings} */
   readings() {
-    return this.guard(() => JSON.parse(this.string(this.wasm.editor_readings(this.editor))),
-      { at: [0, 0], chosen: -1, amount: -1, words: [] });
+    return this.guard(() => JSON.parse(this.string(this.wasm.editor_readings(this.editor))), { at: [0, 0], chosen: -1, amount: -1, words: [] });
   }
 
   /** @param {number} slider 0 or 1 @param {number} amount @param {boolean} done @returns {boolean} */
@@ -183,8 +180,7 @@ export class Engine extends Instance {
 
   /** @returns {import('../sheets/levels.js').Levels} */
   levels() {
-    return this.guard(() => JSON.parse(this.string(this.wasm.editor_levels(this.editor))),
-      { rows: [], points: 0, apart: 0, copying: 0 });
+    return this.guard(() => JSON.parse(this.string(this.wasm.editor_levels(this.editor))), { rows: [], points: 0, apart: 0, copying: 0 });
   }
 
   /**

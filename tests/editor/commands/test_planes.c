@@ -184,7 +184,7 @@ static void what_cannot_be_picked_is_said(void **state) {
     bat_editor_command(editor, "draw-on-page"); /* nothing can be hit on it */
     bat_editor_command(editor, "plane-of-points");
     tap(&p, 900, 100);
-    assert_non_null(strstr(bat_editor_frame(editor)->notice, "Nothing"));
+    assert_non_null(strstr(bat_editor_frame(editor)->notice, "nothing to pick"));
     assert_true(digest(editor) == first);
     check(editor);
     bat_editor_free(editor);
