@@ -294,7 +294,7 @@ test('a flat drawing is offered none of them; asked for by name, it says why; in
   await page.waitForFunction(() => document.activeElement?.classList.contains('search'));
   await page.keyboard.type('stl');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('공간'));
+  await page.waitForFunction(() => document.querySelector('.notices')?.textContent.includes('3D 형태'));
   await drop(page, 'jug.batten', fs.readFileSync(JUG, 'utf8'));
   assert.match(await choose(page, { format: 'stl' }), /삼각형/);
   await page.screenshot({ path: path.join(SCREENSHOTS, 'solid-korean.png') });
