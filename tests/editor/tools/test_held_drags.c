@@ -1,6 +1,6 @@
 /*
  * A level that is dragged holds its curve's length and area by their switches, and places and directions by pins; each drag is one step that
- * can be undone and replayed; where it cannot go on, the curve stays where it came to.
+ * can be undone and replayed; where it cannot go on, the curve goes as far as it can.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -213,6 +213,35 @@ static void islands_go_along(void **state) {
     bat_editor_free(editor);
 }
 
+/* A drag of one jump to where the length cannot go comes as far as one of many steps: how often the pen is seen makes no difference. */
+static void a_jump_goes_as_far_as_steps(void **state) {
+    (void)state;
+    uint64_t ends[2];
+    for (int way = 0; way < 2; way++) {
+        bat_editor *editor = ring();
+        pen p = mouse(editor);
+        const double before = length(editor);
+        const uint64_t first = digest(editor);
+        assert_int_equal(bat_editor_set(editor, "hold-length", 1), BAT_OK);
+        double domain[2], at[2];
+        bat_curve_domain(curve(editor, 1), domain);
+        bat_curve_eval(curve(editor, 1), domain[0] + 0.13 * (domain[1] - domain[0]), 0, at);
+        pen_event(&p, BAT_POINTER_DOWN, at[0], at[1]);
+        for (int i = way ? 1 : 40; i <= 40; i++) {
+            pen_event(&p, BAT_POINTER_MOVE, at[0] + 20.0 * i, at[1] + 10.0 * i);
+            bat_editor_frame(editor);
+        }
+        pen_event(&p, BAT_POINTER_UP, at[0] + 800, at[1] + 400);
+        check(editor);
+        ends[way] = digest(editor);
+        assert_true(ends[way] != first);
+        assert_true(fabs(length(editor) - before) <= 1e-9 * 400);
+        replays(editor, 0);
+        bat_editor_free(editor);
+    }
+    assert_true(ends[0] == ends[1]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lengths_and_areas_stay),
@@ -221,6 +250,7 @@ int main(void) {
         cmocka_unit_test(pins_hold),
         cmocka_unit_test(what_is_selected_with_it_goes_along),
         cmocka_unit_test(islands_go_along),
+        cmocka_unit_test(a_jump_goes_as_far_as_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

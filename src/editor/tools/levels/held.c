@@ -18,6 +18,8 @@ static const double REACH = 12, SIZE = 4,
 static const double ON_AXIS = 6; /* px: what is pressed so near the axis moves along it */
 static const double EVEN = 1e-5; /* of the size: as symmetric as a file with few digits says it */
 
+enum { HALVINGS = 7 }; /* of the way that cannot be gone as a whole */
+
 /* The axis about which the chosen curve is its own mirror image, and stays it: of several the one nearest to the drawing's own. */
 static bool axis_now(const bat_context *c, bat_mirror *out) {
     const bat_curve *curve = bat_leveling_curve(c);
@@ -70,13 +72,13 @@ static void keep_on_axis(const bat_context *c, const bat_shape *shape, const bat
     for (int k = 0; k < 2; k++) delta[k] = along * axis.along[k];
 }
 
-bat_status bat_leveling_move_held(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
-                                  const double delta[3], bat_shape **out) {
+static bat_status move_by(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
+                          const double delta[3], double share, bat_shape **out) {
     static const double still[BAT_DIMENSION_MAX] = {0};
     double points[BAT_HELD_MAX], directions[BAT_HELD_MAX];
     const bat_shape_held held = held_now(c, points, directions);
     const int level = bat_leveling_of(c)->level;
-    double way[3] = {delta[0], delta[1], delta[2]};
+    double way[3] = {share * delta[0], share * delta[1], share * delta[2]};
     bat_shape *shape = NULL;
     bat_status status = bat_shape_live_move(live, 0, 1, still); /* as it was at the beginning */
     if (status == BAT_OK) status = bat_shape_copy(bat_shape_live_shape(live), &shape);
@@ -85,10 +87,33 @@ bat_status bat_leveling_move_held(const bat_context *c, bat_shape_live *live, co
         status = grip->kind == BAT_HANDLE_POINT ? bat_shape_move_held(shape, level, grip->index, way, &held)
                                                 : bat_shape_drag_held(shape, level, grip->u, way, &held);
     if (status == BAT_OK) status = bat_shape_commit(shape);
-    if (status == BAT_OK)
-        *out = shape;
-    else
+    if (status != BAT_OK) {
         bat_shape_free(shape);
+        return status;
+    }
+    bat_shape_free(*out);
+    *out = shape;
+    return BAT_OK;
+}
+
+bat_status bat_leveling_move_held(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
+                                  const double delta[3], bat_shape **out) {
+    const bat_status status = move_by(c, live, grip, delta, 1, out);
+    if (status != BAT_TOLERANCE) return status;
+    double near = 0, far = 1;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double share = (near + far) / 2;
+        const bat_status tried = move_by(c, live, grip, delta, share, out);
+        if (tried == BAT_OK)
+            near = share;
+        else if (tried == BAT_TOLERANCE)
+            far = share;
+        else {
+            bat_shape_free(*out);
+            *out = NULL;
+            return tried;
+        }
+    }
     return status;
 }
 

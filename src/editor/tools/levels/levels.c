@@ -175,13 +175,14 @@ static void drag(bat_context *c) {
     }
     if (!drag_delta(c, l, delta)) return;
     bat_shape *shape = NULL;
-    bat_status status = edited(c, l->live, &l->grip, delta, &shape);
-    if (status == BAT_OK) status = bat_leveling_put(c, shape);
-    if (status == BAT_OK) status = bat_bent_along_move(c, l->followers);
-    if (status == BAT_TOLERANCE)
-        tell(c, status); /* it stays where it came to */
-    else if (status != BAT_OK)
+    const bat_status held = edited(c, l->live, &l->grip, delta, &shape);
+    bat_status status = held == BAT_TOLERANCE ? BAT_OK : held;
+    if (status == BAT_OK && shape) status = bat_leveling_put(c, shape);
+    if (status == BAT_OK && shape) status = bat_bent_along_move(c, l->followers);
+    if (status != BAT_OK)
         give_up(c, status);
+    else if (held == BAT_TOLERANCE)
+        tell(c, held);
 }
 
 /* The normal of a curve in the plane where it is gripped: at a control point, where that point pulls most. */
@@ -374,7 +375,10 @@ static bat_status nudge(bat_context *c, double x, double y) {
     bat_status status = bat_shape_live_begin(bat_leveling_shape(c), l->level, &live);
     if (status == BAT_OK) status = edited(c, live, &grip, delta, &shape);
     bat_shape_live_cancel(live);
-    if (status == BAT_OK) status = commit_with_followers(c, shape);
+    if (status == BAT_OK)
+        status = commit_with_followers(c, shape);
+    else
+        bat_shape_free(shape);
     tell(c, status);
     return status == BAT_STATE || status == BAT_TOLERANCE
                ? BAT_OK

@@ -90,7 +90,7 @@ bat_status bat_relief_take_apart(bat_context *c, int levels, int points, bat_rel
 /* held.c: whether anything of the chosen curve is held. */
 bool bat_leveling_holds(const bat_context *c);
 /* The shape of the drag's session as it was at the beginning, with the grip moved by delta and the rest held; the caller's. BAT_TOLERANCE:
- * that cannot be. */
+ * that cannot be, and the shape, where there is one, is as far on the way as can be. */
 bat_status bat_leveling_move_held(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                                   const double delta[3], bat_shape **out);
 /* After what is held has been switched: says when the chosen curve has no symmetry to hold. */
