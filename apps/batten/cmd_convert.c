@@ -356,8 +356,7 @@ const cli_command command_convert = {
          {"--extremes", NULL,
           "to .glif: curves get a point where they are furthest left, right, up and down"},
          {OPTION_OUTLINE, NULL,
-          "to .dxf, .gcode, .glif and .eps: of strokes whose width changes the outline, not the line along "
-          "the middle"},
+          "to .dxf, .gcode, .glif and .eps: outlines of strokes whose width changes, not their middles"},
          {"--precision", "D", "SVG: no point moves by more than D when numbers are rounded; 0: none is"},
          {"--plain", NULL, "SVG without our data: smaller, but curves come back as cubic paths"},
          {"--floor", NULL,

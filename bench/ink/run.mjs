@@ -6,10 +6,11 @@ import fs from 'node:fs';
 import http from 'node:http';
 import os from 'node:os';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { launch, open } from '../../tests/web/page.mjs';
 import { serve } from '../../tests/web/server.mjs';
 
-const HERE = import.meta.dirname;
+const HERE = path.dirname(fileURLToPath(import.meta.url));
 const EMPTY = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" width="1000" height="700"/>');
 const [STROKES, SAMPLES, EVERY] = [4, 240, 6]; // ms between two samples
 const TYPES = { '.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript' };

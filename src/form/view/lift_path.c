@@ -1,5 +1,6 @@
 /* The shortest way through the places that the samples of a stroke can mean, by dynamic programming (docs/math/surfaces.md). */
 #include "form/view/lift_path.h"
+#include "base/real.h"
 #include "base/vec.h"
 #include "form/view/cast.h"
 #include <batten/bezier.h>
@@ -61,7 +62,7 @@ static double way(const search *s, const node *a, const node *b, int *which) {
     double along = b->along - a->along;
     if (s->period > 0) along -= s->period * floor(along / s->period + 0.5);
     *which = along > 0 ? 0 : along < 0 ? 1 : -1;
-    return hypot(along, STEEP * (a->h - b->h));
+    return bat_hypot(along, STEEP * (a->h - b->h));
 }
 
 /* The places of one sample. */
