@@ -4,7 +4,7 @@
 #include "editor/session/session.h"
 
 static bat_status write_step(bat_session *session, const bat_step *step, bat_document *document) {
-    bat_text line = {.packed = true};
+    bat_text line = {0};
     bat_status status = bat_step_apply(step, document, true);
     for (int i = 0; i < step->count && status == BAT_OK; i++)
         status = bat_session_keep_pictures(session, step->deltas[i].after);
