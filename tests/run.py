@@ -49,7 +49,7 @@ INTENT = {
         "Usually six minutes on two cores, and four when a compiler cache is warm.",
     ("all",): "./test all: everything. It leaves to commands of their own: other systems, fuzzing for long, a thousand files of "
               "others, Debian's packages, planted faults (CONTRIBUTING.md).\n"
-              "Usually fifty-five minutes on two cores.",
+              "Usually forty-five minutes on two cores.",
 }
 
 
