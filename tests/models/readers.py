@@ -1,5 +1,6 @@
 """Files of shapes in space as programs read them that are not Batten: admesh, assimp, Blender (Debian), OCCT's Draw (occt-draw) and
-the glTF validator of Khronos (npm gltf-validator, found through NODE_PATH). Each gives what it finds: low and high of a box, triangles' volume and open edges."""
+the glTF validator of Khronos (npm gltf-validator, of tests/web unless NODE_PATH says where). Each gives what it finds: low and high
+of a box, triangles' volume and open edges."""
 import json
 import os
 import pathlib
@@ -10,6 +11,7 @@ import subprocess
 import numpy
 
 SECONDS = 300
+os.environ.setdefault("NODE_PATH", str(pathlib.Path(__file__).resolve().parents[1] / "web/node_modules"))
 DRAW = next(filter(None, map(shutil.which, ("DRAWEXE", "occt-draw", "occt-draw-7.6"))), None)
 NUMBER = r"-?[\d.]+(?:e[-+]?\d+)?|-?inf|nan"
 VALIDATE = """const validator = require('gltf-validator'); const file = process.argv[1];
