@@ -9,6 +9,8 @@ import { chromium } from 'playwright-core';
 import { BROWSER, HANG } from './chromium.mjs';
 
 export { HANG };
+/** Milliseconds in which the second part of the module comes, or is missing. */
+const COMES = 20000;
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 export const SCREENSHOTS = path.resolve(HERE, '../../build/screenshots');
@@ -262,7 +264,9 @@ export async function texts(page) {
 
 /** A drawing in space opens from three quarters: back to the page, as tests begin; space.test.mjs looks at how it opens. */
 export async function faceOn(page) {
-  if (await page.evaluate(() => globalThis.batten && !batten.engine.partial && batten.engine.number('view') !== '')) {
+  // Asking for the view calls the second part of the module, which without it ends the engine.
+  await page.waitForFunction(() => !globalThis.batten?.engine || batten.engine.partial || batten.engine.module.second, null, { timeout: COMES }).catch(() => {});
+  if (await page.evaluate(() => globalThis.batten?.engine.module.second && batten.engine.number('view') !== '')) {
     await page.waitForFunction(() => batten.dial?.opening.drawing === batten.engine.drawing);
     await page.evaluate(() => {
       batten.engine.command('view-upright');
