@@ -7,7 +7,7 @@ import http from 'node:http';
 import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { launch, open } from '../../tests/web/page.mjs';
+import { launch, open, timePaint } from '../../tests/web/page.mjs';
 import { serve } from '../../tests/web/server.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -39,24 +39,7 @@ async function peers(folder) {
 async function measure(page, rate) {
   const client = await page.context().newCDPSession(page);
   await client.send('Emulation.setCPUThrottlingRate', { rate });
-  await page.evaluate(() => {
-    globalThis.late = [];
-    globalThis.since = 0;
-    addEventListener('pointermove', ({ timeStamp, buttons }) => {
-      if (globalThis.since || !buttons) {
-        return;
-      }
-      globalThis.since = timeStamp;
-      requestAnimationFrame(() => { // what it posts comes when the frame has been painted
-        const { port1, port2 } = new MessageChannel();
-        port1.onmessage = () => {
-          globalThis.late.push(performance.now() - globalThis.since);
-          globalThis.since = 0;
-        };
-        port2.postMessage(0);
-      });
-    }, true);
-  });
+  await timePaint(page);
   for (let k = 0; k < STROKES; k++) {
     const send = (type, i) => client.send('Input.dispatchMouseEvent', { type, x: 300 + 2.2 * i, y: 300 + 40 * k + 90 * Math.sin(i / 25),
       button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, pointerType: 'pen', force: 0.5, clickCount: 1 });

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { bezier, inThemes, launch, open, place, quiet, SCREENSHOTS, state } from './page.mjs';
+import { bezier, inThemes, launch, open, place, quiet, SCREENSHOTS, state, timePaint } from './page.mjs';
 import { EXAMPLE, serve } from './server.mjs';
 
 const SHARE = 0.02;
@@ -127,21 +127,7 @@ test('from the pen to the paint', async (t) => {
   const server = await serve({ name: 'car.svg', bytes: fs.readFileSync(EXAMPLE) });
   t.after(() => server.close());
   const { page, hand, context } = await open(browser, server.address);
-  await page.evaluate(() => {
-    globalThis.late = [];
-    batten.stage.addEventListener('pointermove', ({ timeStamp, buttons }) => {
-      if (globalThis.since || !buttons) return;
-      globalThis.since = timeStamp; // of the oldest that is not seen yet
-      requestAnimationFrame(() => { // what it posts comes when the frame has been painted
-        const { port1, port2 } = new MessageChannel();
-        port1.onmessage = () => {
-          globalThis.late.push(performance.now() - globalThis.since);
-          globalThis.since = 0;
-        };
-        port2.postMessage(0);
-      });
-    }, true);
-  });
+  await timePaint(page);
   const moves = wave(200, 400);
   await hand.hover(moves[0]);
   await page.evaluate(async (points) => {

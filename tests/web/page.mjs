@@ -361,6 +361,28 @@ export function place(page, x, y) {
   }, [x, y]);
 }
 
+/** Notes in `late` how long each frame comes after the oldest move of a contact that is not seen yet, ms. */
+export function timePaint(page) {
+  return page.evaluate(() => {
+    globalThis.late = [];
+    globalThis.since = 0;
+    addEventListener('pointermove', ({ timeStamp, buttons }) => {
+      if (globalThis.since || !buttons) {
+        return;
+      }
+      globalThis.since = timeStamp;
+      requestAnimationFrame(() => { // what it posts comes when the frame has been painted
+        const { port1, port2 } = new MessageChannel();
+        port1.onmessage = () => {
+          globalThis.late.push(performance.now() - globalThis.since);
+          globalThis.since = 0;
+        };
+        port2.postMessage(0);
+      });
+    }, true);
+  });
+}
+
 /** The number of pixels of a canvas that are not transparent. */
 export function inked(page, id) {
   return page.evaluate((name) => {

@@ -192,7 +192,8 @@ export class Panel {
     const meaning = this.engine.get('stroke-meaning');
     const told = [values, frame.knotsBefore, frame.knotsAfter].join('\n');
     const shown = [reach, meaning, frame.name, frame.unsaved, frame.canUndo, frame.canRedo, frame.tool, frame.tolerance, frame.zoom,
-      frame.angle, frame.hint, frame.pending && frame.error, frame.pending, frame.first, frame.selection, frame.selected > 0 ? frame.revision : 0].join('\n');
+      frame.angle, frame.hint, frame.pending && frame.error, frame.pending, frame.first, frame.selection,
+      frame.selected > 0 ? frame.revision : 0].join('\n');
     if (told !== this.told) {
       this.told = told;
       this.foot.follow(frame, values);

@@ -72,11 +72,10 @@ static void keep_on_axis(const bat_context *c, const bat_shape *shape, const bat
     for (int k = 0; k < 2; k++) delta[k] = along * axis.along[k];
 }
 
+/* The shape as it was at the beginning, moved by a share of the way; one that is there already is replaced when that can be. */
 static bat_status move_by(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
-                          const double delta[3], double share, bat_shape **out) {
+                          const double delta[3], double share, const bat_shape_held *held, bat_shape **out) {
     static const double still[BAT_DIMENSION_MAX] = {0};
-    double points[BAT_HELD_MAX], directions[BAT_HELD_MAX];
-    const bat_shape_held held = held_now(c, points, directions);
     const int level = bat_leveling_of(c)->level;
     double way[3] = {share * delta[0], share * delta[1], share * delta[2]};
     bat_shape *shape = NULL;
@@ -84,8 +83,8 @@ static bat_status move_by(const bat_context *c, bat_shape_live *live, const bat_
     if (status == BAT_OK) status = bat_shape_copy(bat_shape_live_shape(live), &shape);
     if (status == BAT_OK) keep_on_axis(c, shape, grip, way);
     if (status == BAT_OK)
-        status = grip->kind == BAT_HANDLE_POINT ? bat_shape_move_held(shape, level, grip->index, way, &held)
-                                                : bat_shape_drag_held(shape, level, grip->u, way, &held);
+        status = grip->kind == BAT_HANDLE_POINT ? bat_shape_move_held(shape, level, grip->index, way, held)
+                                                : bat_shape_drag_held(shape, level, grip->u, way, held);
     if (status == BAT_OK) status = bat_shape_commit(shape);
     if (status != BAT_OK) {
         bat_shape_free(shape);
@@ -98,23 +97,22 @@ static bat_status move_by(const bat_context *c, bat_shape_live *live, const bat_
 
 bat_status bat_leveling_move_held(const bat_context *c, bat_shape_live *live, const bat_handle *grip,
                                   const double delta[3], bat_shape **out) {
-    const bat_status status = move_by(c, live, grip, delta, 1, out);
-    if (status != BAT_TOLERANCE) return status;
-    double near = 0, far = 1;
-    for (int i = 0; i < HALVINGS; i++) {
+    double points[BAT_HELD_MAX], directions[BAT_HELD_MAX], near = 0, far = 1;
+    const bat_shape_held held = held_now(c, points, directions);
+    bat_status tried = move_by(c, live, grip, delta, 1, &held, out);
+    if (tried != BAT_TOLERANCE) return tried;
+    for (int i = 0; i < HALVINGS && (tried == BAT_OK || tried == BAT_TOLERANCE); i++) {
         const double share = (near + far) / 2;
-        const bat_status tried = move_by(c, live, grip, delta, share, out);
+        tried = move_by(c, live, grip, delta, share, &held, out);
         if (tried == BAT_OK)
             near = share;
-        else if (tried == BAT_TOLERANCE)
+        else
             far = share;
-        else {
-            bat_shape_free(*out);
-            *out = NULL;
-            return tried;
-        }
     }
-    return status;
+    if (tried == BAT_OK || tried == BAT_TOLERANCE) return BAT_TOLERANCE;
+    bat_shape_free(*out);
+    *out = NULL;
+    return tried;
 }
 
 bat_status bat_leveling_told_held(bat_context *c, bat_property_id id) {
